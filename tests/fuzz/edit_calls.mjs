@@ -59,6 +59,7 @@ export const EDIT_CALLS = {
     s.world.setRule(s.below(9), 1 + s.below(9), s.below(4) === 0 ? null : s.options(rule));
   },
   rule: (s) => s.world.rule(1 << s.below(4), 1 << s.below(4)),
+  useRules: (s) => s.world.useRules(),
   impulses: (s) => s.world.impulses(),
   impulseView: (s) => s.world.impulseView(),
   setListeners: (s) => {

@@ -2,13 +2,7 @@
  * rule's. What a rule does is seen in the next step. */
 #include "operations.h"
 
-void session_take_rules(fuzz_session *s, thud_world *world) {
-    for (int i = 0; i < SESSION_KINDS * SESSION_KINDS; i++) {
-        int a = i / SESSION_KINDS, b = i % SESSION_KINDS;
-        if (s->ruled[a][b]) {
-            COUNTED(thud_world_set_rule(world, 1u << a, 1u << b, &s->rules[a][b]));
-        }
-    }
+void session_take_filter(fuzz_session *s, thud_world *world) {
     if (s->filters) {
         COUNTED(thud_world_set_filter(world, session_filter, s));
     }
@@ -33,9 +27,9 @@ void play_rule(fuzz_session *s) {
     rule.most_impulse = wanted & 16 ? next_float(&s->bytes, 0, 0.03125) : rule.most_impulse;
     TRY(s, thud_world_set_rule(s->world, 1u << a, 1u << b, none ? NULL : &rule));
     if (s->result == THUD_OK) {
-        s->ruled[b][a] = false;
-        s->ruled[a][b] = !none;
-        s->rules[a][b] = rule;
+        s->now.ruled[b][a] = false;
+        s->now.ruled[a][b] = !none;
+        s->now.rules[a][b] = rule;
     }
 }
 
@@ -45,8 +39,8 @@ void play_rule_get(fuzz_session *s) {
     thud_rule rule;
     bool set = false, reversed = false;
     TRY(s, thud_world_rule(s->world, 1u << a, 1u << b, &rule, &set, &reversed));
-    bool there = s->ruled[a][b] || s->ruled[b][a];
-    if (s->result != THUD_OK || set != there || reversed != (there && !s->ruled[a][b])) {
+    bool there = s->now.ruled[a][b] || s->now.ruled[b][a];
+    if (s->result != THUD_OK || set != there || reversed != (there && !s->now.ruled[a][b])) {
         fuzz_fail(s, "rule of %d and %d: %d, %d", a, b, set, reversed);
     }
     note_bits(s, (uint64_t)rule.meeting);

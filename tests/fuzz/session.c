@@ -131,7 +131,8 @@ static void make_world(fuzz_session *s, thud_world **out) {
     }
     COUNTED(thud_world_use_joints(*out));
     COUNTED(thud_world_set_listeners(*out, &s->listeners));
-    session_take_rules(s, *out);
+    COUNTED(thud_world_use_rules(*out));
+    session_take_filter(s, *out);
 }
 
 static void make_foreign_handles(fuzz_session *s) {

@@ -56,6 +56,8 @@ typedef struct session_state {
     int next_body, next_shape, next_joint;
     pair_ledger touches, sensed;
     thud_mover mover;
+    thud_rule rules[SESSION_KINDS][SESSION_KINDS];
+    bool ruled[SESSION_KINDS][SESSION_KINDS];
 } session_state;
 
 /* A call under way, and how the world was before it. */
@@ -72,9 +74,8 @@ typedef struct session_call {
 typedef struct fuzz_session {
     thud_world *world, *other; /* the other one only gives handles */
     thud_world_def def;
-    thud_listeners listeners; /* the world's, of which another one has the same; so are rules */
-    thud_rule rules[SESSION_KINDS][SESSION_KINDS];
-    bool ruled[SESSION_KINDS][SESSION_KINDS], filters;
+    thud_listeners listeners; /* the world's, of which another one has the same */
+    bool filters;             /* likewise */
     twin_kind twin;
     bool second, closing;
     session_state now, kept;
@@ -135,7 +136,7 @@ void session_populate(fuzz_session *s, int kind);
 /* ---- script.c: callbacks ---- */
 
 /* Rules and filter of the session's worlds, for another one. */
-void session_take_rules(fuzz_session *s, thud_world *world);
+void session_take_filter(fuzz_session *s, thud_world *world);
 thud_filter_fn session_filter;
 thud_prologue_fn session_prologue;
 thud_epilogue_fn session_epilogue;

@@ -4,7 +4,6 @@
 
 #include "engine_support.h"
 
-#include <thud/thud_rules.h>
 #include <thud/thud_snapshot.h>
 #include <thud/thud_terrain.h>
 
@@ -114,19 +113,6 @@ static inline void walks_again(thud_world *world, const trail *before, const cha
     for (int i = 0; i <= before->steps; i++) {
         if (now.digest[i] != before->digest[i]) {
             fail_msg("%s: differs %d steps after the snapshot", what, i);
-        }
-    }
-}
-
-/* Rules are no part of a snapshot: another world goes the same way by the same ones. */
-static inline void take_rules(thud_world *world, const thud_world *from) {
-    for (int i = 0; i < 32 * 32; i++) {
-        uint32_t first = 1u << i / 32, second = 1u << i % 32;
-        thud_rule rule;
-        bool is_set, reversed;
-        OK(thud_world_rule(from, first, second, &rule, &is_set, &reversed));
-        if (is_set && !reversed) {
-            OK(thud_world_set_rule(world, first, second, &rule));
         }
     }
 }

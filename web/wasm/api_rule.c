@@ -44,6 +44,10 @@ int api_world_rule(const thud_world *world, uint32_t first, uint32_t second) {
     return result;
 }
 
+int api_world_use_rules(thud_world *world) {
+    return thud_world_use_rules(world);
+}
+
 /* Slots out: list, of rows of impulse_event. */
 int api_world_impulses(const thud_world *world) {
     int count = 0;

@@ -11,6 +11,7 @@
  * their def or thud_shape_set_events says otherwise. A begin goes by what holds as it happens, and
  * so does a hit; an end is told exactly where its begin was, whatever has been set since.
  * Callbacks, rules and lists go on as ever, and so do quarantine and joints.
+ *
  * A hit needs no begin: what meets and bounces off within a step, as detection on the way has it
  * (thud_detection_swept), touches neither before nor after, and is told as a hit alone.
  *

@@ -4,11 +4,10 @@
  * of it does not link it.
  *
  * The kind of a shape is the lowest bit of its filter's category; a shape whose category is zero
- * has none, and no rule. Rules, like listeners, are no part of a snapshot: a world that is restored
- * goes by those that it has, but what touched then keeps the surfaces that it had until it parts or
- * a rule of its kinds is set. To go back to a time of other rules, set those first, and restore
- * then. Queries and movers have filters of their own (thud_mover has thud_mover_passes_one_way),
- * and heed no rules. */
+ * has none, and no rule. A snapshot has the rules and the events of the last step: a world that is
+ * restored goes by the rules of then, and by none where there were none. The caller's filter is a
+ * function, and no part of it: it stays as that world has it. Queries and movers have filters of
+ * their own (thud_mover has thud_mover_passes_one_way), and heed no rules. */
 #ifndef THUD_RULES_H
 #define THUD_RULES_H
 
@@ -62,6 +61,11 @@ THUD_API thud_result thud_world_set_rule(thud_world *world, uint32_t first, uint
  * *reversed whether it was set with `second` first. Each of the three may be null. */
 THUD_API thud_result thud_world_rule(const thud_world *world, uint32_t first, uint32_t second,
                                      thud_rule *out, bool *is_set, bool *reversed);
+
+/* A world that never had a rule or a filter refuses to be restored from a snapshot that has rules:
+ * this makes it ready, as setting one does. THUD_ERROR_NULL, THUD_ERROR_MEMORY, THUD_ERROR_LOCKED
+ * inside a callback. */
+THUD_API thud_result thud_world_use_rules(thud_world *world);
 
 /* False: the two never make a pair, as if their filters kept them apart. It is asked where bounds
  * come to overlap, and more than once of some; while nothing else changes it must answer the same.

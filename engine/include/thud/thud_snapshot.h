@@ -16,12 +16,14 @@
  *
  * A snapshot has what can change in a running world: bodies, shapes, the lines of terrains,
  * contacts with their impulses, who sleeps, edits that wait for the next step, the last step's
- * events, and the settings that have a setter (gravity, time step, quality, sleeping, max_error).
- * What only the def says is not in it: the world that is restored must have the same length scale,
- * broadphase, substeps, contact_stiffness, contact_damping, push_speed, restitution_threshold,
- * hit_speed, maximum_speed, contact_events, time_budget and detection. Callbacks, log, clock, job
- * system, allocator and baseline_simd stay as that world has them; other callbacks may well do
- * something else. The caller's own state is for the caller to copy; a thud_mover is a plain struct.
+ * events, the settings that have a setter (gravity, time step, quality, sleeping, max_error), and
+ * the rules between kinds of shapes (thud_rules.h). What only the def says is not in it: the world
+ * that is restored must have the same length scale, broadphase, substeps, contact_stiffness,
+ * contact_damping, push_speed, restitution_threshold, hit_speed, maximum_speed, contact_events,
+ * time_budget and detection. Callbacks (listeners, the filter of thud_world_set_filter), log,
+ * clock, job system, allocator and baseline_simd stay as that world has them; other callbacks may
+ * well do something else. The caller's own state is for the caller to copy; a thud_mover is a plain
+ * struct.
  *
  * A program that uses this links every shape kind, every detection and the island solver, since a
  * snapshot may name them; one that does not pays nothing. */
@@ -57,9 +59,10 @@ THUD_API thud_result thud_world_snapshot(const thud_world *world, void *buffer, 
  * THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_INVALID, with the reason in the
  * log, for bytes that are cut short, damaged, no snapshot, or of another version or build of thud
  * (snapshots are for the same version, word size, byte order and alignment), and for a world whose
- * def has another of the settings above; THUD_ERROR_MEMORY. In each case the world is as it was.
- * `bytes` is exactly the snapshot's size, as thud_world_snapshot told it, however large the buffer
- * is: with more the snapshot is refused as damaged is.
+ * def has another of the settings above, or that never had a joint (thud_world_use_joints) or a
+ * rule (thud_world_use_rules) where the snapshot has some; THUD_ERROR_MEMORY. In each case the
+ * world is as it was. `bytes` is exactly the snapshot's size, as thud_world_snapshot told it,
+ * however large the buffer is: with more the snapshot is refused as damaged is.
  *
  * Damage is found by a checksum over all bytes: a change within one word of 8 bytes for certain,
  * any other but for one in 2^64. Sizes and counts are checked as well, so that restoring writes

@@ -43,6 +43,9 @@ thud_result thud_world_snapshot(const thud_world *w, void *buffer, size_t capaci
     size_t size = (size_t)head.bytes;
     memcpy(to, &head, sizeof head);
     td_snapshot_write(unconst(w), &head, to + sizeof head);
+    if (w->ruling) {
+        w->ruling->write(w, to + sizeof head + td_snapshot_ruled_at(&head));
+    }
     head.checksum = td_snapshot_checksum(to + SUMMED_FROM, size - SUMMED_FROM);
     memcpy(to, &head, SUMMED_FROM);
     if (bytes) {
@@ -71,7 +74,8 @@ static bool counts_valid(const td_snapshot_head *head) {
     for (int i = 0; i < TD_CONSTRAINT_KINDS; i++) {
         valid = valid && head->contacts[i] >= 0 && head->contacts[i] <= most;
     }
-    return valid;
+    return valid && head->ruled.rules >= 0 && head->ruled.rules <= TD_RULES_MOST &&
+           head->ruled.impulses >= 0 && head->ruled.impulses <= most;
 }
 
 /* Whether what lies side by side is as long as what it belongs to says, and no list is longer than
@@ -133,6 +137,15 @@ static bool table_valid(const td_snapshot_head *head, const char *table) {
     return valid && points == head->points;
 }
 
+static const char *ruled_in(const td_snapshot_head *head, const char *from) {
+    return from + sizeof *head + td_snapshot_ruled_at(head);
+}
+
+/* Of a world that has rules, or a snapshot that has none. */
+static bool rules_valid(const thud_world *w, const td_snapshot_head *head, const char *from) {
+    return !w->ruling || w->ruling->valid(w, head->ruled, ruled_in(head, from));
+}
+
 /* Why not, or null. */
 static const char *fault_of(thud_world *w, const char *from, size_t bytes, td_snapshot_head *head) {
     if (bytes < sizeof *head) {
@@ -165,8 +178,11 @@ static const char *fault_of(thud_world *w, const char *from, size_t bytes, td_sn
         (head->plugged & ~own.plugged & TD_SNAPSHOT_ALL_JOINTS)) {
         return "restore: the snapshot has joints that this world never had";
     }
+    if ((head->ruled.rules || head->ruled.impulses) && !w->ruling) {
+        return "restore: the snapshot has rules, and this world never had any";
+    }
     if (!counts_valid(head) || !lengths_valid(w, head) || td_snapshot_bytes_of(w, head) != bytes ||
-        !table_valid(head, from + sizeof *head)) {
+        !table_valid(head, from + sizeof *head) || !rules_valid(w, head, from)) {
         return "restore: the snapshot contradicts itself";
     }
     return NULL;
@@ -206,7 +222,7 @@ static bool reserve(thud_world *w, const td_snapshot_head *head, const char *tab
             return false;
         }
     }
-    return true;
+    return !w->ruling || w->ruling->make_room(w, head->ruled);
 }
 
 /* What the steps that are undone have left for later ones. */
@@ -233,6 +249,9 @@ thud_result thud_world_restore(thud_world *w, const void *buffer, size_t bytes) 
     bool room = reserve(w, &head, from + sizeof head);
     if (room) {
         td_snapshot_read(w, &head, from + sizeof head);
+        if (w->ruling) {
+            w->ruling->read(w, head.ruled, ruled_in(&head, from));
+        }
         forget_scratch(w);
     }
     free_spare_lines(w);

@@ -5,13 +5,14 @@
 #ifndef TD_SNAPSHOT_H
 #define TD_SNAPSHOT_H
 
+#include "rules/ruling.h"
 #include "state/world.h"
 
 #include "thud/thud_snapshot.h"
 
 #define TD_SNAPSHOT_MAGIC "thudsnap"
 
-enum { TD_SNAPSHOT_VERSION = 7 }; /* rises when what the bytes mean changes */
+enum { TD_SNAPSHOT_VERSION = 8 }; /* rises when what the bytes mean changes */
 
 /* in td_snapshot_head.slots */
 enum {
@@ -104,6 +105,7 @@ typedef struct td_snapshot_head {
     td_snapshot_slots slots[TD_SNAPSHOT_SLOTS];
     td_snapshot_part parts[TD_SNAPSHOT_PARTS];
     uint64_t points; /* of all terrains */
+    td_ruled ruled;  /* its bytes are the last: written and read by the world's own rules */
 } td_snapshot_head;
 
 /* ---- snapshot_parts.c: where a world has what ---- */
@@ -122,6 +124,8 @@ void td_snapshot_list_parts(thud_world *w, const td_snapshot_head *head,
                             td_part parts[TD_SNAPSHOT_PARTS]);
 /* Bodies, shapes, contacts, terrains, then the pools. */
 void td_snapshot_list_slots(thud_world *w, td_slots *slots[TD_SNAPSHOT_SLOTS]);
+/* How many entries the table has that stands first after the head; see below. */
+int td_snapshot_table_of(const td_snapshot_head *head);
 
 /* ---- snapshot_pass.c ---- */
 
@@ -134,9 +138,13 @@ uint64_t td_snapshot_checksum(const void *bytes, size_t count);
 /* First after the head stands a table of int32: how many points each terrain has, then for each
  * block the next free one, or this. */
 enum { TD_SNAPSHOT_LIVE = -2 };
-int td_snapshot_table_of(const td_snapshot_head *head); /* how many entries it has */
 
-/* All values after the head, which is that of the world. Changes nothing. */
+/* Where after the head the bytes of rules stand. */
+static inline uint64_t td_snapshot_ruled_at(const td_snapshot_head *head) {
+    return head->bytes - sizeof *head - td_ruled_bytes(head->ruled);
+}
+
+/* All values after the head, which is that of the world, up to its rules. Changes nothing. */
 void td_snapshot_write(thud_world *w, const td_snapshot_head *head, char *to);
 /* Takes the values into a world that has room for them, from bytes that are what the head tells. */
 void td_snapshot_read(thud_world *w, const td_snapshot_head *head, const char *from);

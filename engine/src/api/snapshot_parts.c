@@ -94,3 +94,11 @@ void td_snapshot_list_slots(thud_world *w, td_slots *slots[TD_SNAPSHOT_SLOTS]) {
         slots[TD_SNAPSHOT_POOLS + form] = &w->pool[form];
     }
 }
+
+int td_snapshot_table_of(const td_snapshot_head *head) {
+    int count = head->slots[TD_SNAPSHOT_TERRAINS].count;
+    for (int form = 0; form < TD_FORM_COUNT; form++) {
+        count += head->slots[TD_SNAPSHOT_POOLS + form].count;
+    }
+    return count;
+}

@@ -101,6 +101,8 @@ static uint32_t layout_of_build(void) {
                               (uint32_t)td_form_bytes(TD_FORM_ONE),
                               (uint32_t)td_form_bytes(TD_FORM_TWO_CACHED),
                               sizeof(td_joint),
+                              sizeof(td_kept_rule),
+                              sizeof(thud_impulse_event),
                               sizeof(td_errors),
                               sizeof(td_budget),
                               sizeof(thud_stats),
@@ -183,16 +185,11 @@ td_snapshot_head td_snapshot_head_of(thud_world *w) {
     for (int i = 0; i < TD_SNAPSHOT_PARTS; i++) {
         head.parts[i] = (td_snapshot_part){parts[i].array->count, parts[i].used};
     }
+    if (w->ruling) {
+        head.ruled = w->ruling->ruled(w);
+    }
     head.bytes = td_snapshot_bytes_of(w, &head);
     return head;
-}
-
-int td_snapshot_table_of(const td_snapshot_head *head) {
-    int count = head->slots[TD_SNAPSHOT_TERRAINS].count;
-    for (int form = 0; form < TD_FORM_COUNT; form++) {
-        count += head->slots[TD_SNAPSHOT_POOLS + form].count;
-    }
-    return count;
 }
 
 uint64_t td_snapshot_bytes_of(thud_world *w, const td_snapshot_head *head) {
@@ -210,7 +207,7 @@ uint64_t td_snapshot_bytes_of(thud_world *w, const td_snapshot_head *head) {
     bytes += (uint64_t)slots[TD_SNAPSHOT_CONTACTS].count * sizeof(td_contact);
     bytes += (uint64_t)slots[TD_SNAPSHOT_JOINTS].count * sizeof(td_joint);
     bytes += (uint64_t)slots[TD_SNAPSHOT_TERRAINS].count * TERRAIN_BYTES;
-    bytes += head->points * sizeof(thud_pos);
+    bytes += head->points * sizeof(thud_pos) + td_ruled_bytes(head->ruled);
     for (int form = 0; form < TD_FORM_COUNT; form++) {
         bytes +=
             (uint64_t)slots[TD_SNAPSHOT_POOLS + form].live * td_form_bytes((td_block_form)form);
@@ -388,7 +385,7 @@ static void pass_all(tape *t, thud_world *w, const td_snapshot_head *head) {
 void td_snapshot_write(thud_world *w, const td_snapshot_head *head, char *to) {
     tape t = {.to = to};
     pass_all(&t, w, head);
-    assert((uint64_t)(t.to - to) == head->bytes - sizeof *head);
+    assert((uint64_t)(t.to - to) == td_snapshot_ruled_at(head));
 }
 
 void td_snapshot_read(thud_world *w, const td_snapshot_head *head, const char *from) {
@@ -396,5 +393,5 @@ void td_snapshot_read(thud_world *w, const td_snapshot_head *head, const char *f
     plug_in(w, head);
     take_counts(w, head);
     pass_all(&t, w, head);
-    assert((uint64_t)(t.from - from) == head->bytes - sizeof *head);
+    assert((uint64_t)(t.from - from) == td_snapshot_ruled_at(head));
 }

@@ -68,6 +68,11 @@ static const td_ruling_ops RULING = {.allows = allows,
                                      .decide = td_rules_decide,
                                      .reserve = td_rules_reserve,
                                      .tell = td_rules_tell,
+                                     .ruled = td_rules_ruled,
+                                     .write = td_rules_keep,
+                                     .valid = td_rules_kept,
+                                     .make_room = td_rules_make_room,
+                                     .read = td_rules_bring_back,
                                      .end = end};
 
 /* ---- changing them ---- */
@@ -117,8 +122,8 @@ static bool in_range(float value, float least, float most) {
     return value != value || (value >= least && value <= most);
 }
 
-static const char *error_of(const thud_world *w, uint32_t first, uint32_t second,
-                            const thud_rule *rule) {
+const char *td_rule_error(const thud_world *w, uint32_t first, uint32_t second,
+                          const thud_rule *rule) {
     float fastest = THUD_SURFACE_SPEED_MAX * w->unit;
     float x = rule->solid_side.x, y = rule->solid_side.y;
     if ((unsigned)rule->meeting >= THUD_MEETING_COUNT) {
@@ -138,7 +143,7 @@ static const char *error_of(const thud_world *w, uint32_t first, uint32_t second
     return NULL;
 }
 
-static void write(td_rules *rules, uint32_t first, uint32_t second, const td_rule *rule) {
+void td_rules_write(td_rules *rules, uint32_t first, uint32_t second, const td_rule *rule) {
     td_rule reversed = *rule;
     reversed.reversed = true;
     for (uint32_t f = first; f; f &= f - 1) {
@@ -150,8 +155,7 @@ static void write(td_rules *rules, uint32_t first, uint32_t second, const td_rul
     }
 }
 
-/* What steps have to look at. */
-static void look_through(thud_world *w) {
+void td_rules_look_through(thud_world *w) {
     w->rules->one_way = false;
     w->rules->least_impulse = __builtin_inff();
     for (int a = 0; a < TD_RULE_KINDS; a++) {
@@ -174,7 +178,7 @@ thud_result thud_world_set_rule(thud_world *w, uint32_t first, uint32_t second,
     if (result != THUD_OK) {
         return result;
     }
-    const char *error = first && second ? (rule ? error_of(w, first, second, rule) : NULL)
+    const char *error = first && second ? (rule ? td_rule_error(w, first, second, rule) : NULL)
                                         : "rule: no kind is named";
     if (error) {
         return td_refuse(w, THUD_ERROR_INVALID, error);
@@ -183,10 +187,18 @@ thud_result thud_world_set_rule(thud_world *w, uint32_t first, uint32_t second,
         return td_refuse(w, THUD_ERROR_MEMORY, "rule: out of memory");
     }
     td_rule made = {.rule = rule ? *rule : thud_default_rule(), .is_set = rule != NULL};
-    write(w->rules, first, second, &made);
-    look_through(w);
+    td_rules_write(w->rules, first, second, &made);
+    td_rules_look_through(w);
     renew(w, first | second);
     return THUD_OK;
+}
+
+thud_result thud_world_use_rules(thud_world *w) {
+    thud_result result = check(w);
+    if (result != THUD_OK) {
+        return result;
+    }
+    return have_rules(w) ? THUD_OK : td_refuse(w, THUD_ERROR_MEMORY, "use rules: out of memory");
 }
 
 thud_result thud_world_rule(const thud_world *w, uint32_t first, uint32_t second, thud_rule *out,

@@ -3,9 +3,8 @@
 #define TD_RULES_H
 
 #include "rules/ruling.h"
-#include "thud/thud_rules.h"
 
-enum { TD_RULE_KINDS = 32, TD_RULE_NONE = TD_RULE_KINDS };
+enum { TD_RULE_NONE = TD_RULE_KINDS, TD_RULE_CELLS = TD_RULE_KINDS * TD_RULE_KINDS };
 
 /* td_lane_marks.rule: which it is in the table, if a step has to look at it, and for what. */
 enum { TD_RULE_ONE_WAY = 1 << 15, TD_RULE_IMPULSE = 1 << 14 };
@@ -39,19 +38,34 @@ static inline const td_rule *td_rule_of_pair(const thud_world *w, int shape_a, i
     return rule && rule->is_set ? rule : NULL;
 }
 
-/* The rule of a lane, if there is one that is looked at for this. A snapshot that was taken under
- * other rules has other marks. */
+static inline td_rule *td_rule_at(const thud_world *w, int cell) {
+    return &w->rules->table[cell / TD_RULE_KINDS][cell % TD_RULE_KINDS];
+}
+
+/* The rule of a lane, if there is one that is looked at for this. */
 static inline const td_rule *td_rule_of_lane(const thud_world *w, const td_block *block, int lane,
                                              int watched) {
-    int mark = block->mark[lane].rule, cell = mark % (TD_RULE_KINDS * TD_RULE_KINDS);
-    const td_rule *rule = &w->rules->table[cell / TD_RULE_KINDS][cell % TD_RULE_KINDS];
-    return mark & watched && rule->is_set ? rule : NULL;
+    int mark = block->mark[lane].rule;
+    return mark & watched ? td_rule_at(w, mark % TD_RULE_CELLS) : NULL;
 }
 
 static inline bool td_rule_counts_impulses(const td_rule *rule) {
     return rule->rule.most_impulse < __builtin_inff();
 }
 
+/* rules.c */
+/* Why it is none, of kinds as in thud_world_set_rule, or null. */
+const char *td_rule_error(const thud_world *w, uint32_t first, uint32_t second,
+                          const thud_rule *rule);
+void td_rules_write(td_rules *rules, uint32_t first, uint32_t second, const td_rule *rule);
+/* Notes what steps have to look at, after the table has changed. */
+void td_rules_look_through(thud_world *w);
+/* kept.c */
+td_ruled td_rules_ruled(const thud_world *w);
+void td_rules_keep(const thud_world *w, char *to);
+bool td_rules_kept(const thud_world *w, td_ruled ruled, const char *from);
+bool td_rules_make_room(thud_world *w, td_ruled ruled);
+void td_rules_bring_back(thud_world *w, td_ruled ruled, const char *from);
 /* one_way.c */
 bool td_rules_hide(const thud_world *w, int shape, int other);
 bool td_rules_let_through(const thud_world *w, const thud_contact *seen);

@@ -5,6 +5,28 @@
 
 #include "state/world.h"
 
+#include "thud/thud_rules.h"
+
+/* How much of rules a snapshot has; see kept.c. */
+typedef struct td_ruled {
+    int32_t rules;    /* that are set */
+    int32_t impulses; /* thud_impulse_event, of the last step */
+} td_ruled;
+
+/* A rule as it lies in a snapshot. */
+typedef struct td_kept_rule {
+    thud_rule rule;
+    int32_t cell; /* of the table, row by row */
+} td_kept_rule;
+
+enum { TD_RULE_KINDS = 32, TD_RULES_MOST = TD_RULE_KINDS * (TD_RULE_KINDS + 1) / 2 };
+
+/* The rules, then the impulses. */
+static inline uint64_t td_ruled_bytes(td_ruled ruled) {
+    return (uint64_t)ruled.rules * sizeof(td_kept_rule) +
+           (uint64_t)ruled.impulses * sizeof(thud_impulse_event);
+}
+
 typedef struct td_ruling_ops {
     /* Whether two shapes, whose filters let them, may make a pair. */
     bool (*allows)(const thud_world *w, int shape_a, int shape_b);
@@ -23,6 +45,13 @@ typedef struct td_ruling_ops {
     bool (*reserve)(thud_world *w);
     /* Events of what has borne too much. */
     void (*tell)(thud_world *w);
+    /* For snapshots: what there is; its bytes, td_ruled_bytes of it; whether such bytes hold rules;
+     * room for as many, false when memory is short; and the rules in place of those that are. */
+    td_ruled (*ruled)(const thud_world *w);
+    void (*write)(const thud_world *w, char *to);
+    bool (*valid)(const thud_world *w, td_ruled ruled, const char *from);
+    bool (*make_room)(thud_world *w, td_ruled ruled);
+    void (*read)(thud_world *w, td_ruled ruled, const char *from);
     void (*end)(thud_world *w); /* with the world */
 } td_ruling_ops;
 

@@ -28,7 +28,7 @@ struct thud_world {
     const struct td_joining_ops *joining;              /* null: there never was a joint */
     const struct td_ground_ops *ground;                /* null: there are no lines */
     const struct td_ruling_ops *ruling;                /* null: there never was a rule */
-    struct td_rules *rules;                            /* with it */
+    struct td_rules *rules;                            /* with it; a snapshot has them */
     bool adds_impulses;                                /* a rule asks what contacts bear */
     const struct td_listening_ops *listening;          /* null: there never was a listener */
     struct td_listeners *listeners;                    /* with it */

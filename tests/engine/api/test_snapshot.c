@@ -5,6 +5,7 @@
 #include "scenes.h"
 
 #include <thud/thud_joint.h>
+#include <thud/thud_rules.h>
 
 enum { BEFORE = 60, AFTER = 70, SIZE_MOST = 200 };
 
@@ -41,7 +42,7 @@ static void restored_anywhere(const scene_info *info, const thud_world_def *sett
     other = make_world(def);
     OK(thud_world_use_joints(other));
     OK(thud_world_set_listeners(other, listeners));
-    take_rules(other, world);
+    OK(thud_world_use_rules(other));
     back_to(other, snapshot);
     walks_again(other, &first, what);
     thud_world_destroy(other);
@@ -58,12 +59,12 @@ static void every_scene_restored_goes_the_same_way(void **state) {
 
 /* As unlike the scenes as can be: vast; thin, damped and belted bodies, kinematic ones and some at
  * rest; a setting that the next step will find, or not. */
-static thud_world *wild_world(thud_world_def def, int steps, const thud_world *rules) {
+static thud_world *wild_world(thud_world_def def, int steps) {
     def.sleeping = steps % 2 == 0;
     def.gravity = (thud_vec2){1, -3};
     thud_world *world = make_world(def);
     OK(thud_world_use_joints(world));
-    take_rules(world, rules);
+    OK(thud_world_use_rules(world));
     thud_shape_def belt = thud_default_shape_def();
     belt.surface_speed = 2 * def.length_scale;
     belt.restitution = 0.8f;
@@ -98,7 +99,7 @@ static void unlike_worlds_restored_from_each_other_go_the_same_ways(void **state
         thud_world_def def = thud_default_world_def();
         def.broadphase = broadphases[i % 2];
         thud_world *world = scene_world(scenes_at(i / 2), &def, &def.length_scale);
-        thud_world *wild = wild_world(def, 20 + i, world);
+        thud_world *wild = wild_world(def, 20 + i);
         run(world, 16 + i % 9);
         saved of_scene = save(world), of_wild = save(wild);
         trail scene_way = walk(world, 40), wild_way = walk(wild, 40);
@@ -180,7 +181,7 @@ static void every_step_on_the_way_to_sleep_is_restored(void **state) {
     (void)state;
     enum { STEPS = 500, MORE = 3 };
     yard y = make_yard(NULL);
-    thud_world *others[] = {wild_world(thud_default_world_def(), 30, y.world),
+    thud_world *others[] = {wild_world(thud_default_world_def(), 30),
                             make_world(thud_default_world_def())};
     saved kept[STEPS];
     uint64_t digests[STEPS + MORE];

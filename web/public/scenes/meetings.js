@@ -61,9 +61,7 @@ export default function ({ createWorld, grid, size }) {
         group: "Who meets whom",
       },
     ],
-    state: { meetings: begun, timetable: begun, heeded: begun },
-    // A snapshot has no rules: the world goes back under those that it had then.
-    returning: () => heed(scene.state.heeded),
+    state: { meetings: begun, timetable: begun },
     update,
     paint: () => ({ marks: bodies.flatMap(mark) }),
   };
@@ -74,7 +72,7 @@ export default function ({ createWorld, grid, size }) {
     const { state } = scene;
     // What the visitor has set stays.
     if (state.meetings === state.timetable) state.meetings = state.timetable = tableAt(step);
-    heed((state.heeded = state.meetings));
+    heed(state.meetings);
   }
 
   function heed(table) {

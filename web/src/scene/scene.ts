@@ -174,11 +174,6 @@ export interface Scene {
    */
   sums?: number;
   /**
-   * After `state` went back and before the world does: what no snapshot has (rules).
-   * @example returning() { … }
-   */
-  returning?(): void;
-  /**
    * After `state` went back: what else must follow it (a mover).
    * @example restored() { … }
    */

@@ -6,7 +6,7 @@ import type { Control } from "../scene/controls";
 import { KEY_NAMES, type KeyName, type Mark, type Paint, type Scene } from "../scene/scene";
 import { SceneError } from "./trouble";
 
-const FUNCTIONS = ["returning", "restored", "update", "stepped", "pointed", "paint", "close"] as const;
+const FUNCTIONS = ["restored", "update", "stepped", "pointed", "paint", "close"] as const;
 const LISTS = ["notes", "show", "hidden", "controls"] as const;
 const CONTROLS: readonly Control["kind"][] = ["choice", "check", "slider", "matrix"];
 

@@ -276,7 +276,6 @@ export class Session {
     const rest = structuredClone(moment.rest) as { hands: Hands; state: object | null };
     const { state } = this.scene;
     if (state && rest.state) replace(state, rest.state);
-    this.scene.returning?.();
     this.world.restore(moment.world);
     this.step = moment.step;
     Object.assign(this.#hands, rest.hands);

@@ -48,6 +48,11 @@ export class WorldRules extends WorldFields {
     };
   }
 
+  /** Makes a world that never had a rule ready to be restored from a snapshot that has some. */
+  useRules(): void {
+    this.engine.check(this.engine.exports.api_world_use_rules(this.address));
+  }
+
   /**
    * The contacts that gave more in the last step than their rule's `mostImpulse`; copied.
    * @example for (const { a } of world.impulses()) world.destroyShape(a)
