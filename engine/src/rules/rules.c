@@ -118,59 +118,6 @@ static void renew(thud_world *w, uint32_t kinds) {
     }
 }
 
-static bool in_range(float value, float least, float most) {
-    return value != value || (value >= least && value <= most);
-}
-
-const char *td_rule_error(const thud_world *w, uint32_t first, uint32_t second,
-                          const thud_rule *rule) {
-    float fastest = THUD_SURFACE_SPEED_MAX * w->unit;
-    float x = rule->solid_side.x, y = rule->solid_side.y;
-    if ((unsigned)rule->meeting >= THUD_MEETING_COUNT) {
-        return "rule: meeting is none";
-    }
-    if (rule->meeting == THUD_ONE_WAY && (first & second)) {
-        return "rule: a kind is one-way to itself";
-    }
-    if (!td_finite((double)x + (double)y) || (x == 0.0f && y == 0.0f)) {
-        return "rule: solid_side is zero or not finite";
-    }
-    if (!in_range(rule->friction, 0.0f, THUD_FRICTION_MAX) ||
-        !in_range(rule->restitution, 0.0f, THUD_BOUNCE_MAX) ||
-        !in_range(rule->surface_speed, -fastest, fastest) || !(rule->most_impulse >= 0.0f)) {
-        return "rule: friction, restitution, surface_speed or most_impulse is out of range";
-    }
-    return NULL;
-}
-
-void td_rules_write(td_rules *rules, uint32_t first, uint32_t second, const td_rule *rule) {
-    td_rule reversed = *rule;
-    reversed.reversed = true;
-    for (uint32_t f = first; f; f &= f - 1) {
-        for (uint32_t s = second; s; s &= s - 1) {
-            int a = __builtin_ctz(f), b = __builtin_ctz(s);
-            rules->table[b][a] = reversed;
-            rules->table[a][b] = *rule;
-        }
-    }
-}
-
-void td_rules_look_through(thud_world *w) {
-    w->rules->one_way = false;
-    w->rules->least_impulse = __builtin_inff();
-    for (int a = 0; a < TD_RULE_KINDS; a++) {
-        for (int b = a; b < TD_RULE_KINDS; b++) {
-            const td_rule *rule = &w->rules->table[a][b];
-            if (rule->is_set) {
-                w->rules->one_way |= rule->rule.meeting == THUD_ONE_WAY;
-                w->rules->least_impulse =
-                    td_min_float(w->rules->least_impulse, rule->rule.most_impulse);
-            }
-        }
-    }
-    w->adds_impulses = w->rules->least_impulse < __builtin_inff();
-}
-
 thud_result thud_world_set_rule(thud_world *w, uint32_t first, uint32_t second,
                                 const thud_rule *rule) {
     TD_IN_OWN_MODE;

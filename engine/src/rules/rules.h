@@ -53,7 +53,7 @@ static inline bool td_rule_counts_impulses(const td_rule *rule) {
     return rule->rule.most_impulse < __builtin_inff();
 }
 
-/* rules.c */
+/* table.c */
 /* Why it is none, of kinds as in thud_world_set_rule, or null. */
 const char *td_rule_error(const thud_world *w, uint32_t first, uint32_t second,
                           const thud_rule *rule);
