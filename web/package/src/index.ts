@@ -13,6 +13,7 @@ import type { RestSource } from "./rest.js";
 export { Engine, type WasmSource } from "./engine.js";
 export { type RestSource } from "./rest.js";
 export { type ErrorCode, ThudError } from "./error.js";
+export * from "./fields/field-types.js";
 export * from "./joint-types.js";
 export { type MinkowskiSum, minkowskiSum } from "./minkowski.js";
 export { Mover, type MoverState } from "./mover.js";

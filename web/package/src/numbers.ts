@@ -2,6 +2,7 @@
 import { ThudError } from "./error.js";
 import { FILTER_OPTIONS, ListAt, QUALITY_OPTIONS } from "./generated/slots.js";
 import { checkNames } from "./checks/names.js";
+import { COVERS } from "./fields/field-types.js";
 import { generationOf, index1Of } from "./plain/handles.js";
 import { MEETINGS } from "./rules/rule-types.js";
 import type { QueryFilter, SolidShape } from "./query-types.js";
@@ -9,7 +10,6 @@ import {
   BODY_KINDS,
   type BodyId,
   BROADPHASES,
-  COVERS,
   DETECTIONS,
   type JointId,
   QUALITIES,

@@ -12,7 +12,8 @@ import {
 import { checkNames } from "./checks/names.js";
 import { explained } from "./checks/hook.js";
 import { fill, filterNumbers, numbersOf, writeOptions } from "./numbers.js";
-import type { BodyRef, Explosion, Tyre, Vec2, Water, Wind } from "./types.js";
+import type { Explosion, Tyre, Water, Wind } from "./fields/field-types.js";
+import type { BodyRef, Vec2 } from "./types.js";
 import { WorldForces } from "./world-forces.js";
 
 const WIND = ["density", "drag", "lift"] as const;
