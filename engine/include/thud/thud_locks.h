@@ -2,13 +2,14 @@
  * weight may not tilt, platforms on rails. Rotation has fixed_rotation of thud.h.
  *
  * A lock is a joint (thud_joint.h) between the body's centre of mass and a static body without
- * shapes, which the engine makes where there is none near, and which lists leave out: statistics
- * count it. A lock of x or of y is a wheel that nothing drives, of both a hinge, and it is among
- * the joints that are listed; destroyed there, it is gone. So it is solved with all else: what
- * presses against a locked axis presses against something that does not give way, as far as joints
- * do not, of which docs/joints.md has the figures; and what pulls along it, gravity too, moves
- * nothing. Sleep, workers and snapshots are those of joints: a world that never had a joint or a
- * lock needs thud_world_use_joints before it is restored from a snapshot with locks.
+ * shapes, which the engine makes where there is none near, and which goes with the last lock: lists
+ * leave it out, and statistics count it. A lock of x or of y is a wheel that nothing drives, of
+ * both a hinge, and it is among the joints that are listed; destroyed there, it is gone. So it is
+ * solved with all else: what presses against a locked axis presses against something that does not
+ * give way, as far as joints do not, of which docs/joints.md has the figures; and what pulls along
+ * it, gravity too, moves nothing. Sleep, workers and snapshots are those of joints: a world that
+ * never had a joint or a lock needs thud_world_use_joints before it is restored from a snapshot
+ * with locks.
  *
  * A lock holds where the centre of mass is when the lock takes effect with the next step, to 1e-7
  * of the way that a body that is locked already is put elsewhere by thud_body_set_transform: it

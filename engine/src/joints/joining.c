@@ -182,6 +182,24 @@ bool td_joints_keep_apart(const thud_world *w, td_body_index a, td_body_index b)
     return false;
 }
 
+/* A body that locked others, and nobody any more. Where it waits for the change list it goes by
+ * that; else no list has it, and no shapes, contacts or awake slot are to be given back. */
+static void end_idle_anchor(thud_world *w, td_body_index index) {
+    td_body *body = td_body_at(w, index);
+    int wanted = TD_BODY_LIVE | TD_BODY_ANCHOR;
+    if ((body->flags & wanted) != wanted || body->first_constraint != TD_NONE) {
+        return;
+    }
+    if (body->changes) {
+        body->flags &= (uint8_t)~TD_BODY_LIVE;
+        body->changes |= TD_CHANGE_LEAVE;
+        return;
+    }
+    body->flags = 0;
+    body->generation++;
+    td_slots_give(&w->bodies, index.at);
+}
+
 void td_joints_leave(thud_world *w, int index, int part) {
     td_joint *joint = td_slot_at(&w->joints, index);
     bool any = false;
@@ -194,5 +212,6 @@ void td_joints_leave(thud_world *w, int index, int part) {
         joint->live = 0;
         joint->generation++;
         td_slots_give(&w->joints, index);
+        end_idle_anchor(w, joint->body[0]);
     }
 }

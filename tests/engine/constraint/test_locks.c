@@ -190,7 +190,7 @@ static void locks_change_and_go(void **state) {
     thud_world_destroy(world);
 }
 
-/* However many come and go, one body holds them, and no list has it. */
+/* A body of the engine's own holds them, which no list has, and which goes with the last. */
 static void bodies_come_and_go_with_their_locks(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -208,6 +208,7 @@ static void bodies_come_and_go_with_their_locks(void **state) {
         OK(thud_body_destroy(world, body));
         run(world, 1);
         assert_int_equal(thud_world_joints(world, NULL, 0), 0);
+        assert_int_equal(thud_world_stats(world).bodies, 0);
     }
     thud_world_destroy(world);
 }
