@@ -74,7 +74,7 @@ test("density_and_sizes_weigh_the_body_anew", () => {
 
 test("locked_axes_stay_where_they_are_and_follow_setTransform", () => {
   const world = engine.createWorld();
-  const ball = { kind: "dynamic", shapes: [{ radius: 0.5 }] };
+  const ball = { kind: "dynamic", shapes: [{ kind: "circle", radius: 0.5 }] };
   const high = world.createBody({ ...ball, position: [3, 5], locks: { y: true } });
   const low = world.createBody({ ...ball, position: [6, 5] });
   world.setLocks(low, { x: true });
