@@ -78,6 +78,7 @@ test("shape_is_read_by_the_names_that_it_was_made_with", () => {
     mask: 6,
     group: -3,
     sensor: true,
+    events: false,
     userData: 7,
   };
   const body = world.createBody({ kind: "kinematic" });

@@ -1,8 +1,10 @@
 /** What a misspelt option is likely to mean. */
 
-/** To be told after the name that nobody knows. */
+/** To be told after the name that nobody knows. Of two as near it is the one that begins alike. */
 export function tellNearest(name: string, names: readonly string[]): string {
-  const edits = names.map((known) => distance(name.toLowerCase(), known.toLowerCase()));
+  const edits = names.map(
+    (known) => distance(name.toLowerCase(), known.toLowerCase()) - Number(known[0] === name[0]) / 2,
+  );
   return `; the nearest is "${names[edits.indexOf(Math.min(...edits))]}"`;
 }
 
