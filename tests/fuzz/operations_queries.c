@@ -33,6 +33,12 @@ static way pick_way(fuzz_session *s) {
     return w;
 }
 
+/* Before the caller's float mode is set, in which tiny floats may be 0. */
+static double widened(float value) {
+    volatile double wide = (double)value;
+    return wide;
+}
+
 /* A way in double precision from a place that a shift may have rounded: its length is noted, and
  * what was met. */
 static void check_hit(fuzz_session *s, const thud_ray_hit *hit) {
@@ -138,14 +144,16 @@ void play_cast_box(fuzz_session *s) {
     way w = pick_way(s);
     thud_vec2 half = pick_sizes(s);
     double angle = pick_angle(s);
-    FIRST(s, thud_world_cast_box, (double)half.x, (double)half.y, angle);
+    double half_x = widened(half.x), half_y = widened(half.y);
+    FIRST(s, thud_world_cast_box, half_x, half_y, angle);
 }
 
 void play_cast_box_all(fuzz_session *s) {
     way w = pick_way(s);
     thud_vec2 half = pick_sizes(s);
     double angle = pick_angle(s);
-    ALL(s, thud_world_cast_box_all, (double)half.x, (double)half.y, angle);
+    double half_x = widened(half.x), half_y = widened(half.y);
+    ALL(s, thud_world_cast_box_all, half_x, half_y, angle);
 }
 
 /* ---- overlaps, and the closest ---- */
@@ -172,8 +180,9 @@ void play_overlap_obb(fuzz_session *s) {
     way w = pick_way(s);
     thud_vec2 half = pick_sizes(s);
     double angle = pick_angle(s);
-    TRY(s, thud_world_overlap_obb(s->world, w.from, (double)half.x, (double)half.y, angle,
-                                  FILTER(w), session_overlap, s));
+    double half_x = widened(half.x), half_y = widened(half.y);
+    TRY(s, thud_world_overlap_obb(s->world, w.from, half_x, half_y, angle, FILTER(w),
+                                  session_overlap, s));
 }
 
 void play_closest(fuzz_session *s) {

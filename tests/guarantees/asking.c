@@ -1,6 +1,7 @@
 /* asking.c: guarantees of queries: they find what geometry finds, each shape against each. */
 #include "guarantee.h"
 
+#include <thud/thud_casts.h>
 #include <thud/thud_mover.h>
 
 enum { FOUND = 14 };
@@ -103,6 +104,53 @@ static void rays_hit_the_nearest(trial *t) {
         }
         if (abs(count - expected) > 0) {
             trial_fault(t, "ray %d: %d hits, not %d", k, count, expected);
+        }
+    }
+}
+
+/* What is told of one by one, up to where an answer clips the way. */
+typedef struct hearing {
+    thud_ray_hit hit[FOUND];
+    int count, last; /* the hit that is made the last */
+} hearing;
+
+static double hear(const thud_ray_hit *hit, void *context) {
+    hearing *h = context;
+    if (h->count < FOUND) {
+        h->hit[h->count] = *hit;
+    }
+    return h->count++ == h->last ? THUD_CAST_END : THUD_CAST_ON;
+}
+
+static void casts_hit_by_hit_tell_what_all_do(trial *t) {
+    crowd c;
+    if (!make_crowd(t, &c)) {
+        return;
+    }
+    for (int k = 0; k < 12 && !trial_failed(t); k++) {
+        thud_query_filter f = draw_query(t);
+        thud_pos from = {trial_draw(t, -5, 5) * t->scale, trial_draw(t, -5, 5) * t->scale};
+        double dx = trial_draw(t, -9, 9) * t->scale, dy = trial_draw(t, -9, 9) * t->scale;
+        thud_shape_instance ball = {.kind = THUD_CIRCLE, .c = 1, .hx = 0.3 * t->scale};
+        thud_ray_hit all[FOUND];
+        hearing h = {.last = k % 3 ? FOUND : k % 4};
+        int count = 0;
+        stir(t, &c);
+        if (k % 2) {
+            DO(t, thud_world_cast_ray_all(c.world, from, dx, dy, &f, all, FOUND, &count));
+            DO(t, thud_world_cast_ray_each(c.world, from, dx, dy, &f, hear, &h));
+        } else {
+            DO(t, thud_world_cast_shape_all(c.world, from, &ball, dx, dy, &f, all, FOUND, &count));
+            DO(t, thud_world_cast_shape_each(c.world, from, &ball, dx, dy, &f, hear, &h));
+        }
+        int expected = count <= h.last ? count : h.last + 1;
+        if (h.count != expected) {
+            trial_fault(t, "cast %d: told of %d, not %d", k, h.count, expected);
+        }
+        for (int i = 0; i < expected && i < h.count && i < FOUND; i++) {
+            if (memcmp(&h.hit[i], &all[i], sizeof all[i]) != 0) {
+                trial_fault(t, "cast %d: its hit %d is another", k, i);
+            }
         }
     }
 }
@@ -252,6 +300,7 @@ static void movers_enter_nothing(trial *t) {
 }
 
 const guarantee guarantees_of_asking[] = {
+    {"casts_hit_by_hit_tell_what_all_do", casts_hit_by_hit_tell_what_all_do, {{0}}},
     {"casts_stop_at_the_first", casts_stop_at_the_first, {{0}}},
     {"closest_is_the_closest", closest_is_the_closest, {{0}}},
     {"movers_enter_nothing", movers_enter_nothing, {{0}}},

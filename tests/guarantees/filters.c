@@ -1,5 +1,7 @@
-/* filters.c: guarantees of filters: who meets whom. */
+/* filters.c: guarantees of filters and of rules that ignore: who meets whom. */
 #include "guarantee.h"
+
+#include <thud/thud_rules.h>
 
 enum { BODIES = 9 };
 
@@ -143,8 +145,46 @@ static void filters_decide_who_stops(trial *t) {
     }
 }
 
+/* Of two kinds that ignore each other. */
+static void kinds_that_ignore_each_other_do_not_meet(trial *t) {
+    thud_world *world = trial_make(t, trial_weightless(t));
+    for (int k = 0; k < 4 && world && !trial_failed(t); k++) {
+        double speed = 0.3 / t->step, y = 4.0 * k;
+        bool ignores = k % 2 == 0;
+        thud_shape_def wall = thud_default_shape_def(), shot = wall;
+        thud_rule rule = thud_default_rule();
+        wall.filter.category = 1u << (2 * k + 1);
+        shot.filter.category = 1u << (2 * k + 2);
+        rule.meeting = ignores ? THUD_IGNORE : THUD_COLLIDE;
+        DO(t, thud_world_set_rule(world, wall.filter.category, shot.filter.category, &rule));
+        trial_add(t, world,
+                  (part){.kind = THUD_STATIC,
+                         .form = UPRIGHT,
+                         .y = y,
+                         .hx = 0.4,
+                         .hy = 1,
+                         .shape = &wall});
+        thud_body_id body = trial_add(t, world,
+                                      (part){.kind = THUD_DYNAMIC,
+                                             .form = (form)(k % FORMS),
+                                             .x = -2,
+                                             .y = y,
+                                             .hx = 0.3,
+                                             .hy = 0.3,
+                                             .vx = speed,
+                                             .shape = &shot});
+        trial_run(t, world, 20);
+        double x = trial_state(t, world, body).position.x;
+        if (ignores ? fabs(x - 4) > 1e-3 : x > 0) {
+            trial_fault(t, "shot %d of kinds that %s is at %g", k, ignores ? "ignore" : "collide",
+                        x);
+        }
+    }
+}
+
 const guarantee guarantees_of_filters[] = {
     {"filters_decide_who_stops", filters_decide_who_stops, {{0}}},
     {"filters_keep_apart", filters_keep_apart, {{0}}},
+    {"kinds_that_ignore_each_other_do_not_meet", kinds_that_ignore_each_other_do_not_meet, {{0}}},
     {NULL, NULL, {{0}}},
 };
