@@ -29,7 +29,7 @@ function use(world) {
   world.stats();
   world.error();
   world.hash();
-  world.restore(world.snapshot());
+  world.snapshot(); // which the page takes every few steps; to go back waits for a visitor
 }
 
 const here = (file) => fileURLToPath(new URL(`../${file}`, import.meta.url));
