@@ -18,7 +18,7 @@ const char INPUT_HELP[] =
     "  C B                drop a circle, a box at the pointer; with Shift a large one\n"
     "  G                  dig a crater into the ground at the pointer; with Shift raise a mound\n"
     "  X                  explode at the pointer\n"
-    "  K M                next pair of kinds; collide, ignore or one-way, where a scene has kinds\n"
+    "  L M                next pair of kinds; collide, ignore or one-way, where a scene has kinds\n"
     "  V                  of scene minkowski's pairs: their sums, closest points, bounds\n"
     "  Delete             remove the body under the pointer\n"
     "  1 to 9, 0          contacts, normals, bounds, cells, islands, sleeping, timings, axes,\n"
@@ -160,7 +160,7 @@ static void press_key(viewer *v, SDL_Window *window, SDL_Keycode key) {
     case SDLK_x:
         explode_here(v);
         break;
-    case SDLK_k:
+    case SDLK_l:
         session_next_pair(&v->session);
         break;
     case SDLK_m:

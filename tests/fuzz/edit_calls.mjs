@@ -48,6 +48,8 @@ export const EDIT_CALLS = {
   applyWind: (s) => s.world.applyWind(s.body(), s.vector(), { drag: s.number(0, 2), lift: s.number(0, 2) }),
   applyBuoyancy: (s) => s.world.applyBuoyancy(s.body(), { point: s.place(), density: s.number(0, 3) }),
   applyRollingResistance: (s) => s.world.applyRollingResistance(s.body(), s.number(0, 1)),
+  applyGrip: (s) => 
+    s.world.applyGrip(s.body(), s.place(), s.vector(), s.number(-3, 3), s.number(0, 99)),
   applyTyre: (s) => {
     const forces = { thrust: s.number(-40, 40), brake: s.number(0, 9), grip: s.number(0, 60) };
     const tyre = { at: [s.number(-2, 2), s.number(-1, 1)], steer: s.number(-1, 1), ...forces };

@@ -1,4 +1,4 @@
-/* test_kinds.c: what the keys K and M do: two kinds of a scene are chosen, and what they are to
+/* test_kinds.c: what the keys L and M do: two kinds of a scene are chosen, and what they are to
  * each other changes. */
 #include "session.h"
 

@@ -77,6 +77,13 @@ int api_body_apply_rolling(thud_world *world, uint32_t index1, uint32_t generati
                                               (float)coefficient);
 }
 
+int api_body_apply_grip(thud_world *world, uint32_t index1, uint32_t generation, double x, double y,
+                        double along_x, double along_y, double speed, double most) {
+    thud_vec2 point = {(float)x, (float)y}, axis = {(float)along_x, (float)along_y};
+    return thud_body_apply_grip(world, api_body(index1, generation), point, axis, (float)speed,
+                                (float)most);
+}
+
 /* ---- tyres ---- */
 
 static const double MOST_FORCE = 1e30;

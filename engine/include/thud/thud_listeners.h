@@ -49,8 +49,8 @@ typedef struct thud_listeners {
     thud_prologue_all_fn *prologue_all;
     thud_epilogue_all_fn *epilogue_all;
     void *context; /* handed to all */
-    /* Of thud_contact_part, any together: what these listeners never look at. It takes no time then,
-     * and may be zero. Default 0: they see all. */
+    /* Of thud_contact_part, any together: what these listeners never look at. It takes no time
+     * then, and may be zero. Default 0: they see all. */
     uint32_t without;
 } thud_listeners;
 
@@ -58,8 +58,8 @@ typedef struct thud_listeners {
  * prologue, all bodies wake. A snapshot has what a prologue wanted of the pairs that touched: a
  * world without one that is restored from it keeps to that until they part. The world is locked
  * while it calls them: edits wait for the next step, or are refused. THUD_ERROR_NULL without a
- * world, THUD_ERROR_INVALID for both forms of one or an unknown part, THUD_ERROR_MEMORY, THUD_ERROR_LOCKED inside a
- * callback: then nothing has changed. */
+ * world, THUD_ERROR_INVALID for both forms of one or an unknown part, THUD_ERROR_MEMORY,
+ * THUD_ERROR_LOCKED inside a callback: then nothing has changed. */
 THUD_API thud_result thud_world_set_listeners(thud_world *world, const thud_listeners *listeners);
 
 #ifdef __cplusplus

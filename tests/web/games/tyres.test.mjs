@@ -109,6 +109,21 @@ test("body_that_cannot_turn_is_held_as_a_whole_and_one_at_rest_sleeps_on", () =>
   assert.deepEqual(world.awakeBodies(), [car]);
 });
 
+test("grip_brings_a_point_to_a_speed_along_an_axis_as_far_as_it_can", () => {
+  const { world, car } = createCar();
+  world.setVelocity(car, [3, 2], 0);
+  world.applyGrip(car, [0, 0], [0, 1], 0, 1e6);
+  world.step();
+  const { velocity } = world.velocityOf(car);
+  assert.ok(Math.abs(velocity[0] - 3) < 1e-4 && Math.abs(velocity[1]) < 1e-4, `${velocity}`);
+  world.applyGrip(car, [0, 0], [1, 0], -5, 60 * world.bodyState(car).mass);
+  world.step();
+  assert.ok(Math.abs(world.velocityOf(car).velocity[0] - 2) < 1e-4);
+  assert.throws(() => world.applyGrip(car, [0, 0], [0, 0], 0, 1), { code: "invalid" });
+  assert.throws(() => world.applyGrip(car, [0, 0], [1, 0], 0, -1), /most must be from 0 to 1e30: -1/);
+  world.close();
+});
+
 test("static_and_kinematic_bodies_are_left_alone", () => {
   const world = engine.createWorld();
   const ground = world.createBody({ shapes: [circle(1)] });

@@ -71,6 +71,14 @@ export class WorldFields extends WorldForces {
   }
 
   /**
+   * Brings a point of the body to a speed along an axis, both in its frame, through the next step, by
+   * a force of at most `most`: at speed 0 it holds or brakes, at another it drives.
+   */
+  applyGrip(body: BodyRef, point: Vec2, axis: Vec2, speed: number, most: number): void {
+    this.on("api_body_apply_grip", body, ...point, ...axis, speed, most);
+  }
+
+  /**
    * Has a tyre push the body at once, for a world that is seen from above: it drives, brakes, and
    * holds across its way, never so hard that the motion turns around. Thrust and brake have the first
    * claim to its grip. Returns how fast it slides across its way then, next to 0 while it holds.

@@ -221,6 +221,7 @@ const NAMES_OF_FIELDS = {
   applyBuoyancy: "water",
   applyWind: "wind",
   explode: "explosions with cover",
+  applyGrip: "tyres",
   applyTyre: "tyres",
   setRule: "rules between kinds",
 } as const;

@@ -20,6 +20,7 @@ import {
 
 const { friction, restitution, surfaceSpeed, density } = MATERIAL;
 const PUSH = { least: -1e30, most: 1e30 };
+const OFFSET = { least: -16384, most: 16384, pair: true, scaled: true };
 const PUSHES = { ...PUSH, pair: true };
 const COORDINATE = { ...PLACE, pair: false };
 const COUNT = { ...POSITIVE, least: 1 };
@@ -58,6 +59,10 @@ export const ARGUMENTS: Readonly<Record<string, readonly [method: string, ranges
   api_body_apply_angular_impulse: ["applyAngularImpulse", { impulse: PUSH }],
   api_body_apply_wind: ["applyWind", { velocity: FLOW, ...WIND_RANGES }],
   api_body_apply_rolling: ["applyRollingResistance", { coefficient: DRAG }],
+  api_body_apply_grip: [
+    "applyGrip",
+    { point: OFFSET, axis: VECTOR, speed: { ...FLOW, pair: false }, most: { least: 0, most: 1e30 } },
+  ],
   api_body_velocity_at: ["velocityAt", { point: PLACE }],
   api_body_world_point: ["worldPoint", { point: PLACE }],
   api_body_local_point: ["localPoint", { point: PLACE }],
