@@ -7,6 +7,7 @@
   numbers   no other header gives a limit as a number, no file of the engine compares with one
   vectors   functions of a world take places and directions as thud_pos and thud_vec2, but for the
             way of a ray or cast; geometry without a world takes and gives numbers
+  all       thud_all.h includes every other header
 
 Prints one line per breach and exits with 1 if there is any.
 """
@@ -102,6 +103,12 @@ def check_vectors(headers):
                 yield f"vectors: {name} has a vector, which geometry takes and gives as numbers"
 
 
+def check_all(headers):
+    included = set(re.findall(r'#include "(\w+\.h)"', headers["thud_all.h"]))
+    for name in sorted(set(headers) - included - {"thud_all.h"}):
+        yield f"all: thud_all.h does not include {name}"
+
+
 def read(folder, *patterns):
     return {path.name: path.read_text(encoding="utf-8")
             for pattern in patterns for path in sorted(folder.rglob(pattern))}
@@ -109,7 +116,7 @@ def read(folder, *patterns):
 
 def breaches(headers, engine, table, tests):
     return [*check_stated(headers, table), *check_limits(headers, table + tests, engine),
-            *check_numbers(headers, engine), *check_vectors(headers)]
+            *check_numbers(headers, engine), *check_vectors(headers), *check_all(headers)]
 
 
 def main(arguments):

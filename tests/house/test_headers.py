@@ -23,6 +23,7 @@ THUD_API thud_result thud_world_cast_ray(thud_world *world, thud_pos from, doubl
 PURE = """/* thud_shapes.h: geometry. */
 THUD_API bool thud_shapes_meet(const thud_shape *a, double x, double y, const thud_pos *points);
 """
+ALL = "".join(f'#include "{name}.h"\n' for name in ("thud", "thud_limits", "thud_shapes"))
 ENGINE = "if (density <= THUD_DENSITY_MAX && angle <= THUD_ANGLE_MAX) {\n    return 1e300;\n}\n"
 TABLE = """#define LIMITS(FIELD, CALL) \\
     FIELD(thud_shape_def, density, density, 0, THUD_DENSITY_MAX, shape) \\
@@ -34,9 +35,9 @@ TABLE = """#define LIMITS(FIELD, CALL) \\
 
 
 class HeadersTest(unittest.TestCase):
-    def breaches(self, main=MAIN, limits=LIMITS, pure=PURE, engine=ENGINE, table=TABLE):
-        return headers.breaches({"thud.h": main, "thud_limits.h": limits, "thud_shapes.h": pure},
-                                {"shape.c": engine}, table, "")
+    def breaches(self, main=MAIN, limits=LIMITS, pure=PURE, engine=ENGINE, table=TABLE, every=ALL):
+        return headers.breaches({"thud.h": main, "thud_limits.h": limits, "thud_shapes.h": pure,
+                                 "thud_all.h": every}, {"shape.c": engine}, table, "")
 
     def assert_noticed(self, start, **broken):
         found = self.breaches(**broken)
@@ -69,6 +70,9 @@ class HeadersTest(unittest.TestCase):
     def test_mixed_vectors_are_noticed(self):
         self.assert_noticed("vectors", main=MAIN.replace("thud_pos about", "double x, double y"))
         self.assert_noticed("vectors", pure=PURE.replace("double x, double y", "thud_pos at"))
+
+    def test_header_that_is_in_none_of_all_is_noticed(self):
+        self.assert_noticed("all", every=ALL.replace('#include "thud_shapes.h"', ""))
 
 
 if __name__ == "__main__":

@@ -17,6 +17,7 @@
 #include "thud_limits.h"
 #include "thud_listeners.h"
 #include "thud_lists.h"
+#include "thud_locks.h"
 #include "thud_make.h"
 #include "thud_math.h"
 #include "thud_minkowski.h"

@@ -110,7 +110,7 @@ test("body_that_cannot_turn_is_held_as_a_whole_and_one_at_rest_sleeps_on", () =>
 });
 
 test("grip_brings_a_point_to_a_speed_along_an_axis_as_far_as_it_can", () => {
-  const { world, car } = createCar();
+  const { world, car } = createCar({ angle: 0 });
   world.setVelocity(car, [3, 2], 0);
   world.applyGrip(car, [0, 0], [0, 1], 0, 1e6);
   world.step();

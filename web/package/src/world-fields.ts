@@ -75,7 +75,8 @@ export class WorldFields extends WorldForces {
    * a force of at most `most`: at speed 0 it holds or brakes, at another it drives.
    */
   applyGrip(body: BodyRef, point: Vec2, axis: Vec2, speed: number, most: number): void {
-    this.on("api_body_apply_grip", body, ...point, ...axis, speed, most);
+    const [x, y, alongX, alongY] = [point?.[0], point?.[1], axis?.[0], axis?.[1]];
+    this.on("api_body_apply_grip", body, x, y, alongX, alongY, speed, most);
   }
 
   /**
