@@ -1,38 +1,14 @@
 /* test_snapshot_refused.c: what is no snapshot for this world is refused and told, and whatever
  * goes wrong, the world goes on as if nobody had asked. */
-#include "snapshot_support.h"
+#include "refused_snapshot.h"
 
 #include "hostile_memory.h"
 
 #include "api/snapshot.h"
 
-static char told[128];
-
 static double no_clock(void *context) {
     (void)context;
     return 0;
-}
-
-static void keep(thud_result result, const char *message, void *context) {
-    (void)result;
-    (void)context;
-    strncpy(told, message, sizeof told - 1);
-}
-
-static thud_world_def telling(void) {
-    thud_world_def def = thud_default_world_def();
-    def.log = keep;
-    return def;
-}
-
-static void refused(thud_world *world, const void *bytes, size_t size, const char *word) {
-    uint64_t before = digest_of(world);
-    told[0] = 0;
-    assert_int_equal(thud_world_restore(world, bytes, size), THUD_ERROR_INVALID);
-    if (!strstr(told, word)) {
-        fail_msg("'%s' does not tell of '%s'", told, word);
-    }
-    assert_int_equal(digest_of(world), before);
 }
 
 /* A yard 30 steps on, a snapshot of it, and the way that it would have gone from there. */

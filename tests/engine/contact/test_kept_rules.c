@@ -1,24 +1,15 @@
 /* test_kept_rules.c: rules in snapshots: a world that is put back goes by the rules of then. */
 #include "rules_support.h"
-#include "snapshot_support.h"
+#include "refused_snapshot.h"
 
 #include "hostile_memory.h"
 
 #include "api/snapshot.h"
 
-static char told[128];
-
-static void keep(thud_result result, const char *message, void *context) {
-    (void)result;
-    (void)context;
-    strncpy(told, message, sizeof told - 1);
-}
-
 static thud_world_def def_of(int choice) {
-    thud_world_def def = thud_default_world_def();
+    thud_world_def def = telling();
     def.detection = detections[choice % DETECTIONS];
     def.broadphase = broadphases[choice % BROADPHASES];
-    def.log = keep;
     return def;
 }
 
@@ -222,16 +213,6 @@ static void filter_stays_as_the_world_has_it(void **unused) {
 }
 
 /* ---- refused ---- */
-
-static void refused(thud_world *w, const void *bytes, size_t size, const char *word) {
-    uint64_t before = digest_of(w);
-    told[0] = 0;
-    assert_int_equal(thud_world_restore(w, bytes, size), THUD_ERROR_INVALID);
-    if (!strstr(told, word)) {
-        fail_msg("'%s' does not tell of '%s'", told, word);
-    }
-    assert_int_equal(digest_of(w), before);
-}
 
 static void world_that_never_had_rules_refuses_some(void **unused) {
     (void)unused;
