@@ -45,14 +45,13 @@ function keyOf(files) {
 }
 
 async function hashesOf(thud, name) {
-  const { scene } = await buildScene(thud, name, { choices: USUAL_OPTIONS });
+  const { scene, close } = await buildScene(thud, name, { choices: USUAL_OPTIONS });
   const hashes = [];
   for (let step = 0; step < STEPS; step += EVERY) {
     runScene(scene, EVERY, step);
     hashes.push(scene.world.hash());
   }
-  scene.close?.();
-  scene.world.close();
+  close();
   return hashes;
 }
 

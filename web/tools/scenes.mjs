@@ -42,12 +42,28 @@ const loaders = {
 
 const loadMover = async () => (await import("../package/dist/node.js")).Mover;
 
-/** Builds a scene of the registry: { module, setting, scene }. `options` as for createSetting. */
+/**
+ * Builds a scene of the registry: { module, setting, scene, close }. `options` as for createSetting;
+ * `close` is for all that the scene has made.
+ */
 export async function buildScene(thud, name, options = {}) {
   const module = await import(new URL(`public/${sceneFile(name)}`, web).href);
   const mover = await loadMover();
   const setting = createSetting(module, { thud, readText, mover, ...loaders, ...options });
-  return { module, setting, scene: await module.default(setting) };
+  const worlds = [];
+  for (const make of ["createWorld", "buildLevel"]) {
+    const own = setting[make];
+    setting[make] = (...given) => {
+      worlds.push(own(...given));
+      return worlds.at(-1);
+    };
+  }
+  const scene = await module.default(setting);
+  const close = () => {
+    scene.close?.();
+    for (const world of worlds) world.close();
+  };
+  return { module, setting, scene, close };
 }
 
 /** A running scene of the registry, as the page's worker has it. `options`: size, seed. */

@@ -44,8 +44,8 @@ for (const { name } of SCENES) {
   const { size, steps = 60, view } = THUMBNAILS[name] ?? {};
   const file = `public/${thumbnailFile(name)}`;
   if (time(file) > Math.max(COMMON, time(`public/${sceneFile(name)}`))) continue;
-  const { scene } = await buildScene(thud, name, { size });
+  const { scene, close } = await buildScene(thud, name, { size });
   runScene(scene, steps);
   writeFileSync(path(file), drawScene(scene, COLOURS, view));
-  scene.world.close();
+  close();
 }
