@@ -117,7 +117,8 @@ static void note_approach(const thud_world *w, const lane *l) {
     }
 }
 
-/* Where this answer or the last one was not just yes. */
+/* Where this answer or the last one was not just yes. It has a lane of its own: that of the loop,
+ * whose address nobody else is given, then stands in registers. */
 static void heed(thud_world *w, lane one, const thud_contact_settings *own,
                  const thud_contact_settings *settings, bool yes) {
     const lane *l = &one;
