@@ -3,12 +3,11 @@
   order       a file of engine/src includes only what stands above it in the list of
               engine/CMakeLists.txt, and a stage no other stage; calls.py has the same of calls
   listed      every file of engine/src has its one line in that list, every line has its file
-  folders     no folder of engine/src has more than 25 files, and the README names each
+  folders     the README names each folder of engine/src
   cycles      no file includes itself, however far round
   public      a public header includes only public headers and the C library's
   outside     demo/ and web/ speak to the engine through its public headers alone
   intrinsics  processor-specific code stands only in engine/src/base/simd.h
-  length      no C file, and no text of web/ or tests/web, is longer than 400 lines
   sources     the C files that the CMakeLists name are those that are there; demo/scenes alone
               takes all of its own, so that a scene needs no line
   lock        a package-lock.json says what is installed and not from which host
@@ -24,8 +23,6 @@ from pathlib import Path
 
 from listing import LIST_FILE, read_listing
 
-LONGEST = 400
-FULLEST = 25
 SOURCES = "engine/src"
 WEB_TREES = ("web", "tests/web")
 WEB_TEXTS = (".c", ".css", ".h", ".html", ".js", ".json", ".md", ".mjs", ".sh", ".ts")
@@ -114,12 +111,10 @@ def check_listed(root, listing):
 
 
 def check_folders(root):
-    folders = Counter(Path(name).parent.as_posix() for name in source_names(root))
+    folders = {Path(name).parent.as_posix() for name in source_names(root)}
     readme = root / "README.md"
     text = read(readme) if readme.is_file() else ""
-    for folder, count in sorted(folders.items()):
-        if count > FULLEST:
-            yield f"folders: {SOURCES}/{folder} has {count} files, more than {FULLEST}"
+    for folder in sorted(folders):
         if not re.search(rf"^  {re.escape(folder)}/ ", text, re.MULTILINE):
             yield f"folders: README.md has no line for {SOURCES}/{folder}"
 
@@ -183,14 +178,6 @@ def check_intrinsics(root, files):
                 yield f"intrinsics: {file} has {found.group().rstrip('( ')}"
 
 
-def check_length(root, files):
-    written = [file for file in web_texts(root) if file.as_posix() not in LOCK_FILES]
-    for file in sorted({*files, *written}):
-        lines = len(read(root / file).splitlines())
-        if lines > LONGEST:
-            yield f"length: {file} has {lines} lines, more than {LONGEST}"
-
-
 def check_sources(root, files):
     named = set()
     for tree in TREES:
@@ -236,8 +223,7 @@ def breaches(root):
     graph = include_graph(root, files)
     return [*check_listed(root, listing), *check_folders(root), *check_order(graph, listing),
             *check_cycles(graph), *check_public(graph), *check_intrinsics(root, files),
-            *check_length(root, files), *check_sources(root, files), *check_lock(root),
-            *check_elsewhere(root)]
+            *check_sources(root, files), *check_lock(root), *check_elsewhere(root)]
 
 
 def main(arguments):
