@@ -78,9 +78,9 @@ typedef struct thud_world_def {
     float hit_speed;     /* [0, THUD_SPEED_MAX]; faster approaches are hit events; default 1 */
     float maximum_speed; /* (0, THUD_SPEED_MAX]; default that. Steps hold x and y of a velocity to
                             it, each; an impact on the way may leave more to the next step */
-    bool sleeping;       /* default true: what is connected falls asleep once it has been slower than
-                            0.05 length scales a second for 0.5 s, and no gap of a joint and no
-                            overlap in it closes faster than that */
+    bool sleeping; /* default true: what is connected falls asleep once it has been slower than
+                      0.05 length scales a second for 0.5 s, and no gap of a joint and no
+                      overlap in it closes faster than that */
     bool contact_events; /* collect begin, end and hit events; default true. Sensors report
                             either way */
     bool baseline_simd;  /* never AVX2: the same bits, slower; for tests. Default false */
@@ -363,9 +363,10 @@ typedef struct thud_step_error {
     double shortfall; /* length: how far the body that detection held back the most, of
                          thud_stats.held_bodies, ended from where its motion would have taken it; 0
                          where none was held */
-    double joint_gap_max, joint_gap_mean; /* lengths: by how much joints are open at the end of the
-                                             step, asleep or awake, as thud_joint_state.gap has it */
-    double joint_angle_max;               /* likewise, angle_gap, rad */
+    double joint_gap_max,
+        joint_gap_mean;     /* lengths: by how much joints are open at the end of the
+                               step, asleep or awake, as thud_joint_state.gap has it */
+    double joint_angle_max; /* likewise, angle_gap, rad */
 } thud_step_error;
 
 /* All 0 before the first step. */
