@@ -7,6 +7,7 @@
 #include "islands/island_solve.h"
 
 #include "constraint/joining.h"
+#include "linkages/island_contacts.h"
 #include "linkages/island_parts.h"
 
 /* A result is refused whose kinetic energy is so many times what was there or could come. */
@@ -351,6 +352,10 @@ double td_island_solve_joints(td_island_work *work, double tolerance) {
     missing =
         td_finite(energy_of(work, false)) && !td_island_rubs(work) ? missing : __builtin_inf();
     work->turn_most = __builtin_inf();
+    if (td_finite(missing) && missing > tolerance && !td_island_is_joints(work) &&
+        td_island_sinks(work, tolerance * whole)) {
+        missing = __builtin_inf();
+    }
     if (td_island_is_joints(work)) {
         missing = explodes(work) ? __builtin_inf() : missing;
         work->pushed = __builtin_inf();
