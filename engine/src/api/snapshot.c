@@ -239,7 +239,7 @@ thud_result thud_world_restore(thud_world *w, const void *buffer, size_t bytes) 
     if (!w || !buffer) {
         return td_refuse(w, THUD_ERROR_NULL, "restore: world or buffer is null");
     }
-    if (w->locked) {
+    if (w->locked || w->advancing) {
         return td_refuse(w, THUD_ERROR_LOCKED, "restore: not inside a callback");
     }
     const char *from = buffer, *fault = fault_of(w, from, bytes, &head);
