@@ -2,6 +2,7 @@
 #include "yard.h"
 
 #include <thud/thud_joint.h>
+#include <thud/thud_locks.h>
 
 enum { LINE = 7 };
 
@@ -162,6 +163,9 @@ void yard_edit(yard *y) {
                                   0.2 * y->t->scale));
     } else if (what == 8 && y->tied) {
         tie(y, i, y->body[i], y->body[(i + 5) % YARD_BODIES]);
+    } else if (what < 12 && y->tied) {
+        int axes = draw_below(&y->random, 4);
+        DO(y->t, thud_body_set_locks(y->world, y->body[i], axes & 1, axes >> 1));
     }
 }
 

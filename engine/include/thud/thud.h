@@ -78,7 +78,9 @@ typedef struct thud_world_def {
     float hit_speed;     /* [0, THUD_SPEED_MAX]; faster approaches are hit events; default 1 */
     float maximum_speed; /* (0, THUD_SPEED_MAX]; default that. Steps hold x and y of a velocity to
                             it, each; an impact on the way may leave more to the next step */
-    bool sleeping;       /* default true */
+    bool sleeping; /* default true: what is connected falls asleep once it has been slower than
+                      0.05 length scales a second for 0.5 s, and no gap of a joint and no
+                      overlap in it closes faster than that */
     bool contact_events; /* collect begin, end and hit events; default true. Sensors report
                             either way */
     bool baseline_simd;  /* never AVX2: the same bits, slower; for tests. Default false */
@@ -343,8 +345,9 @@ THUD_API thud_stats thud_world_stats(const thud_world *world);
 THUD_API thud_result thud_world_bisection_limit(thud_world *world, double *speed);
 
 /* What the last step got wrong, found as it was solved: costs nothing to ask, but in a step in
- * which detection held bodies back or resolved collisions a pass over contacts. Of contacts that
- * are awake, where detection left the bodies: one that it held back, or that met something within
+ * which detection held bodies back or resolved collisions a pass over contacts, and a pass over
+ * joints, where there are any. Of contacts that are awake (thud_world_measure has those that sleep
+ * as well), where detection left the bodies: one that it held back, or that met something within
  * the step, counts as it stands at the end. The same with any number of workers. */
 typedef struct thud_step_error {
     double penetration_max, penetration_mean; /* lengths, at the end of the step, over the points of
@@ -360,9 +363,10 @@ typedef struct thud_step_error {
     double shortfall; /* length: how far the body that detection held back the most, of
                          thud_stats.held_bodies, ended from where its motion would have taken it; 0
                          where none was held */
-    double joint_gap_max, joint_gap_mean; /* lengths: by how much joints of awake bodies are open at
-                                             the end of the step, as thud_joint_state.gap has it */
-    double joint_angle_max;               /* likewise, angle_gap, rad */
+    double joint_gap_max,
+        joint_gap_mean;     /* lengths: by how much joints are open at the end of the
+                               step, asleep or awake, as thud_joint_state.gap has it */
+    double joint_angle_max; /* likewise, angle_gap, rad */
 } thud_step_error;
 
 /* All 0 before the first step. */

@@ -31,7 +31,7 @@ typedef struct td_joining_ops {
     void (*hold_back)(thud_world *w, td_awake_slot slot, double time);
     /* After the epilogue: events of the joints that bear too much, which are destroyed. */
     void (*break_up)(thud_world *w);
-    /* Adds up how far joints of awake bodies are open. */
+    /* Adds up how far joints are open that are in force, asleep or awake. */
     void (*measure)(const thud_world *w, td_joint_gaps *gaps);
     /* joint_draw.c; of a td_drawing: api/debug_draw.h */
     void (*draw)(const struct td_drawing *drawing);

@@ -179,7 +179,7 @@ export interface StepError {
    * have taken it; 0 where none of `Stats.heldBodies` was.
    */
   shortfall: number;
-  /** Lengths: by how much joints of awake bodies are open at the end; see JointState.gap. */
+  /** Lengths: by how much joints are open at the end, asleep or awake; see JointState.gap. */
   jointGapMax: number;
   jointGapMean: number;
   /** Likewise of turns, radians. */

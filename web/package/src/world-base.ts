@@ -5,7 +5,7 @@ import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
 import { AdvanceAt, HandleAt, ListAt, WORLD_OPTIONS, WorldOptionsAt } from "./generated/slots.js";
 import { fill, numbersOf, qualityNumbers, rowsOf, shapeAt } from "./numbers.js";
-import { generationOf, index1Of } from "./plain/handles.js";
+import { generationOf, index1Of, type Kind } from "./plain/handles.js";
 import { restoreSnapshot, takeSnapshot } from "./snapshot.js";
 import type { BodyRef, JointRef, Quality, QualityOptions, ShapeId, ShapeRef, Vec2, WorldOptions } from "./types.js";
 
@@ -193,8 +193,12 @@ export class WorldBase {
     }
   }
 
-  /** A list of arguments would be an object; what the module does not take of them it passes over. */
+  /**
+   * Calls what is for handles of one kind. A list of arguments would be an object; what the module
+   * does not take of them it passes over.
+   */
   protected on(
+    kind: Kind,
     name: string,
     id: AnyRef,
     a?: number,
@@ -205,7 +209,8 @@ export class WorldBase {
     f?: number,
   ): void {
     const call = this.engine.exports[name];
-    const result = call(this.address, index1Of(id), generationOf(id), a!, b!, c!, d!, e!, f!);
+    const index1 = index1Of(id, kind);
+    const result = call(this.address, index1, generationOf(id), a!, b!, c!, d!, e!, f!);
     if (result !== 0 || this.engine.callbacks.hasThrown)
       this.refuse(result, name, [a, b, c, d, e, f]);
   }

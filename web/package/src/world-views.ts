@@ -24,6 +24,7 @@ import {
   StepErrorAt,
 } from "./generated/slots.js";
 import { bodyAt, numbersOf, rowsOf, shapeAt, vecAt, view } from "./numbers.js";
+import { Kind } from "./plain/handles.js";
 import type { BodyRef } from "./types.js";
 import type {
   Contact,
@@ -126,7 +127,7 @@ export class WorldViews extends WorldQueries {
 
   /** What a body touches, without copies: rows as CONTACT_ROW has them, valid until the next call. */
   contactView(body: BodyRef): Float64Array {
-    this.on("api_body_contacts", body);
+    this.on(Kind.body, "api_body_contacts", body);
     const { buffer, slots } = this.engine;
     this.#contacts = again(this.#contacts, buffer, slots, ListAt.address, ContactRowAt.length);
     return this.#contacts;
@@ -134,7 +135,7 @@ export class WorldViews extends WorldQueries {
 
   /** What a body touches, as the last step left it; the latest to touch first. Copied. */
   contactsOf(body: BodyRef): Contact[] {
-    this.on("api_body_contacts", body);
+    this.on(Kind.body, "api_body_contacts", body);
     const { buffer, slots } = this.engine;
     return rowsOf(Float64Array, buffer, slots, ListAt.address, ContactRowAt.length, readContact);
   }

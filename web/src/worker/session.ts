@@ -16,6 +16,7 @@ import { History, type Moment } from "./history";
 import { aimHold, holds, letGo, moveHold, type Pull, takeHold } from "./hold";
 import type { Choices, Rerun, StateHash } from "./protocol";
 import { SceneError } from "./trouble";
+import { unseen } from "./watch";
 
 type PointerCommand = Extract<Command, { kind: "pointer" }>;
 
@@ -276,7 +277,7 @@ export class Session {
     const rest = structuredClone(moment.rest) as { hands: Hands; state: object | null };
     const { state } = this.scene;
     if (state && rest.state) replace(state, rest.state);
-    this.world.restore(moment.world);
+    unseen(this.world, () => this.world.restore(moment.world));
     this.step = moment.step;
     Object.assign(this.#hands, rest.hands);
     this.scene.restored?.();
