@@ -91,7 +91,8 @@ export class WorldViews extends WorldQueries {
   }
 
   /**
-   * What touched, parted and hit in the last step; copied, so that it may be kept.
+   * What touched, parted and hit in the last step, or in all steps of the last `advance`; copied, so
+   * that it may be kept.
    * @example world.events().hit
    */
   events(): Events {
