@@ -219,8 +219,9 @@ THUD_API thud_result thud_body_get(const thud_world *world, thud_body_id body,
                                    thud_body_state *out);
 
 /* Edits wake the body, also the bodies that touch it; places and angles have the ranges of the def.
- * Inside a callback they take effect at the start of the next step, or with a query between the
- * two: until then a shape made there takes no part in anything, its mass included. What is
+ * All take effect together, as the next step begins; queries see shapes where edits put them, and
+ * change nothing. Inside a callback they wait for the start of the next step, or a query between
+ * the two: until then a shape made there takes no part in anything, its mass included. What is
  * destroyed there is stale at once. */
 THUD_API thud_result thud_body_set_transform(thud_world *world, thud_body_id body,
                                              thud_pos position, double angle);

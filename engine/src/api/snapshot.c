@@ -232,6 +232,8 @@ static void forget_scratch(thud_world *w) {
     w->scratch.blocks.count = w->scratch.runs.count = w->scratch.impacts.count = 0;
     w->islands.island.count = w->islands.slots.count = w->islands.constraints.count = 0;
     w->islands.local.count = 0;
+    w->preview.shape.count = 0;
+    w->preview.stale = true;
 }
 
 thud_result thud_world_restore(thud_world *w, const void *buffer, size_t bytes) {

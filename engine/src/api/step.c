@@ -6,8 +6,8 @@
 #include "state/handles.h"
 #include "api/step.h"
 
-/* Events are handed over whole: what edits ended before the step, because a query had them applied,
- * and what a step met that ran out of memory, waits in `events` for the first step that is done. */
+/* Events are handed over whole: what edits ended before the step, and what a step met that ran out
+ * of memory, waits in `events` for the first step that is done. */
 static void publish_events(thud_world *w) {
     td_event_lists published = w->events;
     w->events = w->published;

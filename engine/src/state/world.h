@@ -17,6 +17,14 @@
 #include "state/scratch.h"
 #include "thud/thud.h"
 
+/* Copies of the shapes that edits place which are still to take effect: preview.h. */
+typedef struct td_preview {
+    td_array shape;  /* int */
+    td_array proxy;  /* td_shape_proxy, as `shape`; the fat bounds are tight */
+    td_array number; /* int, by shape: its index in the two, if it is in them */
+    bool stale;      /* edits have been made since */
+} td_preview;
+
 struct thud_world {
     /* Configuration: not part of a snapshot. */
     thud_world_def def;
@@ -100,6 +108,7 @@ struct thud_world {
     td_scratch scratch;
     td_islands islands; /* the direct ones */
     td_array poses;     /* thud_pose */
+    td_preview preview;
 
     /* Statistics. */
     td_errors errors;
