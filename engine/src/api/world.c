@@ -150,6 +150,7 @@ static const td_array_place ARRAYS[] = {
     ARRAY(scratch.odd, td_awake_slot),
     ARRAY(scratch.order, int32_t),
     ARRAY(scratch.rings, td_awake_slot),
+    ARRAY(scratch.powers, double[2]),
     EVENTS(events),
     EVENTS(published),
     ARRAY(broken, thud_joint_event),
