@@ -12,7 +12,7 @@
 
 #define TD_SNAPSHOT_MAGIC "thudsnap"
 
-enum { TD_SNAPSHOT_VERSION = 8 }; /* rises when what the bytes mean changes */
+enum { TD_SNAPSHOT_VERSION = 9 }; /* rises when what the bytes mean changes */
 
 /* in td_snapshot_head.slots */
 enum {

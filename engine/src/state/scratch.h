@@ -33,6 +33,9 @@ typedef struct td_scratch {
     td_array impacts;             /* td_impact; before, td_pushes by block: gaps.c */
     td_array odd;                 /* td_awake_slot: what wide_finalize.c leaves to finalize.c */
     td_array rings;               /* td_awake_slot, by awake slot: constraint/rings.h */
+    td_array legs;                /* td_leg, in the order of time: detection/sensing.c */
+    td_array first_legs;          /* int, by awake slot: the first of its legs, or TD_NONE */
+    td_array sensing;             /* td_awake_slot: bodies with sensors */
     td_array order;               /* while a proxy set is put into its order */
 } td_scratch;
 
