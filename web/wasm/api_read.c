@@ -30,6 +30,10 @@ int api_world_events(const thud_world *world) {
     s->sensor_begin.count = events.sensor_begin_count;
     s->sensor_end.address = (double)(uintptr_t)events.sensor_end;
     s->sensor_end.count = events.sensor_end_count;
+    s->sensor_begin_time.address = (double)(uintptr_t)events.sensor_begin_time;
+    s->sensor_begin_time.count = events.sensor_begin_count;
+    s->sensor_end_time.address = (double)(uintptr_t)events.sensor_end_time;
+    s->sensor_end_time.count = events.sensor_end_count;
     s->quarantined.address = (double)(uintptr_t)events.quarantined;
     s->quarantined.count = events.quarantined_count;
     s->hits.address = (double)(uintptr_t)hits.data;

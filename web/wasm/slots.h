@@ -214,9 +214,11 @@ struct foot {
     double height, x, normal[2];
 };
 
-/* Begin and end are of shapes: rows of event_pair; quarantined: handles of bodies. */
+/* Begin and end are of shapes: rows of event_pair; quarantined: handles of bodies. Times, of
+ * sensor_begin and sensor_end, are floats. */
 struct events {
     struct list begin, end, sensor_begin, sensor_end, quarantined, hits;
+    struct list sensor_begin_time, sensor_end_time;
 };
 
 struct closest_hit {

@@ -33,7 +33,8 @@ extern THUD_API const thud_broadphase thud_broadphase_all;
 THUD_API const char *thud_broadphase_name(const thud_broadphase *broadphase); /* "" for null */
 
 /* How moving shapes are tested: a choice for a world, and for single bodies. Of two moving bodies
- * the finer choice decides on their pair. `docs/catalogue.md` has what each costs and gets wrong.
+ * the finer choice decides on their pair; on a pair with a sensor too, of which thud_events.h tells
+ * what is reported of ways. `docs/catalogue.md` has what each costs and gets wrong.
  */
 typedef struct thud_detection thud_detection;
 

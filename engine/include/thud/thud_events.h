@@ -20,8 +20,15 @@
  * meet, sensors too: of dynamic, kinematic and static bodies, awake or asleep, whose sleep it does
  * not disturb. Two static bodies alone are nothing to each other, since neither ever comes or goes:
  * thud_world_overlap_shape tells what stands where. Of two sensors each reports the other. They go
- * by where bodies stand as a step begins, after the edits: what moves in within a step is told by
- * the next one, and what has then passed through altogether is not. */
+ * by where bodies stand as a step ends: what moves in or out within a step is told by that step.
+ * (Where memory is short it is told by a later one.)
+ *
+ * What passes a sensor altogether within a step is told as begun and ended where a detection looks
+ * at ways: thud_detection_continuous at those of bodies past the sensors of static ones,
+ * thud_detection_bisect and thud_detection_swept at all, of bodies that move further than half
+ * their smallest half extent in a step. There the time of an event is that on the way, exact but
+ * for rounding where nothing turns; of a pair that is not looked at so it is 1, and of one that an
+ * edit ended before the step 0. */
 #ifndef THUD_EVENTS_H
 #define THUD_EVENTS_H
 
@@ -46,6 +53,8 @@ typedef struct thud_hit_event {
 typedef struct thud_events {
     const thud_contact_event *begin, *end;
     const thud_contact_event *sensor_begin, *sensor_end; /* shape_a is the sensor that reports */
+    /* Of each of those, in [0, 1] of the step: when the two came to overlap, or ceased to. */
+    const float *sensor_begin_time, *sensor_end_time;
     const thud_hit_event *hit;
     const thud_body_id *quarantined; /* frozen because they became non-finite */
     int begin_count, end_count, sensor_begin_count, sensor_end_count, hit_count, quarantined_count;

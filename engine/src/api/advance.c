@@ -40,6 +40,8 @@ static void list_told(thud_world *w, td_told told[TOLD]) {
         {&g->lists.end, &last->end, &own->end},
         {&g->lists.sensor_begin, &last->sensor_begin, &own->sensor_begin},
         {&g->lists.sensor_end, &last->sensor_end, &own->sensor_end},
+        {&g->lists.sensor_begin_time, &last->sensor_begin_time, &own->sensor_begin_time},
+        {&g->lists.sensor_end_time, &last->sensor_end_time, &own->sensor_end_time},
         {&g->lists.hit, &last->hit, &own->hit},
         {&g->lists.quarantined, &last->quarantined, &own->quarantined},
         {&g->broken, &w->broken, &w->broken},

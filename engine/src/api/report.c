@@ -16,6 +16,8 @@ thud_events thud_world_events(const thud_world *w) {
         .end = e->end.data,
         .sensor_begin = e->sensor_begin.data,
         .sensor_end = e->sensor_end.data,
+        .sensor_begin_time = e->sensor_begin_time.data,
+        .sensor_end_time = e->sensor_end_time.data,
         .hit = e->hit.data,
         .quarantined = e->quarantined.data,
         .begin_count = e->begin.count,

@@ -29,8 +29,9 @@ static void list_awake(thud_world *w, int live, td_part *parts) {
 }
 
 static void list_events(td_event_lists *e, td_part *parts) {
-    td_array *lists[TD_EVENT_LIST_COUNT] = {&e->begin,      &e->end, &e->sensor_begin,
-                                            &e->sensor_end, &e->hit, &e->quarantined};
+    td_array *lists[TD_EVENT_LIST_COUNT] = {
+        &e->begin,           &e->end, &e->sensor_begin, &e->sensor_end, &e->sensor_begin_time,
+        &e->sensor_end_time, &e->hit, &e->quarantined};
     for (int i = 0; i < TD_EVENT_LIST_COUNT; i++) {
         parts[i] = list_of(lists[i], 0);
     }

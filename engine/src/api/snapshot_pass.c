@@ -39,6 +39,7 @@ static const struct {
     FIELD(touching),
     FIELD(bouncy),
     FIELD(surface_speeds),
+    FIELD(sensors),
     FIELD(mobile_sensors),
     FIELD(breakable),
     FIELD(damped),

@@ -1,5 +1,6 @@
 /* step.c: the whole engine at a glance. Data flows one way; stages meet in the world's state. */
 #include "constraint/joining.h"
+#include "detection/sensing.h"
 #include "listeners/listening.h"
 #include "rules/ruling.h"
 #include "solver/budget.h"
@@ -17,6 +18,7 @@ static void publish_events(thud_world *w) {
     td_event_lists *next = &w->events;
     next->begin.count = next->end.count = next->hit.count = next->quarantined.count = 0;
     next->sensor_begin.count = next->sensor_end.count = 0;
+    next->sensor_begin_time.count = next->sensor_end_time.count = 0;
 }
 
 /* Time since the last mark goes to the stage. */
@@ -63,6 +65,26 @@ static void forget_motions(thud_world *w) {
     w->stats.motion_pairs = w->stats.motion_circles = w->stats.motion_boxes = 0;
     w->stats.motion_exact = 0;
     w->stats.held_seconds = 0.0;
+    w->scratch.legs.count = w->scratch.first_legs.count = 0;
+}
+
+static bool reserve_sensing(thud_world *w) {
+    const td_sensing *sensing = td_sensing_of(w);
+    return w->sensors == 0 ||
+           (td_sensed_reserve(w) && td_sensors_reserve(w) && (!sensing || sensing->reserve(w)));
+}
+
+/* Sensors go by where bodies stand now: what was passed on the way first, then what is there. */
+static void sense(thud_world *w) {
+    if (w->sensors == 0 || !td_sensed_list(w)) {
+        return;
+    }
+    const td_sensing *sensing = td_sensing_of(w);
+    if (sensing) {
+        sensing->pass(w);
+    }
+    td_sensed_pairs(w);
+    td_sensors_test(w);
 }
 
 static bool find_islands(thud_world *w) {
@@ -112,9 +134,9 @@ static thud_result run_stages(thud_world *w) {
     w->paired |= done;
     mark(w, THUD_STAGE_BROADPHASE, &last);
     done = done && td_broadphase_refresh(w) && td_narrowphase(w) && find_islands(w) &&
-           td_finalize_reserve(w) && reserve_detection(w) && td_sleep_reserve(w) &&
-           (!w->ruling || w->ruling->reserve(w)) && (!w->listening || w->listening->reserve(w)) &&
-           (!w->gather || w->gather(w));
+           td_finalize_reserve(w) && reserve_detection(w) && reserve_sensing(w) &&
+           td_sleep_reserve(w) && (!w->ruling || w->ruling->reserve(w)) &&
+           (!w->listening || w->listening->reserve(w)) && (!w->gather || w->gather(w));
     mark(w, THUD_STAGE_NARROWPHASE, &last);
     if (!done) {
         return td_refuse(w, THUD_ERROR_MEMORY, "step: out of memory; nothing has moved");
@@ -135,6 +157,7 @@ static thud_result run_stages(thud_world *w) {
     forget_motions(w);
     detect(w, TD_AFTER_MOVING);
     mark(w, THUD_STAGE_CONTINUOUS, &last);
+    sense(w);
     tell(w);
     if (w->joining) {
         w->joining->break_up(w);

@@ -24,6 +24,14 @@ void td_contacts_hit(thud_world *w);
 void td_solve(thud_world *w);
 /* finalize.c: motion becomes pose; shapes, bounds, idle times; quarantine. */
 void td_finalize(thud_world *w);
+/* sensed_pairs.c: lists the bodies with sensors that are awake; and makes a contact of each new
+ * pair of a sensor. Where memory is short the next step does, and tells of it. */
+bool td_sensed_reserve(thud_world *w);
+bool td_sensed_list(thud_world *w);
+bool td_sensed_pairs(thud_world *w);
+/* sensor_events.c: what is in sensors, by where bodies stand now. */
+bool td_sensors_reserve(thud_world *w);
+void td_sensors_test(thud_world *w);
 /* sleep.c: islands at rest fall asleep. */
 void td_sleep(thud_world *w);
 

@@ -111,6 +111,7 @@ static double power_below(double x) {
 #define EVENTS(list)                                                                              \
     ARRAY(list.begin, thud_contact_event), ARRAY(list.end, thud_contact_event),                   \
         ARRAY(list.sensor_begin, thud_contact_event), ARRAY(list.sensor_end, thud_contact_event), \
+        ARRAY(list.sensor_begin_time, float), ARRAY(list.sensor_end_time, float),                 \
         ARRAY(list.hit, thud_hit_event), ARRAY(list.quarantined, thud_body_id)
 
 static const td_array_place ARRAYS[] = {
@@ -151,6 +152,9 @@ static const td_array_place ARRAYS[] = {
     ARRAY(scratch.order, int32_t),
     ARRAY(scratch.rings, td_awake_slot),
     ARRAY(scratch.powers, double[2]),
+    ARRAY(scratch.legs, td_leg),
+    ARRAY(scratch.first_legs, int),
+    ARRAY(scratch.sensing, td_awake_slot),
     EVENTS(events),
     EVENTS(published),
     ARRAY(broken, thud_joint_event),

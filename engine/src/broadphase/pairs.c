@@ -80,19 +80,9 @@ bool td_pairs_sort(thud_world *w) {
     return true;
 }
 
-/* Two that touch keep their contact when their fat bounds part: those reach less far than a
- * manifold that is kept, or than the speculative margin about small shapes. Once the bounds meet
- * again the pair seems to be new; likewise one with a line where bounds tell nothing. Where they
- * tell nothing of two other shapes, the search for pairs has looked through the contacts of one of
- * them already. Both bodies' contacts are walked in turns: the shorter list decides. In a crowd
- * both are long. */
-static bool has_contact(const thud_world *w, const td_new_pair *p) {
+/* Both bodies' contacts are walked in turns: the shorter list decides. In a crowd both are long. */
+bool td_pair_has_contact(const thud_world *w, const td_new_pair *p) {
     const td_shape *a = td_shape_at(w, p->a), *b = td_shape_at(w, p->b);
-    bool line = td_kind_is_line(a->kind) || td_kind_is_line(b->kind);
-    int marks = *td_marks_at(w, p->a) | *td_marks_at(w, p->b);
-    if (marks & TD_MARK_FRESH || (!line && td_bounds_tell_nothing(w, marks))) {
-        return false;
-    }
     int e = td_body_at(w, a->body)->first_constraint;
     int f = td_body_at(w, b->body)->first_constraint;
     while (e != TD_NONE && f != TD_NONE) {
@@ -105,6 +95,18 @@ static bool has_contact(const thud_world *w, const td_new_pair *p) {
         f = next;
     }
     return false;
+}
+
+/* Two that touch keep their contact when their fat bounds part: those reach less far than a
+ * manifold that is kept, or than the speculative margin about small shapes. Once the bounds meet
+ * again the pair seems to be new; likewise one with a line where bounds tell nothing. Where they
+ * tell nothing of two other shapes, the search for pairs has looked through the contacts of one of
+ * them already. */
+static bool seems_new(const thud_world *w, const td_new_pair *p) {
+    bool line =
+        td_kind_is_line(td_shape_at(w, p->a)->kind) || td_kind_is_line(td_shape_at(w, p->b)->kind);
+    int marks = *td_marks_at(w, p->a) | *td_marks_at(w, p->b);
+    return !(marks & TD_MARK_FRESH || (!line && td_bounds_tell_nothing(w, marks)));
 }
 
 bool td_pairs_create(thud_world *w) {
@@ -124,7 +126,7 @@ bool td_pairs_create(thud_world *w) {
     for (int i = 0; i < pairs->count; i++) {
         td_new_pair *pair = TD_AT(td_new_pair, pairs, i);
         td_pair_kind kind = td_pair_of(w, &pair->a, &pair->b);
-        if (!has_contact(w, pair)) {
+        if (!(seems_new(w, pair) && td_pair_has_contact(w, pair))) {
             td_contact_create(w, kind, pair->a, pair->b, pair->child);
         }
     }

@@ -21,6 +21,9 @@ void td_pairs_filter(thud_world *w, int first);
 /* Puts the pairs into the order of their shapes, whichever broadphase found them. */
 bool td_pairs_sort(thud_world *w);
 
+/* Whether there is a contact of the pair, whose shapes stand as td_pair_of has them. */
+bool td_pair_has_contact(const thud_world *w, const td_new_pair *pair);
+
 /* Makes a contact of each that has none, or, when memory is short, of none. */
 bool td_pairs_create(thud_world *w);
 

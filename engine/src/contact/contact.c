@@ -3,6 +3,7 @@
 
 #include "state/body.h"
 #include "state/handles.h"
+#include "state/shape.h"
 #include "constraint/joining.h"
 #include "constraint/lanes.h"
 #include "rules/ruling.h"
@@ -64,6 +65,24 @@ bool td_pair_meets(const thud_world *w, int a, int b) {
     return !w->vast || (x < most && x > -most && y < most && y > -most);
 }
 
+static bool reaches(const thud_world *w, int terrain_shape, int shape, int child) {
+    thud_terrain terrain = td_terrain_view(w, terrain_shape);
+    const td_shape_proxy *proxy = td_shape_proxy_at(w, shape);
+    return td_terrain_reaches(w, terrain_shape, &terrain, proxy->center, &proxy->fat, child);
+}
+
+bool td_contact_bounds_meet(const thud_world *w, const td_contact *contact) {
+    int a = contact->shape_a, b = contact->shape_b, kind = contact->kind;
+    bool sensor = kind == TD_PAIR_SENSOR;
+    if (td_pair_is_on_line(kind) || (sensor && td_kind_is_line(td_shape_at(w, a)->kind))) {
+        return reaches(w, a, b, contact->child);
+    }
+    if (sensor && td_kind_is_line(td_shape_at(w, b)->kind)) {
+        return reaches(w, b, a, contact->child);
+    }
+    return td_pair_meets(w, a, b);
+}
+
 void td_contact_create(thud_world *w, td_pair_kind kind, int shape_a, int shape_b, int child) {
     int index =
         td_constraint_create(w, kind, td_shape_at(w, shape_a)->body, td_shape_at(w, shape_b)->body);
@@ -78,7 +97,8 @@ bool td_contact_end_reserve(thud_world *w, int more) {
     int sensed = td_min_int(more, w->constraint_count[TD_PAIR_SENSOR]);
     more = td_max_int(more, 32); /* that many do now and then, and a long run asks for nothing */
     return (!w->def.contact_events || td_array_reserve(&w->memory, &e->end, e->end.count + more)) &&
-           td_array_reserve(&w->memory, &e->sensor_end, e->sensor_end.count + 2 * sensed);
+           td_array_reserve(&w->memory, &e->sensor_end, e->sensor_end.count + 2 * sensed) &&
+           td_array_reserve(&w->memory, &e->sensor_end_time, e->sensor_end.count + 2 * sensed);
 }
 
 /* A line has a contact a segment, but callers hear of it as of one shape: a pair begins with its
@@ -105,19 +125,24 @@ static void push_event(thud_world *w, td_array *list, int shape_a, int shape_b) 
         (thud_contact_event){td_shape_handle(w, shape_a), td_shape_handle(w, shape_b)};
 }
 
-/* A sensor is there to report, also where nobody wants to hear of touches. */
-static void tell(thud_world *w, td_array *touch, td_array *sensed, int contact_index) {
-    const td_contact *contact = td_contact_at(w, contact_index);
-    int a = contact->shape_a, b = contact->shape_b;
-    if (contact->kind != TD_PAIR_SENSOR) {
-        if (w->def.contact_events) {
-            push_event(w, touch, a, b);
-        }
-        return;
-    }
-    push_event(w, sensed, a, b);
+void td_sensor_tell(thud_world *w, td_array *list, td_array *times, int a, int b, float time) {
+    push_event(w, list, a, b);
+    TD_PUSH(float, times) = time;
     if (td_shape_at(w, b)->flags & TD_SHAPE_SENSOR) {
-        push_event(w, sensed, b, a);
+        push_event(w, list, b, a);
+        TD_PUSH(float, times) = time;
+    }
+}
+
+/* A sensor is there to report, also where nobody wants to hear of touches. */
+static void tell(thud_world *w, const td_contact *contact, bool begins) {
+    td_event_lists *e = &w->events;
+    int a = contact->shape_a, b = contact->shape_b;
+    if (contact->kind == TD_PAIR_SENSOR) {
+        td_sensor_tell(w, begins ? &e->sensor_begin : &e->sensor_end,
+                       begins ? &e->sensor_begin_time : &e->sensor_end_time, a, b, 0.0f);
+    } else if (w->def.contact_events) {
+        push_event(w, begins ? &e->begin : &e->end, a, b);
     }
 }
 
@@ -132,7 +157,7 @@ void td_contact_begin(thud_world *w, int contact_index) {
     contact->open = (uint8_t)(open ? open : silent ? TD_OPEN : TD_OPEN | TD_TOLD);
     contact->vetoed = 0; /* by nobody yet, in this touch */
     if (!open && contact->open & TD_TOLD) {
-        tell(w, &w->events.begin, &w->events.sensor_begin, contact_index);
+        tell(w, contact, true);
     }
 }
 
@@ -141,7 +166,7 @@ void td_contact_end(thud_world *w, int contact_index) {
     int open = contact->open;
     contact->open = 0;
     if (open & TD_TOLD && !open_elsewhere(w, contact_index)) {
-        tell(w, &w->events.end, &w->events.sensor_end, contact_index);
+        tell(w, contact, false);
     }
 }
 

@@ -18,6 +18,9 @@ bool td_pair_is_silent(const thud_world *w, int shape_a, int shape_b);
  * may wrap around and only seem to. */
 bool td_pair_meets(const thud_world *w, int shape_a, int shape_b);
 
+/* Whether fat bounds overlap as they must for the contact to stay: of a line those of a segment. */
+bool td_contact_bounds_meet(const thud_world *w, const td_contact *contact);
+
 void td_contact_create(thud_world *w, td_pair_kind kind, int shape_a, int shape_b, int child);
 /* Tells that the contact touches, or overlaps a sensor, unless a shape of it makes no events. Room
  * for the begin event must be there, in world.events. */
@@ -30,6 +33,10 @@ void td_contact_destroy(thud_world *w, int constraint);
 bool td_contact_end_reserve(thud_world *w, int more);
 /* Edits that wait for the next step end it, or the joint. */
 bool td_contact_is_ending(const thud_world *w, const td_constraint *constraint);
+/* Appends what the sensor of the pair tells, for which there is room; of two sensors the second one
+ * tells as well. `time`: in [0, 1] of the step. */
+void td_sensor_tell(thud_world *w, td_array *list, td_array *times, int shape_a, int shape_b,
+                    float time);
 /* A touching contact touches no more: it gives its lane back, and its end is told. */
 void td_contact_part(thud_world *w, int contact);
 

@@ -45,26 +45,6 @@ static int collide(thud_world *w, int kind, td_block *const *blocks, int count, 
 
 /* ---- waiting pairs ---- */
 
-static bool reaches(const thud_world *w, int terrain_shape, int shape, int child) {
-    thud_terrain terrain = td_terrain_view(w, terrain_shape);
-    const td_shape_proxy *proxy = td_shape_proxy_at(w, shape);
-    return td_terrain_reaches(w, terrain_shape, &terrain, proxy->center, &proxy->fat, child);
-}
-
-static bool bounds_meet(const thud_world *w, const td_contact *contact) {
-    int a = contact->shape_a, b = contact->shape_b, kind = contact->kind;
-    if (td_pair_is_on_line(kind)) {
-        return reaches(w, a, b, contact->child);
-    }
-    if (kind == TD_PAIR_SENSOR && td_kind_is_line(td_shape_at(w, a)->kind)) {
-        return reaches(w, a, b, contact->child);
-    }
-    if (kind == TD_PAIR_SENSOR && td_kind_is_line(td_shape_at(w, b)->kind)) {
-        return reaches(w, b, a, contact->child);
-    }
-    return td_pair_meets(w, a, b);
-}
-
 static bool test_room(thud_world *w) {
     td_array *blocks = &w->scratch.test_blocks, *list = &w->scratch.test_list;
     blocks->stride = (int)td_form_bytes(TD_FORM_TWO_CACHED);
@@ -129,7 +109,7 @@ static void add_to_batch(batch *b, int contact) {
 /* One by one, where the kind has no sieve, or bounds may deceive. */
 static void sift_singly(batch *b, const int *waiting, int count) {
     for (int i = 0; i < count; i++) {
-        if (bounds_meet(b->w, td_contact_at(b->w, waiting[i]))) {
+        if (td_contact_bounds_meet(b->w, td_contact_at(b->w, waiting[i]))) {
             add_to_batch(b, waiting[i]);
         } else {
             td_push_int(&b->w->scratch.ends, waiting[i]);
@@ -235,51 +215,6 @@ static bool begin_contacts(thud_world *w) {
     return placed;
 }
 
-/* ---- sensors ---- */
-
-static bool sensor_overlaps(const thud_world *w, const td_contact *contact) {
-    int a = contact->shape_a, b = contact->shape_b;
-    if (td_kind_is_line(td_shape_at(w, b)->kind)) {
-        a = contact->shape_b, b = contact->shape_a;
-    }
-    td_position origin = td_shape_proxy_at(w, a)->center;
-    thud_shape_instance placed_b = td_shape_instance(w, b, origin);
-    if (td_kind_is_line(td_shape_at(w, a)->kind)) {
-        thud_terrain terrain = td_terrain_view(w, a);
-        return w->ground->overlap(&terrain, &placed_b);
-    }
-    thud_shape_instance placed_a = td_shape_instance(w, a, origin);
-    return thud_shapes_overlap(&placed_a, &placed_b);
-}
-
-/* Sensor pairs have no lanes: they wait as long as their bounds overlap, and are tested exactly,
- * once where neither moves. One that rests gives its place to the last. */
-static bool test_sensors(thud_world *w) {
-    const td_array *waiting = &w->waiting[TD_PAIR_SENSOR];
-    td_array *begin = &w->events.sensor_begin;
-    if (!td_array_reserve(&w->memory, begin, begin->count + 2 * waiting->count) ||
-        !td_contact_end_reserve(w, waiting->count)) {
-        return false;
-    }
-    for (int i = 0; i < waiting->count;) {
-        int index = td_int_at(waiting, i);
-        const td_contact *contact = td_contact_at(w, index);
-        bool met = bounds_meet(w, contact), overlaps = met && sensor_overlaps(w, contact);
-        bool rests = met && td_body_at(w, contact->body[0])->awake.at < 0 &&
-                     td_body_at(w, contact->body[1])->awake.at < 0;
-        if (!met) {
-            td_push_int(&w->scratch.ends, index);
-        } else if (overlaps != (contact->open != 0)) {
-            (overlaps ? td_contact_begin : td_contact_end)(w, index);
-        }
-        if (rests) {
-            td_constraint_rest(w, index);
-        }
-        i += !rests;
-    }
-    return true;
-}
-
 /* ---- lanes ---- */
 
 typedef struct colliding {
@@ -343,17 +278,24 @@ static bool part_contacts(thud_world *w) {
         td_contact_part(w, contact);
         /* After a teleport the bounds may be apart as well; then the pair ends at once, as the
          * broadphase believes that it has. */
-        if (!bounds_meet(w, td_contact_at(w, contact))) {
+        if (!td_contact_bounds_meet(w, td_contact_at(w, contact))) {
             td_contact_destroy(w, contact);
         }
     }
     return td_lanes_sequence(w) && td_job_reserve(w);
 }
 
-/* Bounds that parted, and what is in sensors. */
+/* Bounds that parted, those of sensors too. What such a one overlapped until an edit ends here. */
 static bool part_waiting(thud_world *w) {
-    if (w->waiting[TD_PAIR_SENSOR].count && !test_sensors(w)) {
+    const td_array *sensed = &w->waiting[TD_PAIR_SENSOR];
+    if (sensed->count > 0 && !td_contact_end_reserve(w, sensed->count)) {
         return false;
+    }
+    for (int i = 0; i < sensed->count; i++) {
+        int index = td_int_at(sensed, i);
+        if (!td_contact_bounds_meet(w, td_contact_at(w, index))) {
+            td_push_int(&w->scratch.ends, index);
+        }
     }
     for (int i = 0; i < w->scratch.ends.count; i++) {
         td_contact_destroy(w, td_int_at(&w->scratch.ends, i));

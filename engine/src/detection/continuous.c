@@ -10,6 +10,7 @@
 #include "contact/contact.h"
 #include "solver/error.h"
 #include "detection/detection.h"
+#include "detection/sensing.h"
 #include "detection/trajectory.h"
 #include "state/kinds.h"
 #include "geometry/shape_instance.h"
@@ -290,6 +291,11 @@ void td_hold_at(thud_world *w, td_awake_slot slot, double time) {
     float *delta = td_row(&w->delta, slot), *velocity = td_row(&w->velocity, slot);
     const float *push = td_row(&w->push, slot);
     float x = (float)rest * delta[0], y = (float)rest * delta[1];
+    td_trajectory way = {.place = pose.center,
+                         .angle = pose.angle,
+                         .body = body,
+                         .motion = {(double)delta[0], (double)delta[1], (double)delta[2]}};
+    td_leg_note(w, &way, time);
     td_error_fall_short(w, x, y);
     td_error_follow(w, slot, x, y);
     for (int k = 0; k < 3; k++) {
@@ -357,4 +363,5 @@ const td_detection_stage td_stage_continuous = {.reserve = reserve,
 
 const thud_detection thud_detection_continuous = {.name = "continuous",
                                                   .rank = TD_RANK_CONTINUOUS,
-                                                  .stage = &td_stage_continuous};
+                                                  .stage = &td_stage_continuous,
+                                                  .sensing = &td_sensing_on_ways};

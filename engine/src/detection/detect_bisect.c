@@ -1,6 +1,7 @@
 /* detect_bisect.c: a pair that is too near at the end of its motion is taken back to the time of
  * its collision, found by bisection. */
 #include "detection/detection.h"
+#include "detection/sensing.h"
 
 /* The time of collision is found to this part of the rest of the step. */
 #define TOLERANCE 0x1p-20
@@ -36,4 +37,5 @@ static bool meet(const td_approach *p, double *time) {
 const thud_detection thud_detection_bisect = {.name = "bisect",
                                               .rank = TD_RANK_BISECT,
                                               .stage = &td_stage_impacts,
-                                              .meet = meet};
+                                              .meet = meet,
+                                              .sensing = &td_sensing_on_ways};

@@ -1,5 +1,6 @@
 /* detect_swept.c: a pair is stopped at the first time of impact along its motion. */
 #include "detection/detection.h"
+#include "detection/sensing.h"
 
 static bool meet(const td_approach *p, double *time) {
     bool hit = false;
@@ -15,4 +16,5 @@ static bool meet(const td_approach *p, double *time) {
 const thud_detection thud_detection_swept = {.name = "swept",
                                              .rank = TD_RANK_SWEPT,
                                              .stage = &td_stage_impacts,
-                                             .meet = meet};
+                                             .meet = meet,
+                                             .sensing = &td_sensing_on_ways};

@@ -52,11 +52,14 @@ extern const td_detection_stage td_stage_impacts;
  * is taken back. */
 void td_hold_at(struct thud_world *w, td_awake_slot slot, double time);
 
+struct td_sensing;
+
 struct thud_detection {
     const char *name;
     int rank; /* TD_RANK_...; the higher of two moving bodies' decides on their pair */
-    const td_detection_stage *stage; /* null: the contacts of the narrowphase are all there is */
-    td_meet_fn *meet;                /* for td_stage_impacts */
+    const td_detection_stage *stage;  /* null: the contacts of the narrowphase are all there is */
+    td_meet_fn *meet;                 /* for td_stage_impacts */
+    const struct td_sensing *sensing; /* sensing.h; null: sensors go by where bodies stand alone */
 };
 
 #endif

@@ -279,7 +279,9 @@ static bool reserve(thud_world *w) {
     int hits = w->scratch.begins.count; /* of contacts */
     int shapes =
         w->awake_shapes.ids.count + w->rest_shapes.ids.count; /* each may be found, and asked for */
-    return td_array_reserve(&w->memory, &w->scratch.hits, 2 * shapes + 4 * TD_LANES) &&
+    int legs = w->sensors > 0 ? 2 * most + awake : 0; /* two an impact, and all to the end */
+    return td_array_reserve(&w->memory, &w->scratch.legs, legs) &&
+           td_array_reserve(&w->memory, &w->scratch.hits, 2 * shapes + 4 * TD_LANES) &&
            td_array_reserve(&w->memory, &w->scratch.trajectories, awake) &&
            td_array_reserve(&w->memory, &w->scratch.strays, awake) &&
            td_array_reserve(&w->memory, &w->scratch.impacts, td_max_int(most, td_gaps_room(w))) &&

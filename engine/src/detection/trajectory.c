@@ -39,7 +39,15 @@ static double way_of(const td_trajectory *f, int axis, double time) {
     return (f->motion[axis] + 0.5 * f->fall[axis] * part) * part;
 }
 
-void td_trajectory_advance(const thud_world *w, td_trajectory *f, double time) {
+void td_leg_note(thud_world *w, const td_trajectory *way, double end) {
+    td_array *legs = &w->scratch.legs;
+    if (w->sensors > 0 && end > way->since && td_array_reserve(&w->memory, legs, legs->count + 1)) {
+        TD_PUSH(td_leg, legs) = (td_leg){*way, end, TD_NONE};
+    }
+}
+
+void td_trajectory_advance(thud_world *w, td_trajectory *f, double time) {
+    td_leg_note(w, f, time);
     f->place.x += td_round64(way_of(f, 0, time) * w->to_fixed);
     f->place.y += td_round64(way_of(f, 1, time) * w->to_fixed);
     f->angle = angle_at(f, time);

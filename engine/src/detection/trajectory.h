@@ -35,6 +35,13 @@ typedef struct td_far_bounds {
     double min_x, min_y, max_x, max_y;
 } td_far_bounds;
 
+/* A piece of the way of a body that turns off at its end, or stops there. */
+typedef struct td_leg {
+    td_trajectory way;
+    double end;
+    int32_t next; /* of the same body, or TD_NONE */
+} td_leg;
+
 /* A shape that may leave the bounds that it had at the start of the step. */
 typedef struct td_stray {
     td_far_bounds start, ahead; /* those bounds, and what contains the rest of its way */
@@ -81,8 +88,11 @@ const thud_detection *td_detection_of(const thud_world *w, td_body_index body_a,
 
 /* The trajectory of any body; those at rest stay where they are. */
 td_trajectory td_trajectory_of(const thud_world *w, td_body_index body);
+/* For sensors, where there are any: it keeps its way until then. Forgotten where memory is short.
+ */
+void td_leg_note(thud_world *w, const td_trajectory *way, double end);
 /* Brings it to `time`, which is no earlier than `since`. */
-void td_trajectory_advance(const thud_world *w, td_trajectory *trajectory, double time);
+void td_trajectory_advance(thud_world *w, td_trajectory *trajectory, double time);
 /* How far it has come at `time` from where it was at the start of the step: x, y, angle. */
 void td_trajectory_gone(const thud_world *w, const td_trajectory *trajectory, double time,
                         double gone[3]);

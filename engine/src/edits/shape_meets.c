@@ -50,6 +50,7 @@ thud_result thud_shape_set_sensor(thud_world *w, thud_shape_id id, bool sensor) 
     td_edit_end_contacts(w, shape->body, index, true);
     int kind = td_body_at(w, shape->body)->kind;
     shape->flags ^= TD_SHAPE_SENSOR;
+    w->sensors += sensor ? 1 : -1;
     w->mobile_sensors += kind == THUD_DYNAMIC ? (sensor ? 1 : -1) : 0;
     if (kind != THUD_STATIC) { /* its body's others are looked at as it changes */
         shape->internal_edges = shape->hidden = 0;

@@ -60,6 +60,7 @@ static void free_shape(thud_world *w, int index) {
         td_slots_give(&w->terrains, shape->terrain);
     }
     w->thinnest_stale = true;
+    w->sensors -= (shape->flags & TD_SHAPE_SENSOR) != 0;
     w->mobile_sensors -=
         (shape->flags & TD_SHAPE_SENSOR) && td_body_at(w, shape->body)->kind == THUD_DYNAMIC;
     shape->flags = 0;

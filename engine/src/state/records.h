@@ -206,6 +206,7 @@ typedef struct td_colours {
 /* What happened, in the order it did; see thud_events. Arrays and nothing else. */
 typedef struct td_event_lists {
     td_array begin, end, sensor_begin, sensor_end; /* thud_contact_event */
+    td_array sensor_begin_time, sensor_end_time;   /* float, of each of those */
     td_array hit;                                  /* thud_hit_event */
     td_array quarantined;                          /* thud_body_id */
 } td_event_lists;

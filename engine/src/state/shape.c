@@ -101,6 +101,7 @@ static thud_result finish(thud_world *w, td_body_index body_index, const thud_sh
     }
     *shape = made;
     w->thinnest_stale = true;
+    w->sensors += def->sensor;
     w->mobile_sensors += def->sensor && body->kind == THUD_DYNAMIC;
     body->first_shape = index;
     body->shape_count++;

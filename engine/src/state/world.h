@@ -81,6 +81,7 @@ struct thud_world {
     int touching;       /* lanes of contacts in use, asleep ones too */
     int bouncy;         /* lanes in use that have restitution */
     int surface_speeds; /* lanes in use that have a surface speed */
+    int sensors;        /* shapes */
     int mobile_sensors; /* shapes: sensors of dynamic bodies */
     int constraint_count[TD_CONSTRAINT_KINDS];
     int damped;          /* awake bodies with damping */

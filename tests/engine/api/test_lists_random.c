@@ -114,7 +114,8 @@ static void step(chaos *c) {
         bool ends = i < e.sensor_end_count;
         const thud_contact_event *at =
             ends ? &e.sensor_end[i] : &e.sensor_begin[i - e.sensor_end_count];
-        c->now.open[at->shape_a.index1 - 1][at->shape_b.index1 - 1] = !ends;
+        bool *open = &c->now.open[at->shape_a.index1 - 1][at->shape_b.index1 - 1];
+        *open = !*open; /* a pair in both lists is as it was */
     }
 }
 

@@ -2,6 +2,8 @@
  * that seeing disturbs nobody. */
 #include "engine_support.h"
 
+#include <thud/thud_detection.h>
+
 static thud_shape_def sensor_def(void) {
     thud_shape_def def = thud_default_shape_def();
     def.sensor = true;
@@ -287,7 +289,7 @@ static void sleeper_that_is_seen_and_wakes_begins_once(void **state) {
     run(room.world, 1);
     no_sensor_event(room.world);
     OK(thud_body_set_velocity(room.world, room.ball, (thud_vec2){0, 60}, 0));
-    run(room.world, 3);
+    run(room.world, 2);
     only_ends(room.world, zone, room.shape);
     thud_world_destroy(room.world);
 }
@@ -317,6 +319,71 @@ static void sensor_wakes_nobody(void **state) {
     thud_world_destroy(world);
 }
 
+/* ---- within a step ---- */
+
+static const thud_detection *const detections[] = {&thud_detection_overlap,
+                                                   &thud_detection_continuous,
+                                                   &thud_detection_bisect, &thud_detection_swept};
+
+/* It is told in the step at whose end the two overlap, and in the one at whose end they do not. */
+static void what_moves_in_or_out_is_told_by_the_same_step(void **state) {
+    (void)state;
+    for (int d = 0; d < 4; d++) {
+        thud_world_def def = weightless();
+        def.detection = detections[d];
+        thud_world *world = make_world(def);
+        thud_shape_id zone = add_sensor(world, add_body(world, THUD_STATIC, 0, 0, 0));
+        thud_body_id ball = add_body(world, THUD_DYNAMIC, -2, 0, 0);
+        thud_shape_id shape = add_shape(world, ball, 0.5f, 0, false, NULL);
+        OK(thud_body_set_velocity(world, ball, (thud_vec2){60, 0}, 0));
+        run(world, 1); /* at -1 */
+        only_begins(world, zone, shape);
+        near_to(thud_world_events(world).sensor_begin_time[0], d ? 0.5 : 1, 1e-3);
+        run(world, 2); /* at 1 */
+        no_sensor_event(world);
+        run(world, 1); /* at 2 */
+        only_ends(world, zone, shape);
+        near_to(thud_world_events(world).sensor_end_time[0], d ? 0.5 : 1, 1e-3);
+        thud_world_destroy(world);
+    }
+}
+
+/* A circle at 300/s through gates of 0.1, one that stands and one that comes towards it; it bounces
+ * off a wall, and passes both again on its way back. */
+static void gates_are_passed_on_the_way_and_back(void **state) {
+    (void)state;
+    for (int d = 0; d < 4; d++) {
+        thud_world_def def = weightless();
+        def.detection = detections[d];
+        def.maximum_speed = 1000;
+        thud_world *world = make_world(def);
+        thud_shape_def gate = sensor_def(), elastic = thud_default_shape_def();
+        elastic.restitution = 1;
+        thud_body_id comes = add_body(world, THUD_DYNAMIC, 2, 0, 0);
+        thud_body_id ball = add_body(world, THUD_DYNAMIC, 0, 0, 0);
+        thud_body_id wall = add_body(world, THUD_STATIC, 4.5, 0, 0);
+        add_shape(world, add_body(world, THUD_STATIC, 1, 0, 0), 0.05f, 1, true, &gate);
+        add_shape(world, comes, 0.05f, 1, true, &gate);
+        add_shape(world, wall, 0.5f, 3, true, &elastic);
+        add_shape(world, ball, 0.1f, 0, false, &elastic);
+        OK(thud_body_set_velocity(world, ball, (thud_vec2){300, 0}, 0));
+        OK(thud_body_set_velocity(world, comes, (thud_vec2){-6, 0}, 0));
+        int begun = 0, ended = 0;
+        for (int step = 0; step < 6; step++) {
+            run(world, 1);
+            thud_events e = thud_world_events(world);
+            for (int i = 0; i < e.sensor_begin_count; i++) {
+                assert_true(d || e.sensor_begin_time[i] == 1);
+            }
+            begun += e.sensor_begin_count;
+            ended += e.sensor_end_count;
+        }
+        assert_int_equal(begun, ended);
+        assert_int_equal(begun, d == 0 ? 0 : d == 1 ? 2 : 4); /* `continuous`: what stands */
+        thud_world_destroy(world);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sensor_of_each_kind_sees_each_kind_but_static_static),
@@ -329,6 +396,8 @@ int main(void) {
         cmocka_unit_test(line_that_comes_to_a_sleeping_sensor_is_seen),
         cmocka_unit_test(sleeper_that_is_seen_and_wakes_begins_once),
         cmocka_unit_test(sensor_wakes_nobody),
+        cmocka_unit_test(what_moves_in_or_out_is_told_by_the_same_step),
+        cmocka_unit_test(gates_are_passed_on_the_way_and_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

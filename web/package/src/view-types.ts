@@ -44,6 +44,15 @@ export interface HitEvent extends ContactEvent {
   speed: number;
 }
 
+/** Of a sensor and what it overlaps. */
+export interface SensorEvent extends ContactEvent {
+  /**
+   * When in the step they came to overlap, or ceased to, in [0, 1]: on the way where a detection
+   * looks there; else 1, as the step ends; 0 where an edit ended it before.
+   */
+  time: number;
+}
+
 /** Events of the last step, or of all steps of the last `advance`, in a deterministic order. */
 export interface Events {
   begin: ContactEvent[];
@@ -51,10 +60,12 @@ export interface Events {
   /**
    * `a` is the sensor that reports, `b` any shape of another body that both filters let meet: of
    * every kind of body, awake or asleep, but for two static ones. Of two sensors each reports the
-   * other. They go by where bodies stand as the step begins.
+   * other. They go by where bodies stand as the step ends. What a quick body passed on its way is in
+   * both lists: with detection "continuous" of the sensors of static bodies, with "bisect" and
+   * "swept" of all.
    */
-  sensorBegin: ContactEvent[];
-  sensorEnd: ContactEvent[];
+  sensorBegin: SensorEvent[];
+  sensorEnd: SensorEvent[];
   hit: HitEvent[];
   /** Bodies that were frozen because they became non-finite. */
   quarantined: BodyId[];
@@ -70,6 +81,9 @@ export interface EventViews {
   readonly end: Uint32Array;
   readonly sensorBegin: Uint32Array;
   readonly sensorEnd: Uint32Array;
+  /** One number a pair of sensorBegin, of sensorEnd: when in the step, in [0, 1]. */
+  readonly sensorBeginTime: Float32Array;
+  readonly sensorEndTime: Float32Array;
   readonly hit: Float64Array;
   /** Two numbers a body. */
   readonly quarantined: Uint32Array;

@@ -71,6 +71,8 @@ export class WorldViews extends WorldQueries {
     end: NO_HANDLES,
     sensorBegin: NO_HANDLES,
     sensorEnd: NO_HANDLES,
+    sensorBeginTime: EMPTY,
+    sensorEndTime: EMPTY,
     quarantined: NO_HANDLES,
     hit: new Float64Array(0),
   };
@@ -101,11 +103,15 @@ export class WorldViews extends WorldQueries {
     const { buffer, slots: s } = engine;
     const pairs = (list: EventsAt) =>
       rowsOf(Uint32Array, buffer, s, list, EventPairAt.length, readPair);
+    const sensed = (list: EventsAt, times: EventsAt) => {
+      const time = rowsOf(Float32Array, buffer, s, times, 1, (row, at) => row[at]);
+      return pairs(list).map((pair, i) => ({ ...pair, time: time[i] }));
+    };
     return {
       begin: pairs(EventsAt.begin),
       end: pairs(EventsAt.end),
-      sensorBegin: pairs(EventsAt.sensorBegin),
-      sensorEnd: pairs(EventsAt.sensorEnd),
+      sensorBegin: sensed(EventsAt.sensorBegin, EventsAt.sensorBeginTime),
+      sensorEnd: sensed(EventsAt.sensorEnd, EventsAt.sensorEndTime),
       hit: rowsOf(Float64Array, buffer, s, EventsAt.hits, HitEventAt.length, readHit),
       quarantined: rowsOf(Uint32Array, buffer, s, EventsAt.quarantined, HandleAt.length, bodyAt),
     };
@@ -121,6 +127,8 @@ export class WorldViews extends WorldQueries {
     last.end = again(last.end, buffer, s, EventsAt.end, EventPairAt.length);
     last.sensorBegin = again(last.sensorBegin, buffer, s, EventsAt.sensorBegin, EventPairAt.length);
     last.sensorEnd = again(last.sensorEnd, buffer, s, EventsAt.sensorEnd, EventPairAt.length);
+    last.sensorBeginTime = again(last.sensorBeginTime, buffer, s, EventsAt.sensorBeginTime, 1);
+    last.sensorEndTime = again(last.sensorEndTime, buffer, s, EventsAt.sensorEndTime, 1);
     last.quarantined = again(last.quarantined, buffer, s, EventsAt.quarantined, HandleAt.length);
     last.hit = again(last.hit, buffer, s, EventsAt.hits, HitEventAt.length);
     return last;
@@ -265,7 +273,7 @@ export class WorldViews extends WorldQueries {
 }
 
 /** The last view, where it is still that of the list that the slots tell of. */
-function again<T extends Uint32Array | Float64Array>(
+function again<T extends Uint32Array | Float32Array | Float64Array>(
   last: T,
   buffer: ArrayBuffer,
   slots: Float64Array,

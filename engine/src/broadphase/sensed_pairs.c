@@ -1,0 +1,158 @@
+/* sensed_pairs.c: at the end of a step, contacts of sensors with what left its fat bounds in it, so
+ * that they report by where bodies stand now. All other pairs come with the next broadphase, which
+ * looks through the contacts of what has some already. */
+#include "api/step.h"
+#include "broadphase/pairs.h"
+#include "constraint/constraint.h"
+#include "contact/contact.h"
+#include "state/shape.h"
+
+/* Room for so many new pairs in a step; for more, memory is asked for as they come. */
+enum { SPARE = 256 };
+
+bool td_sensed_reserve(thud_world *w) {
+    int more[TD_CONSTRAINT_KINDS] = {[TD_PAIR_SENSOR] = SPARE};
+    int shapes = w->awake_shapes.ids.count + w->rest_shapes.ids.count;
+    return td_array_reserve(&w->memory, &w->scratch.sensing, w->body_of.count) &&
+           td_array_reserve(&w->memory, &w->scratch.hits, 3 * shapes + 4 * TD_LANES) &&
+           td_array_reserve(&w->memory, &w->scratch.pairs, 2 * SPARE) &&
+           td_constraints_reserve(w, more);
+}
+
+bool td_sensed_list(thud_world *w) {
+    td_array *list = &w->scratch.sensing;
+    list->count = 0;
+    if (!td_sensed_reserve(w)) { /* again, since callbacks may have made sensors */
+        return false;
+    }
+    for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
+        int i = td_body_at(w, td_body_of(w, slot))->first_shape;
+        while (i != TD_NONE && !td_senses(w, i)) {
+            i = td_shape_at(w, i)->next;
+        }
+        if (i != TD_NONE) {
+            td_push_slot(list, slot);
+        }
+    }
+    return true;
+}
+
+static bool moved(const thud_world *w, int shape) {
+    return *td_marks_at(w, shape) & TD_MARK_MOVED;
+}
+
+/* Whether bounds are those of a shape that is in the world since the step began. */
+static bool is_here(const thud_world *w, int shape) {
+    return (td_shape_at(w, shape)->flags & (TD_SHAPE_LIVE | TD_SHAPE_WAITS)) == TD_SHAPE_LIVE &&
+           !(*td_marks_at(w, shape) & TD_MARK_FRESH);
+}
+
+/* The next broadphase finds the pair as well. */
+static bool add(thud_world *w, int shape, int other, int child) {
+    td_new_pair pair = {td_min_int(shape, other), td_max_int(shape, other), child};
+    td_pair_of(w, &pair.a, &pair.b);
+    if (td_pair_has_contact(w, &pair)) {
+        return true;
+    }
+    *td_marks_at(w, shape) |= TD_MARK_WOKEN;
+    return td_pairs_add(w, pair.a, pair.b, child);
+}
+
+/* Where both moved, each may find the other. */
+static void drop_doubles(thud_world *w) {
+    td_array *pairs = &w->scratch.pairs;
+    td_new_pair *pair = pairs->data;
+    int kept = 0;
+    for (int i = 0; i < pairs->count; i++) {
+        const td_new_pair *last = kept > 0 ? &pair[kept - 1] : NULL;
+        if (!last || last->a != pair[i].a || last->b != pair[i].b || last->child != pair[i].child) {
+            pair[kept++] = pair[i];
+        }
+    }
+    pairs->count = kept;
+}
+
+static bool try_pair(thud_world *w, int shape, int other) {
+    bool may = (td_senses(w, shape) || td_senses(w, other)) && is_here(w, other) &&
+               td_pair_meets(w, shape, other) && td_pair_allowed(w, shape, other);
+    return !may || add(w, shape, other, 0);
+}
+
+static bool try_line(thud_world *w, int shape, int line) {
+    if (!(td_senses(w, shape) || td_senses(w, line)) || !is_here(w, line) ||
+        !td_pair_allowed(w, shape, line)) {
+        return true;
+    }
+    thud_terrain terrain = td_terrain_view(w, line);
+    td_position at = td_shape_proxy_at(w, shape)->center;
+    const td_bounds *fat = td_fat_at(w, shape);
+    int first, last;
+    td_terrain_segments_of(w, line, &terrain, at, fat, &first, &last);
+    bool done = true;
+    for (int i = first; i <= last && done; i++) {
+        done = !td_terrain_reaches(w, line, &terrain, at, fat, i) || add(w, shape, line, i);
+    }
+    return done;
+}
+
+/* Sets hold the bounds of what did not move. */
+static bool among(thud_world *w, const td_proxy_set *set, int shape) {
+    td_array *hits = &w->scratch.hits;
+    hits->count = 0;
+    bool done = w->def.broadphase->find[w->wide](set, &w->memory, td_fat_at(w, shape),
+                                                 td_shape_proxy_at(w, shape)->center, hits);
+    for (int i = 0; i < hits->count && done; i++) {
+        int other = td_int_at(hits, i);
+        done = moved(w, other) || try_pair(w, shape, other);
+    }
+    return done;
+}
+
+static bool among_moved(thud_world *w, int shape) {
+    bool done = true;
+    for (int i = 0; i < w->moved.count && done; i++) {
+        int other = td_int_at(&w->moved, i);
+        done = td_kind_is_line(td_shape_at(w, other)->kind) || try_pair(w, shape, other);
+    }
+    return done;
+}
+
+static bool among_sensors(thud_world *w, int shape) {
+    bool done = true;
+    for (int i = 0; i < w->scratch.sensing.count && done; i++) {
+        int other = td_body_at(w, td_body_of(w, td_slot_in(&w->scratch.sensing, i)))->first_shape;
+        for (; other != TD_NONE && done; other = td_shape_at(w, other)->next) {
+            done = try_pair(w, shape, other);
+        }
+    }
+    return done;
+}
+
+static bool add_moved(thud_world *w, int shape) {
+    bool done = among(w, &w->rest_shapes, shape);
+    if (done && td_senses(w, shape)) {
+        done = among(w, &w->awake_shapes, shape) && among_moved(w, shape);
+    } else if (done) {
+        done = among_sensors(w, shape);
+    }
+    for (int t = 0; t < w->terrains.count && done; t++) {
+        int line = td_terrain_record_at(w, t)->shape;
+        done = line == TD_NONE || try_line(w, shape, line);
+    }
+    return done;
+}
+
+bool td_sensed_pairs(thud_world *w) {
+    bool done = true;
+    w->scratch.pairs.count = 0;
+    for (int i = 0; i < w->moved.count && done; i++) {
+        int shape = td_int_at(&w->moved, i);
+        done = !is_here(w, shape) || td_kind_is_line(td_shape_at(w, shape)->kind) ||
+               add_moved(w, shape);
+    }
+    if (!done || !td_pairs_sort(w)) {
+        return false;
+    }
+    drop_doubles(w);
+    return td_pairs_create(w);
+}

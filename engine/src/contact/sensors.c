@@ -1,0 +1,35 @@
+/* sensors.c: see sensors.h. */
+#include "contact/sensors.h"
+
+#include "state/kinds.h"
+#include "state/shape.h"
+
+bool td_sensor_overlaps(const thud_world *w, int shape_a, int shape_b) {
+    bool second = td_kind_is_line(td_shape_at(w, shape_b)->kind);
+    int a = second ? shape_b : shape_a, b = second ? shape_a : shape_b;
+    td_position origin = td_shape_proxy_at(w, a)->center;
+    thud_shape_instance placed_b = td_shape_instance(w, b, origin);
+    if (td_kind_is_line(td_shape_at(w, a)->kind)) {
+        thud_terrain terrain = td_terrain_view(w, a);
+        return w->ground->overlap(&terrain, &placed_b);
+    }
+    thud_shape_instance placed_a = td_shape_instance(w, a, origin);
+    return thud_shapes_overlap(&placed_a, &placed_b);
+}
+
+bool td_sensor_room(thud_world *w, int more) {
+    td_event_lists *e = &w->events;
+    int begins = e->sensor_begin.count + 2 * more, ends = e->sensor_end.count + 2 * more;
+    return td_array_reserve(&w->memory, &e->sensor_begin, begins) &&
+           td_array_reserve(&w->memory, &e->sensor_begin_time, begins) &&
+           td_array_reserve(&w->memory, &e->sensor_end, ends) &&
+           td_array_reserve(&w->memory, &e->sensor_end_time, ends);
+}
+
+void td_sensor_passed(thud_world *w, int shape_a, int shape_b, float from, float until) {
+    if (td_sensor_room(w, 1)) {
+        td_event_lists *e = &w->events;
+        td_sensor_tell(w, &e->sensor_begin, &e->sensor_begin_time, shape_a, shape_b, from);
+        td_sensor_tell(w, &e->sensor_end, &e->sensor_end_time, shape_a, shape_b, until);
+    }
+}
