@@ -273,9 +273,11 @@ static bool pair_moved(thud_world *w, int shape) {
 }
 
 /* Every pair of an awake shape and one at rest of which one moved. Where few rest, they look for
- * what moved rather than the other way around. */
+ * what moved rather than the other way around. Those that came to rest or moved there look for
+ * awake ones that did not move, if there are any: in a world's first step there are none. */
 static bool pair_across(thud_world *w) {
     const td_array *rest = &w->rest_shapes.ids;
+    bool all_moved = w->awake_shapes.moved_count == w->awake_shapes.ids.count;
     bool few = rest->count * 8 < w->awake_shapes.moved_count;
     for (int i = 0; i < rest->count && few; i++) {
         if (!pair_resting(w, td_int_at(rest, i), true)) {
@@ -288,8 +290,9 @@ static bool pair_across(thud_world *w) {
     }
     for (int i = 0; i < w->moved.count; i++) {
         int shape = td_int_at(&w->moved, i);
-        bool done = is_awake(w, shape) ? few || rest->count == 0 || pair_moved(w, shape)
-                                       : pair_resting(w, shape, false) && pair_sensed(w, shape);
+        bool done = is_awake(w, shape)
+                        ? few || rest->count == 0 || pair_moved(w, shape)
+                        : (all_moved || pair_resting(w, shape, false)) && pair_sensed(w, shape);
         if (!done) {
             return false;
         }

@@ -206,7 +206,29 @@ static bool reserve_grown(thud_world *w, lane_counts grown) {
     return true;
 }
 
-bool td_lanes_place(thud_world *w, const int *constraints, int count, bool sleeping) {
+/* Blocks that lanes need on their way to the sleepers' bins: they give as many lanes back as they
+ * take, so that no more are in use at any time than now, a last block of each bin that loses lanes,
+ * and one of sleepers. */
+bool td_lanes_reserve_sleeping(thud_world *w) {
+    int more[TD_FORM_COUNT] = {0};
+    for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
+        int used = 0;
+        for (int bin = 0; bin < TD_SLEEPING; bin++) {
+            used += w->bins[kind][bin].lanes > 0;
+        }
+        if (used > 0) {
+            more[w->kinds[kind]->form] += used + 1;
+        }
+    }
+    for (int form = 0; form < TD_FORM_COUNT; form++) {
+        if (!td_slots_reserve(&w->memory, &w->pool[form], more[form])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool td_lanes_place(thud_world *w, const int *constraints, int count) {
     if (count == 0) {
         return true;
     }
@@ -217,9 +239,8 @@ bool td_lanes_place(thud_world *w, const int *constraints, int count, bool sleep
     int *bins = w->scratch.lane_bins.data;
     for (int i = 0; i < count; i++) {
         const td_constraint *constraint = td_constraint_at(w, constraints[i]);
-        int bin = sleeping ? TD_SLEEPING : choose_bin(w, constraint);
-        bins[i] = bin;
-        grown[constraint->kind][bin]++;
+        bins[i] = choose_bin(w, constraint);
+        grown[constraint->kind][bins[i]]++;
     }
     if (!reserve_grown(w, grown)) {
         for (int i = 0; i < count; i++) {
@@ -228,25 +249,17 @@ bool td_lanes_place(thud_world *w, const int *constraints, int count, bool sleep
         return false;
     }
     for (int i = 0; i < count; i++) {
-        const td_constraint *constraint = td_constraint_at(w, constraints[i]);
-        if (sleeping) {
-            release_bin(w, constraint, constraint->bin);
-        }
         place(w, constraints[i], bins[i]);
     }
     return true;
 }
 
-bool td_lanes_reserve_sleeping(thud_world *w) {
-    lane_counts grown = {0};
-    for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
-        for (int bin = 0; bin < TD_SLEEPING; bin++) {
-            grown[kind][TD_SLEEPING] += w->bins[kind][bin].lanes;
-        }
+void td_lanes_put_to_sleep(thud_world *w, const int *constraints, int count) {
+    for (int i = 0; i < count; i++) {
+        const td_constraint *constraint = td_constraint_at(w, constraints[i]);
+        release_bin(w, constraint, constraint->bin);
+        place(w, constraints[i], TD_SLEEPING);
     }
-    return td_array_reserve(&w->memory, &w->scratch.lane_bins,
-                            w->touching + TD_JOINT_PARTS * w->joints.live) &&
-           reserve_grown(w, grown);
 }
 
 void td_lane_remove(thud_world *w, int index) {

@@ -53,11 +53,12 @@ static inline td_lane td_lane_of(const thud_world *w, const td_constraint *const
                      constraint->slot % TD_LANES};
 }
 
-/* Gives each of the constraints a lane: by graph colour, or in its kind's bin of sleepers. What
- * has a lane already takes its impulses along. False when memory is short, and nothing has
- * changed. */
-bool td_lanes_place(thud_world *w, const int *constraints, int count, bool sleeping);
-/* Room for all lanes to fall asleep. */
+/* Gives each of the constraints a lane by its graph colour. What has a lane already takes its
+ * impulses along. False when memory is short, and nothing has changed. */
+bool td_lanes_place(thud_world *w, const int *constraints, int count);
+/* Moves lanes to their kinds' bins of sleepers, impulses and all, after td_lanes_reserve_sleeping,
+ * which makes room for any of them. */
+void td_lanes_put_to_sleep(thud_world *w, const int *constraints, int count);
 bool td_lanes_reserve_sleeping(thud_world *w);
 void td_lane_remove(thud_world *w, int constraint);
 

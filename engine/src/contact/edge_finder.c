@@ -143,10 +143,13 @@ static void forget(thud_world *w, int shape) {
 }
 
 /* What has contacts is seen at once. */
+static bool is_shape_due(const thud_world *w, int shape) {
+    const td_shape *s = td_shape_at(w, shape);
+    return (s->flags & TD_SHAPE_UNSEEN) && td_body_at(w, s->body)->first_constraint != TD_NONE;
+}
+
 static bool is_due(const td_internal_edge *s, int neighbour, void *context) {
-    const td_shape *n = td_shape_at(s->w, neighbour);
-    bool due =
-        (n->flags & TD_SHAPE_UNSEEN) && td_body_at(s->w, n->body)->first_constraint != TD_NONE;
+    bool due = is_shape_due(s->w, neighbour);
     *(int *)context = due ? neighbour : *(int *)context;
     return due;
 }
@@ -165,11 +168,22 @@ static bool forget_pair(const td_internal_edge *s, int neighbour, void *context)
     return false;
 }
 
+/* Each shape at rest came or moved, as in a world's first step, and is on the moved list itself:
+ * neighbours need not be looked for. Lines are not among the shapes at rest. */
+static bool all_come(const thud_world *w) {
+    return w->terrains.live == 0 &&
+           w->moved.count - w->awake_shapes.moved_count == w->rest_shapes.ids.count;
+}
+
 /* Boxes are found by a terrain that came as well: all of them, since lines are few. */
 bool td_internal_edges_find(thud_world *w, int shape) {
     int due = TD_NONE;
     if (!td_is_ground(w, shape)) {
         return true;
+    }
+    if (all_come(w)) {
+        forget(w, shape);
+        return !is_shape_due(w, shape) || td_internal_edges_see(w, shape);
     }
     td_internal_edge s = td_internal_edge_of(w, shape, TD_NONE);
     if (td_kind_is_line(s.a.kind)) {

@@ -206,7 +206,7 @@ static bool begin_contacts(thud_world *w) {
     for (int i = 0; i < count; i++) {
         td_constraint_rest(w, list[i]);
     }
-    bool placed = td_lanes_place(w, list, count, false);
+    bool placed = td_lanes_place(w, list, count);
     /* Where memory was short, contacts wait again, as the last of the waiting list: they are the
      * first to leave it. */
     for (int i = 0; i < count; i++) {

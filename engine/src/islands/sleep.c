@@ -13,8 +13,8 @@
 
 #include <string.h>
 
-/* Puts the bodies listed to sleep; false, and nothing has changed, when memory is short. */
-static bool put_to_sleep(thud_world *w) {
+/* Puts the bodies listed to sleep; there is room. */
+static void put_to_sleep(thud_world *w) {
     td_array *bodies = &w->scratch.bodies, *constraints = &w->scratch.constraints;
     constraints->count = 0;
     for (int i = 0; i < bodies->count; i++) {
@@ -30,9 +30,7 @@ static bool put_to_sleep(thud_world *w) {
     for (int i = 0; i < constraints->count; i++) {
         td_constraint_at(w, td_int_at(constraints, i))->listed = 0;
     }
-    if (!td_lanes_place(w, constraints->data, constraints->count, true)) {
-        return false;
-    }
+    td_lanes_put_to_sleep(w, constraints->data, constraints->count);
     for (int i = 0; i < bodies->count; i++) {
         td_body_index index = td_body_in(bodies, i);
         td_body *body = td_body_at(w, index);
@@ -57,11 +55,15 @@ static bool put_to_sleep(thud_world *w) {
     }
     td_proxy_set_forget(&w->awake_shapes);
     td_proxy_set_forget(&w->rest_shapes);
-    return true;
 }
 
 static bool is_due(const thud_world *w, int bodies) {
     return w->def.sleeping && bodies > 0 && w->steps % 8 == 0;
+}
+
+static bool reserve(thud_world *w) {
+    return td_wake_reserve(w) && td_lanes_reserve_sleeping(w) &&
+           td_array_reserve(&w->memory, &w->scratch.parents, w->body_of.count);
 }
 
 bool td_sleep_reserve(thud_world *w) {
@@ -70,8 +72,7 @@ bool td_sleep_reserve(thud_world *w) {
     bool long_step = (float)w->def.time_step >= TD_SLEEP_TIME;
     /* Making room for sleepers may move the blocks, so they are listed again. */
     return !is_due(w, long_step ? w->body_of.count : w->drowsy_bodies) ||
-           (td_wake_reserve(w) && td_lanes_reserve_sleeping(w) && td_lanes_sequence(w) &&
-            td_array_reserve(&w->memory, &w->scratch.parents, w->body_of.count));
+           (reserve(w) && td_lanes_sequence(w));
 }
 
 /* Gaps of joints and overlaps are closed by motion that velocity knows nothing of, and idle time
@@ -92,7 +93,8 @@ static float idle_time(const thud_world *w, td_awake_slot slot) {
 }
 
 void td_sleep(thud_world *w) {
-    if (!is_due(w, w->idle_bodies) || !td_islands_label(w, true)) {
+    /* Where nobody was expected to fall asleep there may be no room: then they do so later. */
+    if (!is_due(w, w->idle_bodies) || !reserve(w) || !td_islands_label(w, true)) {
         return;
     }
     const td_awake_slot *root = w->scratch.parents.data;

@@ -64,7 +64,7 @@ bool td_wake(thud_world *w, td_body_index index) {
     for (int i = 0; i < constraints->count; i++) {
         td_constraint_at(w, td_int_at(constraints, i))->listed = 0;
     }
-    if (!td_lanes_place(w, constraints->data, constraints->count, false)) {
+    if (!td_lanes_place(w, constraints->data, constraints->count)) {
         for (int i = bodies->count - 1; i >= 0; i--) {
             td_awake_remove(w, td_body_in(bodies, i));
         }

@@ -93,7 +93,7 @@ static bool engage(thud_world *w, int kind) {
     drop_filters(w, list);
     /* Where memory was short they wait in the order in which they did, so that the next try gives
      * them the same lanes. */
-    if (!td_lanes_place(w, list->data, list->count, false)) {
+    if (!td_lanes_place(w, list->data, list->count)) {
         for (int i = 0; i < list->count; i++) {
             td_constraint_wait(w, td_int_at(list, i));
         }
