@@ -125,6 +125,7 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(saved),
     PLAYS(rollback),
     PLAYS(advance_with),
+    PLAYS(log),
 };
 
 void session_play(fuzz_session *s) {

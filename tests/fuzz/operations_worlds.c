@@ -53,6 +53,12 @@ void play_advance_with(fuzz_session *s) {
     }
 }
 
+/* A log in place of the session's own, for as long as nothing is told. */
+void play_log(fuzz_session *s) {
+    TRY(s, thud_world_set_log(s->world, thud_log_to_stderr, NULL));
+    TRY(s, thud_world_set_log(s->world, s->def.log, s->def.log_context));
+}
+
 void play_settings(fuzz_session *s) {
     static const double steps[] = {1.0 / 60, 1.0 / 30, 1.0 / 120, 1.0 / 1000};
     switch (next_choice(&s->bytes, 4)) {
@@ -291,6 +297,7 @@ void play_nulls(fuzz_session *s) {
     wants_null(s, thud_world_create(NULL, NULL));
     wants_null(s, thud_world_step(NULL));
     wants_null(s, thud_world_advance(NULL, 0, 1, NULL, NULL));
+    wants_null(s, thud_world_set_log(NULL, NULL, NULL));
     wants_null(s, thud_world_advance_with(NULL, 0, 1, NULL, NULL, NULL));
     wants_null(s, thud_world_set_gravity(NULL, vector));
     wants_null(s, thud_body_destroy(NULL, body));

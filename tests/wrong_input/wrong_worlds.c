@@ -153,6 +153,7 @@ void wrong_settings(void **state) {
     REFUSED_UNTOLD(NULL, thud_world_set_gravity(NULL, (thud_vec2){0, 0}));
     REFUSED_UNTOLD(NULL, thud_world_set_time_step(NULL, 0.01));
     REFUSED_UNTOLD(NULL, thud_world_set_sleeping(NULL, false));
+    REFUSED_UNTOLD(NULL, thud_world_set_log(NULL, NULL, NULL));
     REFUSED_UNTOLD(NULL, thud_world_step(NULL));
     REFUSED_UNTOLD(NULL, thud_world_advance(NULL, 1, 1, &wrong_out.count, &wrong_out.number));
     REFUSED_UNTOLD(NULL, thud_world_advance_with(NULL, 1, 1, NULL, NULL, NULL));

@@ -85,7 +85,8 @@ typedef struct thud_world_def {
                             either way */
     bool baseline_simd;  /* never AVX2: the same bits, slower; for tests. Default false */
     thud_allocator allocator;
-    thud_log_fn *log; /* null: silent */
+    thud_log_fn *log; /* null: silent, the default; where thud is built without NDEBUG the default
+                         is thud_log_to_stderr */
     void *log_context;
     thud_clock_fn *clock; /* null: stages are not timed */
     void *clock_context;
@@ -154,6 +155,10 @@ typedef struct thud_step_calls {
 THUD_API thud_result thud_world_advance_with(thud_world *world, double elapsed, int max_steps,
                                              const thud_step_calls *calls, int *steps,
                                              double *alpha);
+
+/* In place of the world's own from now on, also inside a callback; null: silent. THUD_ERROR_NULL
+ * without a world. */
+THUD_API thud_result thud_world_set_log(thud_world *world, thud_log_fn *log, void *context);
 
 /* Settings hold from the next step on. Inside a callback they are refused with THUD_ERROR_LOCKED,
  * since the step under way has begun with the old ones. */

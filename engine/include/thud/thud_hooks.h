@@ -6,6 +6,10 @@
 #include "thud_limits.h"
 #include "thud_math.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* ---- memory ---- */
 
 typedef struct thud_allocator {
@@ -18,6 +22,9 @@ typedef struct thud_allocator {
 
 /* Hears why a call was refused; with THUD_OK, that one was done which is hardly meant. */
 typedef void thud_log_fn(thud_result result, const char *message, void *context);
+/* One line to the C library's stderr. A program that does not name it does not link that, but where
+ * thud itself is built without NDEBUG: defs then have it as their log. */
+THUD_API void thud_log_to_stderr(thud_result result, const char *message, void *context);
 typedef double thud_clock_fn(void *context); /* seconds, from any start, never backwards */
 
 /* ---- threads: the engine starts none itself, it asks the caller's own job system or thread pool.
@@ -37,5 +44,9 @@ typedef struct thud_job_system {
     void *context;         /* handed to run */
     int workers;           /* 0 (as 1) .. THUD_WORKERS_MAX; more than 1 needs run */
 } thud_job_system;
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

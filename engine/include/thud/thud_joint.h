@@ -77,7 +77,8 @@ typedef struct thud_drive {
                            that */
     float motor_speed;  /* of b seen from a, |.| <= THUD_JOINT_LENGTH_MAX length scales a second, or
                            THUD_JOINT_SPIN_MAX */
-    float motor_force;  /* up to which the motor acts, [0, THUD_JOINT_FORCE_MAX]; default 0: none */
+    float motor_force;  /* up to which the motor acts, [0, THUD_JOINT_FORCE_MAX]; default 0: none;
+                           of a speed without force the log hears */
 } thud_drive;
 
 /* A place and an axis in a body. */
@@ -91,7 +92,8 @@ typedef struct thud_joint_def {
     thud_joint_kind kind;
     thud_body_id body_a, body_b; /* two, of which one is dynamic; of wheels and targets body b */
     thud_joint_frame frame_a, frame_b;
-    thud_drive drive[THUD_DIRECTION_COUNT]; /* those that the kind drives */
+    /* Of directions that the kind drives; limits, a spring or a motor of another one are refused. */
+    thud_drive drive[THUD_DIRECTION_COUNT];
     float length; /* of a distance, (0, THUD_JOINT_LENGTH_MAX] length scales; default 1 */
     /* Of a gear: two joints, each a hinge, a wheel, a slider or a distance between a static body
      * and a dynamic one; the dynamic ones, which must not be the same, are the gear's bodies, and

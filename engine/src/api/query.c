@@ -30,6 +30,15 @@ bool td_query_passes(const thud_world *w, int index, const thud_query_filter *fi
     return (shape->filter.category & f->mask) && (shape->filter.mask & f->category);
 }
 
+void td_query_look_at(const thud_world *w, const thud_query_filter *filter) {
+    if (filter && !(filter->category | filter->mask) && filter->group <= 0) {
+        td_refuse(
+            w, THUD_OK,
+            "query: asked, but meets nothing: category and mask of its filter are zero; begin "
+            "with thud_default_query_filter()");
+    }
+}
+
 thud_result td_query_check(const thud_world *w, thud_pos center, const thud_shape_instance *shape) {
     bool valid = thud_placed_check(shape) == THUD_OK && td_place_valid(w, center.x, center.y) &&
                  td_place_valid(w, center.x + shape->x, center.y + shape->y);

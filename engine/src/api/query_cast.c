@@ -49,6 +49,7 @@ static bool cast(thud_world *w, const td_path *way, bool first, td_nearest *k) {
 static thud_result cast_first(thud_world *w, td_path *way, bool *hit, thud_ray_hit *out) {
     thud_ray_hit nearest;
     td_nearest k = {&nearest, 1, 0};
+    td_query_look_at(w, way->filter);
     way->from = td_place_from(w, way->origin);
     if (!cast(w, way, true, &k)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "cast: out of memory");
@@ -64,6 +65,7 @@ static thud_result cast_first(thud_world *w, td_path *way, bool *hit, thud_ray_h
 
 static thud_result cast_all(thud_world *w, td_path *way, thud_ray_hit *out, int capacity,
                             int *count) {
+    td_query_look_at(w, way->filter);
     td_nearest k = {out, capacity, 0};
     way->from = td_place_from(w, way->origin);
     if (!cast(w, way, false, &k)) {

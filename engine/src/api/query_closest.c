@@ -55,6 +55,7 @@ thud_result thud_world_closest(thud_world *w, thud_pos point, double max_distanc
         !(max_distance >= 0.0 && max_distance <= THUD_PLACE_MAX * (double)w->unit)) {
         return td_refuse(w, THUD_ERROR_INVALID, "closest: not finite or out of range");
     }
+    td_query_look_at(w, filter);
     if (!td_query_prepare(w)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "closest: out of memory");
     }

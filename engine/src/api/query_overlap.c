@@ -48,6 +48,7 @@ thud_result thud_world_overlap_shape(thud_world *w, thud_pos center,
     if (td_query_check(w, center, shape) != THUD_OK) {
         return td_refuse(w, THUD_ERROR_INVALID, "overlap: the shape or its place is invalid");
     }
+    td_query_look_at(w, filter);
     thud_pos lower, upper;
     td_query_bounds(center, shape, &lower, &upper);
     if (!td_query_prepare(w) || !td_query_list(w, lower, upper) || !td_query_list_terrains(w)) {

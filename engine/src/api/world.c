@@ -17,18 +17,14 @@
 #include <string.h>
 
 thud_world_def thud_world_def_of(const thud_quality *quality) {
-    return (thud_world_def){
-        .gravity = {0.0f, -10.0f},
-        .time_step = 1.0 / 60.0,
-        .length_scale = 1.0f,
-        .quality = quality,
-        .push_speed = 3.0f,
-        .restitution_threshold = 1.0f,
-        .hit_speed = 1.0f,
-        .maximum_speed = 1e6f,
-        .sleeping = true,
-        .contact_events = true,
+    return (thud_world_def) {
+        .gravity = {0.0f, -10.0f}, .time_step = 1.0 / 60.0, .length_scale = 1.0f,
+        .quality = quality, .push_speed = 3.0f, .restitution_threshold = 1.0f, .hit_speed = 1.0f,
+        .maximum_speed = 1e6f, .sleeping = true, .contact_events = true,
         .broadphase = &thud_broadphase_grid,
+#if !defined(NDEBUG)
+        .log = thud_log_to_stderr,
+#endif
         .cookie = TD_COOKIE,
     };
 }
@@ -48,7 +44,7 @@ static const char *def_error(const thud_world_def *d) {
         return "world def: time_step is not in (0, 1]";
     }
     if (!between(d->length_scale, THUD_LENGTH_SCALE_MIN, THUD_LENGTH_SCALE_MAX)) {
-        return "world def: length_scale is out of range";
+        return "world def: length_scale is not in [1e-6, 1e6]";
     }
     if (!d->quality) {
         return "world def: quality is null";
@@ -63,22 +59,35 @@ static const char *def_error(const thud_world_def *d) {
     }
     if (d->contact_stiffness != 0.0f &&
         !between(d->contact_stiffness, THUD_CONTACT_STIFFNESS_MIN, THUD_CONTACT_STIFFNESS_MAX)) {
-        return "world def: contact_stiffness is out of range";
+        return "world def: contact_stiffness is not in [THUD_CONTACT_STIFFNESS_MIN, "
+               "THUD_CONTACT_STIFFNESS_MAX], nor 0";
     }
-    if (!between(d->contact_damping, 0.0f, THUD_CONTACT_DAMPING_MAX) ||
-        !between(d->push_speed, 0.0f, THUD_SPEED_MAX) ||
-        !between(d->restitution_threshold, 0.0f, THUD_SPEED_MAX) ||
-        !between(d->hit_speed, 0.0f, THUD_SPEED_MAX) ||
-        !(d->maximum_speed > 0.0f && d->maximum_speed <= THUD_SPEED_MAX)) {
-        return "world def: a damping ratio or speed is out of range";
+    if (!between(d->contact_damping, 0.0f, THUD_CONTACT_DAMPING_MAX)) {
+        return "world def: contact_damping is not in [0, THUD_CONTACT_DAMPING_MAX]";
     }
-    if (!(d->time_budget >= 0.0 && d->time_budget <= THUD_TIME_BUDGET_MAX) ||
-        (d->time_budget > 0.0 && !d->clock)) {
-        return "world def: time_budget is out of range, or lacks a clock";
+    if (!between(d->push_speed, 0.0f, THUD_SPEED_MAX)) {
+        return "world def: push_speed is not in [0, THUD_SPEED_MAX]";
     }
-    if (d->job_system.workers < 0 || d->job_system.workers > THUD_WORKERS_MAX ||
-        (d->job_system.workers > 1 && !d->job_system.run)) {
-        return "world def: job_system.workers is out of range, or lacks a run";
+    if (!between(d->restitution_threshold, 0.0f, THUD_SPEED_MAX)) {
+        return "world def: restitution_threshold is not in [0, THUD_SPEED_MAX]";
+    }
+    if (!between(d->hit_speed, 0.0f, THUD_SPEED_MAX)) {
+        return "world def: hit_speed is not in [0, THUD_SPEED_MAX]";
+    }
+    if (!(d->maximum_speed > 0.0f && d->maximum_speed <= THUD_SPEED_MAX)) {
+        return "world def: maximum_speed is not in (0, THUD_SPEED_MAX]";
+    }
+    if (!(d->time_budget >= 0.0 && d->time_budget <= THUD_TIME_BUDGET_MAX)) {
+        return "world def: time_budget is not in [0, THUD_TIME_BUDGET_MAX]";
+    }
+    if (d->time_budget > 0.0 && !d->clock) {
+        return "world def: time_budget lacks a clock";
+    }
+    if (d->job_system.workers < 0 || d->job_system.workers > THUD_WORKERS_MAX) {
+        return "world def: job_system.workers is not in 0..THUD_WORKERS_MAX";
+    }
+    if (d->job_system.workers > 1 && !d->job_system.run) {
+        return "world def: job_system.workers lacks a run";
     }
     if (!d->allocator.allocate != !d->allocator.release) {
         return "world def: the allocator lacks a function";
@@ -281,6 +290,15 @@ void thud_world_destroy(thud_world *w) {
 }
 
 /* ---- settings ---- */
+
+thud_result thud_world_set_log(thud_world *w, thud_log_fn *log, void *context) {
+    if (!w) {
+        return THUD_ERROR_NULL;
+    }
+    w->def.log = log;
+    w->def.log_context = context;
+    return THUD_OK;
+}
 
 thud_result thud_world_set_gravity(thud_world *w, thud_vec2 gravity) {
     if (!w) {

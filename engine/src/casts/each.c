@@ -35,6 +35,7 @@ static void tell(td_walk *walk, thud_cast_fn *fn, void *context) {
 static thud_result each(thud_world *w, td_path *way, thud_cast_fn *fn, void *context) {
     td_array *scratch = &w->scratch.hits;
     int size = td_walk_room(w);
+    td_query_look_at(w, way->filter);
     if (!td_query_prepare(w) || !td_array_reserve(&w->memory, scratch, size)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "cast: out of memory");
     }

@@ -28,7 +28,7 @@ static const char *shape_error(const thud_world *w, const thud_body_def *def,
                                const thud_body_shape *one) {
     const thud_shape_instance *at = &one->shape;
     if (thud_placed_check(at) != THUD_OK) {
-        return "body create with shapes: a shape is no circle, AABB or OBB, or not finite";
+        return "body create with shapes: a shape is no circle, AABB or OBB, or its place, radius or half extents are not finite, or below 0";
     }
     if (!td_shape_offset_valid(w, (thud_vec2){(float)at->x, (float)at->y}) ||
         !td_shape_size_valid(w, (int)def->kind, (float)at->hx) ||

@@ -44,7 +44,9 @@ thud_body_id thud_body_make(thud_world *w, thud_shape_instance at,
     thud_body_id made = {0, 0};
     options = options ? options : &usual;
     if (thud_placed_check(&at) != THUD_OK) {
-        td_refuse(w, THUD_ERROR_INVALID, "body make: no circle, AABB or OBB, or not finite");
+        td_refuse(
+            w, THUD_ERROR_INVALID,
+            "body make: the shape is no circle, AABB or OBB, or its place, radius or half extents are not finite, or below 0");
         return made;
     }
     if (options->frictionless && options->friction != 0.0f) {

@@ -209,6 +209,9 @@ thud_result thud_world_explode(thud_world *w, const thud_explosion *def, int *pu
     if (!valid(w, def)) {
         return td_refuse(w, THUD_ERROR_INVALID, "explode: not finite or out of range");
     }
+    if (def->radius + def->falloff == 0.0) {
+        td_refuse(w, THUD_OK, "explode: reaches nobody: radius and falloff are 0");
+    }
     blast b = {.world = w,
                .def = def,
                .at = td_place_from(w, def->center),

@@ -26,8 +26,11 @@ thud_joint_id td_joint_handle(const thud_world *w, int index);
 
 /* joint_def.c */
 bool td_joint_is_frame(const thud_world *w, const thud_joint_frame *f);
-bool td_joint_is_drive(const thud_world *w, thud_joint_kind kind, int direction,
-                       const thud_drive *d);
+/* Why it is none, or null. */
+const char *td_joint_drive_error(const thud_world *w, thud_joint_kind kind, int direction,
+                                 const thud_drive *d);
+/* Tells the log of what it takes, and is hardly meant. */
+void td_joint_look_at_drive(const thud_world *w, const thud_drive *d);
 /* Why not, or null. */
 const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_body_index a,
                                td_body_index b);

@@ -15,19 +15,56 @@ bool td_joint_is_frame(const thud_world *w, const thud_joint_frame *f) {
            td_abs(f->angle) <= THUD_ANGLE_MAX;
 }
 
-bool td_joint_is_drive(const thud_world *w, thud_joint_kind kind, int direction,
-                       const thud_drive *d) {
-    float most = THUD_JOINT_LENGTH_MAX * w->unit, least = kind == THUD_DISTANCE ? 0.0f : -most;
-    float furthest = direction == THUD_TURN ? THUD_JOINT_TURN_MAX : most;
-    least = direction == THUD_TURN ? -furthest : least;
-    bool limits = d->lower <= d->upper && within(d->lower, least, furthest) &&
-                  within(d->upper, least, furthest);
-    float fastest = direction == THUD_TURN ? THUD_JOINT_SPIN_MAX : most;
-    return (limits || !d->limited) && within(d->frequency, 0.0f, THUD_JOINT_FREQUENCY_MAX) &&
-           within(d->damping, 0.0f, THUD_JOINT_DAMPING_MAX) && within(d->target, least, furthest) &&
-           within(d->spring_force, 0.0f, THUD_JOINT_FORCE_MAX) &&
-           within(d->motor_speed, -fastest, fastest) &&
-           within(d->motor_force, 0.0f, THUD_JOINT_FORCE_MAX);
+const char *td_joint_drive_error(const thud_world *w, thud_joint_kind kind, int direction,
+                                 const thud_drive *d) {
+    bool turns = direction == THUD_TURN;
+    float furthest = turns ? THUD_JOINT_TURN_MAX : THUD_JOINT_LENGTH_MAX * w->unit;
+    float fastest = turns ? THUD_JOINT_SPIN_MAX : furthest;
+    float least = kind == THUD_DISTANCE ? 0.0f : -furthest;
+    if (d->limited && d->lower > d->upper) {
+        return "joint drive: lower is above upper";
+    }
+    if (d->limited && !(within(d->lower, least, furthest) && within(d->upper, least, furthest))) {
+        return turns ? "joint drive: lower or upper of turn is not in [-THUD_JOINT_TURN_MAX, "
+                       "THUD_JOINT_TURN_MAX]"
+               : kind == THUD_DISTANCE
+                   ? "joint drive: lower or upper of a distance is not in [0, "
+                     "THUD_JOINT_LENGTH_MAX length scales]"
+                   : "joint drive: lower or upper is not in [-THUD_JOINT_LENGTH_MAX, "
+                     "THUD_JOINT_LENGTH_MAX] length scales";
+    }
+    if (!within(d->frequency, 0.0f, THUD_JOINT_FREQUENCY_MAX)) {
+        return "joint drive: frequency is not in [0, THUD_JOINT_FREQUENCY_MAX]";
+    }
+    if (!within(d->damping, 0.0f, THUD_JOINT_DAMPING_MAX)) {
+        return "joint drive: damping is not in [0, THUD_JOINT_DAMPING_MAX]";
+    }
+    if (!within(d->target, least, furthest)) {
+        return "joint drive: target is not in the range that lower and upper have";
+    }
+    if (!within(d->spring_force, 0.0f, THUD_JOINT_FORCE_MAX)) {
+        return "joint drive: spring_force is not in [0, THUD_JOINT_FORCE_MAX]";
+    }
+    if (!within(d->motor_speed, -fastest, fastest)) {
+        return turns ? "joint drive: motor_speed of turn is not in [-THUD_JOINT_SPIN_MAX, "
+                       "THUD_JOINT_SPIN_MAX]"
+                     : "joint drive: motor_speed is not in [-THUD_JOINT_LENGTH_MAX, "
+                       "THUD_JOINT_LENGTH_MAX] length scales a second";
+    }
+    return within(d->motor_force, 0.0f, THUD_JOINT_FORCE_MAX)
+               ? NULL
+               : "joint drive: motor_force is not in [0, THUD_JOINT_FORCE_MAX]";
+}
+
+void td_joint_look_at_drive(const thud_world *w, const thud_drive *d) {
+    if (d->motor_speed != 0.0f && d->motor_force == 0.0f) {
+        td_refuse(w, THUD_OK, "joint drive: motor_speed without a motor_force drives nothing");
+    }
+}
+
+/* Whether a drive asks for anything: all else has defaults that do nothing by themselves. */
+static bool asks(const thud_drive *d) {
+    return d->limited || d->frequency != 0.0f || d->motor_force != 0.0f;
 }
 
 static bool is_dynamic(const thud_world *w, td_body_index body) {
@@ -65,10 +102,18 @@ const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_
     if (!td_is_break(d->break_force) || !td_is_break(d->break_torque)) {
         return "joint create: break_force or break_torque is out of range";
     }
+    static const char *const not_driven[TD_JOINT_DIRECTIONS] = {
+        "joint create: a joint of this kind has no drive along",
+        "joint create: a joint of this kind has no drive across",
+        "joint create: a joint of this kind has no drive of turn"};
     for (int i = 0; i < TD_JOINT_DIRECTIONS; i++) {
-        if ((td_joint_drivable((int)d->kind) >> i & 1u) &&
-            !td_joint_is_drive(w, d->kind, i, &d->drive[i])) {
-            return "joint create: a drive is out of range";
+        const thud_drive *drive = &d->drive[i];
+        bool driven = td_joint_drivable((int)d->kind) >> i & 1u;
+        const char *error = driven        ? td_joint_drive_error(w, d->kind, i, drive)
+                            : asks(drive) ? not_driven[i]
+                                          : NULL;
+        if (error) {
+            return error;
         }
     }
     return NULL;

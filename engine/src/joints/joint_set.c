@@ -18,14 +18,17 @@ thud_result thud_joint_set_drive(thud_world *w, thud_joint_id id, thud_direction
         return td_refuse(w, THUD_ERROR_INVALID,
                          "joint set drive: this kind of joint drives no such direction");
     }
-    if (!td_joint_is_drive(w, (thud_joint_kind)joint->kind, (int)direction, drive)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "joint set drive: the drive is out of range");
+    const char *error =
+        td_joint_drive_error(w, (thud_joint_kind)joint->kind, (int)direction, drive);
+    if (error) {
+        return td_refuse(w, THUD_ERROR_INVALID, error);
     }
     if (!td_joint_reserve(w, joint->kind)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "joint set drive: out of memory");
     }
     joint->drive[direction] = td_drive_of(drive);
     td_joint_settle(w, index);
+    td_joint_look_at_drive(w, drive);
     return THUD_OK;
 }
 

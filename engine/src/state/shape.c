@@ -6,6 +6,7 @@
 #include "state/kinds.h"
 #include "base/rotation.h"
 #include "geometry/shape_instance.h"
+#include "terrain/terrain.h"
 
 #include <math.h>
 #include <string.h>
@@ -222,6 +223,30 @@ static bool copy_points(thud_world *w, td_terrain_record *record, const thud_ter
     return true;
 }
 
+/* What thud_terrain_check refused. */
+static const char *terrain_error(const thud_terrain *t) {
+    bool uniform = t->kind == THUD_TERRAIN_UNIFORM;
+    if (t->kind == THUD_TERRAIN_FLAT) {
+        return "terrain: |slope| is not in [0, THUD_TERRAIN_SLOPE_MAX]";
+    }
+    if (!uniform && t->kind != THUD_TERRAIN_IRREGULAR) {
+        return "terrain: kind is none";
+    }
+    if (!t->points) {
+        return "terrain: points is null";
+    }
+    if (t->count < 2 || t->count > THUD_TERRAIN_COUNT_MAX) {
+        return "terrain: count is not in 2..THUD_TERRAIN_COUNT_MAX";
+    }
+    if (td_terrain_readable(t) != THUD_OK) {
+        return t->spacing > 0.0 ? "terrain: spacing or x0 is too large, or spacing too small for x0"
+                                : "terrain: spacing is not above 0";
+    }
+    return uniform ? "terrain: y of a point is not finite, or beyond THUD_TERRAIN_PLACE_MAX"
+                   : "terrain: x does not rise, or a point is not finite, or beyond "
+                     "THUD_TERRAIN_PLACE_MAX";
+}
+
 thud_result thud_shape_create_terrain(thud_world *w, thud_body_id id, const thud_shape_def *def,
                                       const thud_terrain *terrain, thud_shape_id *out) {
     TD_IN_OWN_MODE;
@@ -235,7 +260,7 @@ thud_result thud_shape_create_terrain(thud_world *w, thud_body_id id, const thud
     }
     result = thud_terrain_check(terrain);
     if (result != THUD_OK) {
-        return td_refuse(w, result, "terrain: not finite, too few points, or x does not rise");
+        return td_refuse(w, result, terrain_error(terrain));
     }
     if (td_body_at(w, body)->kind != THUD_STATIC || td_pose_at(w, body)->angle != 0 ||
         td_deferred_turns(w, body)) {

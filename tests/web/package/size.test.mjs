@@ -92,6 +92,8 @@ for (const { name, bound, aim } of PROGRAMS)
     table.push(
       `${name.padEnd(11)} ${bytes.length} bytes, ${zipped} gzipped; bound ${bound} kB, aim ${aim}`,
     );
+    const imports = WebAssembly.Module.imports(new WebAssembly.Module(bytes));
+    assert.ok(!imports.some(({ name }) => name === "fd_write"), "the C library's output is linked");
     const made = await run(bytes);
     assert.ok(Math.abs(made.circle_height(300) - 0.5) < 0.02);
     if (made.box_height) assert.ok(Math.abs(made.box_height(300) - 0.5) < 0.02);

@@ -1,0 +1,210 @@
+/* test_log.c: why a call was refused: a log that is ready to use, set when it is wanted, whose
+ * reasons name the field that was wrong. */
+#include "engine_support.h"
+
+#include <thud/thud_fields.h>
+#include <thud/thud_joint.h>
+#include <thud/thud_make.h>
+
+#include <math.h>
+#include <stdio.h>
+
+typedef struct heard {
+    thud_result result;
+    char message[200];
+    int count;
+} heard;
+
+static void hear(thud_result result, const char *message, void *context) {
+    heard *h = context;
+    h->result = result;
+    snprintf(h->message, sizeof h->message, "%s", message);
+    h->count++;
+}
+
+static void expect(heard *h, thud_result result, const char *word) {
+    if (h->count != 1 || h->result != result || !strstr(h->message, word)) {
+        fail_msg("%d messages, the last %d: %s; wanted %s", h->count, (int)h->result, h->message,
+                 word);
+    }
+    h->count = 0;
+}
+
+static void a_log_is_set_on_any_world(void **state) {
+    (void)state;
+    heard h = {.count = 0};
+    thud_world *world = thud_world_make((thud_vec2){0, -10}, &thud_quality_default);
+    OK(thud_world_set_log(world, hear, &h));
+    assert_int_equal(thud_world_set_time_step(world, -1), THUD_ERROR_INVALID);
+    expect(&h, THUD_ERROR_INVALID, "time step");
+    OK(thud_world_set_log(world, NULL, NULL));
+    assert_int_equal(thud_world_set_time_step(world, -1), THUD_ERROR_INVALID);
+    assert_int_equal(h.count, 0);
+    assert_int_equal(thud_world_set_log(NULL, hear, &h), THUD_ERROR_NULL);
+    thud_world_destroy(world);
+}
+
+/* The tests are built as the library is. */
+static void without_NDEBUG_worlds_write_to_stderr(void **state) {
+    (void)state;
+#if defined(NDEBUG)
+    assert_true(thud_default_world_def().log == NULL);
+#else
+    assert_true(thud_default_world_def().log == thud_log_to_stderr);
+#endif
+    char line[200] = "";
+    FILE *file = freopen("test_log.txt", "w+", stderr);
+    assert_non_null(file);
+    thud_log_to_stderr(THUD_ERROR_INVALID, "a reason", NULL);
+    rewind(file);
+    assert_non_null(fgets(line, sizeof line, file));
+    assert_string_equal(line, "thud: refused: a reason\n");
+    remove("test_log.txt");
+}
+
+/* ---- reasons ---- */
+
+static void worlds_name_the_field(void **state) {
+    (void)state;
+    static const struct {
+        size_t at;
+        const char *name;
+    } fields[] = {{offsetof(thud_world_def, contact_damping), "contact_damping"},
+                  {offsetof(thud_world_def, push_speed), "push_speed"},
+                  {offsetof(thud_world_def, restitution_threshold), "restitution_threshold"},
+                  {offsetof(thud_world_def, hit_speed), "hit_speed"},
+                  {offsetof(thud_world_def, maximum_speed), "maximum_speed"}};
+    for (size_t i = 0; i < sizeof fields / sizeof *fields; i++) {
+        heard h = {.count = 0};
+        thud_world *world = NULL;
+        thud_world_def def = thud_default_world_def();
+        const float wrong = -1;
+        memcpy((char *)&def + fields[i].at, &wrong, sizeof wrong);
+        def.log = hear;
+        def.log_context = &h;
+        assert_int_equal(thud_world_create(&def, &world), THUD_ERROR_INVALID);
+        expect(&h, THUD_ERROR_INVALID, fields[i].name);
+    }
+}
+
+typedef struct drive_case {
+    thud_joint_kind kind;
+    int direction;
+    thud_drive drive;
+    const char *word;
+} drive_case;
+
+static void drives_name_the_field(void **state) {
+    (void)state;
+    const drive_case cases[] = {
+        {THUD_HINGE, THUD_TURN, {.limited = true, .lower = 1, .upper = -1}, "lower is above"},
+        {THUD_HINGE, THUD_TURN, {.limited = true, .upper = 90}, "lower or upper of turn"},
+        {THUD_SLIDER, THUD_ALONG, {.limited = true, .upper = 1e9f}, "lower or upper is not"},
+        {THUD_DISTANCE, THUD_ALONG, {.limited = true, .lower = -1}, "of a distance"},
+        {THUD_HINGE, THUD_TURN, {.frequency = -1}, "frequency"},
+        {THUD_HINGE, THUD_TURN, {.damping = NAN}, "damping"},
+        {THUD_HINGE, THUD_TURN, {.target = 90}, "target"},
+        {THUD_HINGE, THUD_TURN, {.spring_force = -1}, "spring_force"},
+        {THUD_HINGE, THUD_TURN, {.motor_speed = 1e9f}, "motor_speed of turn"},
+        {THUD_SLIDER, THUD_ALONG, {.motor_speed = NAN}, "motor_speed is not"},
+        {THUD_HINGE, THUD_TURN, {.motor_force = -1}, "motor_force"},
+        {THUD_HINGE, THUD_ALONG, {.frequency = 2}, "no drive along"},
+        {THUD_SLIDER, THUD_TURN, {.motor_force = 2}, "no drive of turn"},
+        {THUD_FILTER, THUD_ACROSS, {.limited = true}, "no drive across"},
+    };
+    heard h = {.count = 0};
+    thud_world_def world_def = thud_default_world_def();
+    world_def.log = hear;
+    world_def.log_context = &h;
+    thud_world *world = make_world(world_def);
+    thud_joint_id joint;
+    thud_body_id a = add_ball(world, 0, 0, 0.5f), b = add_ball(world, 2, 0, 0.5f);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        thud_joint_def def = thud_default_joint_def(cases[i].kind);
+        def.body_a = a;
+        def.body_b = b;
+        def.drive[cases[i].direction] = cases[i].drive;
+        assert_int_equal(thud_joint_create(world, &def, &joint), THUD_ERROR_INVALID);
+        expect(&h, THUD_ERROR_INVALID, cases[i].word);
+    }
+    /* A motor that nothing drives is made, and told. */
+    thud_joint_def def = thud_default_joint_def(THUD_HINGE);
+    def.body_a = a;
+    def.body_b = b;
+    def.drive[THUD_TURN].motor_speed = 3;
+    OK(thud_joint_create(world, &def, &joint));
+    expect(&h, THUD_OK, "motor_speed without");
+    OK(thud_joint_set_drive(world, joint, THUD_TURN, &def.drive[THUD_TURN]));
+    expect(&h, THUD_OK, "motor_speed without");
+    thud_world_destroy(world);
+}
+
+static void lines_name_the_field(void **state) {
+    (void)state;
+    thud_pos points[] = {{0, 0}, {1, 0}}, falling[] = {{0, 0}, {-1, 0}};
+    const struct {
+        thud_terrain line;
+        const char *word;
+    } cases[] = {
+        {{.kind = THUD_TERRAIN_FLAT, .slope = NAN}, "slope"},
+        {{.kind = THUD_TERRAIN_UNIFORM, .points = points, .count = 2}, "spacing is not above 0"},
+        {{.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 1}, "count"},
+        {{.kind = THUD_TERRAIN_IRREGULAR, .count = 2}, "points is null"},
+        {{.kind = THUD_TERRAIN_IRREGULAR, .points = falling, .count = 2}, "x does not rise"},
+        {{.kind = (thud_terrain_kind)7, .points = points, .count = 2}, "kind"},
+    };
+    heard h = {.count = 0};
+    thud_world *world = make_world(thud_default_world_def());
+    OK(thud_world_set_log(world, hear, &h));
+    thud_body_id ground = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_shape_def def = thud_default_shape_def();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        thud_result result = thud_shape_create_terrain(world, ground, &def, &cases[i].line, NULL);
+        assert_int_not_equal(result, THUD_OK);
+        expect(&h, result, cases[i].word);
+    }
+    assert_int_equal(thud_body_make(world, thud_circle_at(0, 0, -1), NULL).index1, 0);
+    expect(&h, THUD_ERROR_INVALID, "radius");
+    thud_world_destroy(world);
+}
+
+static bool none(thud_shape_id shape, void *context) {
+    (void)shape, (void)context;
+    return true;
+}
+
+/* Done, and hardly meant. */
+static void what_meets_nobody_is_told(void **state) {
+    (void)state;
+    heard h = {.count = 0};
+    thud_world *world = make_world(thud_default_world_def());
+    OK(thud_world_set_log(world, hear, &h));
+    add_ball(world, 0, 0, 0.5f);
+    const thud_query_filter zero = {0};
+    bool hit;
+    int count;
+    OK(thud_world_cast_ray(world, (thud_pos){-3, 0}, 6, 0, &zero, &hit, NULL));
+    expect(&h, THUD_OK, "category and mask");
+    OK(thud_world_cast_ray_all(world, (thud_pos){-3, 0}, 6, 0, &zero, NULL, 0, &count));
+    expect(&h, THUD_OK, "category and mask");
+    OK(thud_world_closest(world, (thud_pos){-3, 0}, 6, &zero, &hit, NULL));
+    expect(&h, THUD_OK, "category and mask");
+    OK(thud_world_overlap_circle(world, (thud_pos){0, 0}, 1, &zero, none, NULL));
+    expect(&h, THUD_OK, "category and mask");
+    thud_explosion explosion = thud_default_explosion();
+    OK(thud_world_explode(world, &explosion, NULL));
+    expect(&h, THUD_OK, "radius");
+    thud_world_destroy(world);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_log_is_set_on_any_world),
+        cmocka_unit_test(worlds_name_the_field),
+        cmocka_unit_test(drives_name_the_field),
+        cmocka_unit_test(lines_name_the_field),
+        cmocka_unit_test(what_meets_nobody_is_told),
+        cmocka_unit_test(without_NDEBUG_worlds_write_to_stderr), /* the last: it takes stderr */
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
