@@ -95,6 +95,8 @@ function writePlaces(s: Float64Array, given: Given): void {
   if ((axis || angle !== undefined) && !at) refuse(kind, `${turned} goes with at`);
   if (axis && angle !== undefined) refuse(kind, "axis and angle exclude each other");
   if (axis && !(Math.hypot(axis[0], axis[1]) > 0)) refuse(kind, "axis points nowhere");
+  const isFramed = at || given.frameA || given.frameB || kind === "target";
+  if (OWN[kind].includes("at") && !isFramed) refuse(kind, "at is missing, its place in the world");
   const usual = kind === "wheel" ? Math.PI / 2 : 0;
   const workedOut = [from, to, given.length === undefined, axis];
   const numbers = [

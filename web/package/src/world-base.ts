@@ -1,10 +1,17 @@
 /** A world's life in the module: made from options, stepped, set, snapshotted and freed. */
 /// <reference lib="esnext.disposable" preserve="true" />
-import { explained } from "./checks/hook.js";
+import { explained, shown } from "./checks/hook.js";
 import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
-import { AdvanceAt, HandleAt, ListAt, WORLD_OPTIONS, WorldOptionsAt } from "./generated/slots.js";
-import { fill, numbersOf, qualityNumbers, rowsOf, shapeAt } from "./numbers.js";
+import {
+  AdvanceAt,
+  HandleAt,
+  ListAt,
+  StepSettingsAt,
+  WORLD_OPTIONS,
+  WorldOptionsAt,
+} from "./generated/slots.js";
+import { fill, flagOf, numbersOf, qualityNumbers, rowsOf, shapeAt, xOf } from "./numbers.js";
 import { generationOf, index1Of, type Kind } from "./plain/handles.js";
 import { restoreSnapshot, takeSnapshot } from "./snapshot.js";
 import type { BodyRef, JointRef, Quality, QualityOptions, ShapeId, ShapeRef, Vec2, WorldOptions } from "./types.js";
@@ -18,6 +25,12 @@ const forgotten =
         console.warn("thud: a world was forgotten that was never closed; its memory stays taken"),
       )
     : null;
+
+/** Seconds; the engine refuses more. */
+const LONGEST = 1e9;
+
+/** Nobody shows a game so many times as fast as it is, and milliseconds are 1000 times as many. */
+const FASTEST = 100;
 
 /** As far out as a body can be, in length scales; a little less, for rounding. */
 const EVERYWHERE = 0.999e9;
@@ -129,8 +142,9 @@ export class WorldBase {
 
   // ---- time ----
 
-  /** Runs one step of `timeStep` seconds. */
+  /** Runs one step of `timeStep` seconds, and takes no other time: `advance` does. */
   step(): void {
+    if (arguments.length > 0) this.#refuseTime("step", arguments[0]);
     this.engine.check(this.engine.exports.api_world_step(this.address));
   }
 
@@ -142,8 +156,30 @@ export class WorldBase {
    */
   advance(elapsed: number, maxSteps = 4): { steps: number; alpha: number } {
     const { engine } = this;
+    if (elapsed > 1 && elapsed <= LONGEST) this.#wantSeconds(elapsed, maxSteps);
     this.onWorld("api_world_advance", elapsed, maxSteps);
     return { steps: engine.slots[AdvanceAt.steps], alpha: engine.slots[AdvanceAt.alpha] };
+  }
+
+  /** When time was last left out, by the clock of the host; at first when the program began. */
+  #leftOut = 0;
+
+  /**
+   * Refuses milliseconds, which are known by this: more time goes by than the clock says, and most of
+   * it is left out. A page that comes back to the front after a minute does not look so, nor does a
+   * game that runs ten times as fast.
+   */
+  #wantSeconds(elapsed: number, maxSteps: number): void {
+    this.onWorld("api_world_step_settings");
+    if (elapsed <= maxSteps * this.engine.slots[StepSettingsAt.timeStep]) return;
+    const now = performance.now() / 1000;
+    const most = this.#leftOut === 0 ? now : FASTEST * (now - this.#leftOut);
+    this.#leftOut = now;
+    if (elapsed > most) this.#refuseTime("advance", elapsed);
+  }
+
+  #refuseTime(call: string, given: unknown): never {
+    throw explained(new ThudError("invalid", `${call}: ${shown(given)}`), call, { time: given });
   }
 
   /**
@@ -151,7 +187,7 @@ export class WorldBase {
    * @example world.setGravity([0, 10])
    */
   setGravity(gravity: Vec2): void {
-    this.onWorld("api_world_set_gravity", gravity?.[0], gravity?.[1]);
+    this.onWorld("api_world_set_gravity", xOf(gravity, "gravity"), gravity?.[1]);
   }
 
   /** Sets the seconds of the steps from the next on; (0, 1]. */
@@ -180,7 +216,7 @@ export class WorldBase {
 
   /** Whether bodies at rest may sleep. False wakes every one. */
   setSleeping(sleeping: boolean): void {
-    this.onWorld("api_world_set_sleeping", Number(sleeping));
+    this.onWorld("api_world_set_sleeping", flagOf(sleeping, "sleeping"));
   }
 
   /** Throws what the engine refused, and tells which of the arguments or options was wrong. */
@@ -210,6 +246,8 @@ export class WorldBase {
   ): void {
     const call = this.engine.exports[name];
     const index1 = index1Of(id, kind);
+    if (isOther(a) || isOther(b) || isOther(c) || isOther(d) || isOther(e) || isOther(f))
+      this.#wantNumbers(name, [a, b, c, d, e, f]);
     const result = call(this.address, index1, generationOf(id), a!, b!, c!, d!, e!, f!);
     if (result !== 0 || this.engine.callbacks.hasThrown)
       this.refuse(result, name, [a, b, c, d, e, f]);
@@ -217,8 +255,13 @@ export class WorldBase {
 
   /** As `on`, of the world itself. */
   protected onWorld(name: string, a?: number, b?: number): void {
+    if (isOther(a) || isOther(b)) this.#wantNumbers(name, [a, b]);
     const result = this.engine.exports[name](this.address, a!, b!);
     if (result !== 0 || this.engine.callbacks.hasThrown) this.refuse(result, name, [a, b]);
+  }
+
+  #wantNumbers(name: string, given: unknown[]): never {
+    throw explained(new ThudError("invalid", "numbers are wanted"), name, given, this.lengthScale);
   }
 
   /** Those of the list that the last call gave. */
@@ -226,4 +269,9 @@ export class WorldBase {
     const { buffer, slots } = this.engine;
     return rowsOf(Uint32Array, buffer, slots, ListAt.address, HandleAt.length, shapeAt);
   }
+}
+
+/** What WebAssembly would take for a number: "1" for 1, [2] for 2. */
+function isOther(value: unknown): boolean {
+  return typeof value !== "number" && value !== undefined;
 }

@@ -7,6 +7,7 @@ import { explainWith, isRefusal } from "./hook.js";
 import { blameJoint } from "./joints.js";
 import { tellNearest } from "./nearest.js";
 import { show } from "./show.js";
+import { checkValue } from "./values.js";
 import {
   ASKER_RANGES,
   blame,
@@ -43,6 +44,12 @@ const PLAIN: Readonly<Record<string, Ranges>> = {
   Mover: MOVER_RANGES,
 };
 
+/** What is told of a time that a call was given. */
+const TIMES: Readonly<Record<string, string>> = {
+  step: " is a time; a step is as long as setTimeStep says, and takes no argument; advance takes seconds",
+  advance: " s are more than have passed; milliseconds are to be divided by 1000",
+};
+
 /** What else a call may be given. */
 interface Given {
   quality?: unknown;
@@ -53,9 +60,12 @@ interface Given {
   furthest?: number;
 }
 
-/** Has errors tell which option was wrong, and what it may be. `load` of "thud" does so itself. */
+/**
+ * Has errors tell which option was wrong, and what it may be, and has the types of options looked at.
+ * `load` of "thud" does so itself.
+ */
 export function explainErrors(): void {
-  explainWith(explain, tellNearest, show);
+  explainWith(explain, tellNearest, show, checkValue);
 }
 
 function explain(error: ThudError, call: string, given: object, scale: number): unknown {
@@ -76,6 +86,7 @@ function explain(error: ThudError, call: string, given: object, scale: number): 
     const told = blame(error, call, given, MOVER_RANGES);
     return shape ? blame(told, call, shape, ASKER_RANGES[shape.kind], 1, "shape.") : told;
   }
+  if (call in TIMES) return new ThudError("invalid", `${error.message}${TIMES[call]}`, { cause: error });
   if (call in PLAIN) return blame(error, call, given, PLAIN[call], scale);
   return blameQuery(error, call, given, scale, shape);
 }
@@ -133,7 +144,7 @@ function isQueryWrong(args: { origin: number[]; translation: number[] }, scale: 
 
 /** Of arguments that are wrong together. */
 function whereTo(args: object): string | null {
-  if ("translation" in args) return "translation leads out of the world";
+  if ("translation" in args) return "translation leads out of the world; it is the way from the origin, not the end";
   if ("lower" in args && "upper" in args) return "lower must be below upper";
   return null;
 }

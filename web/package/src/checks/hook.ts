@@ -1,6 +1,6 @@
 /**
- * Where refusals are explained, once somebody can: explain.ts is no part of a quick first load, and
- * until it is there the engine's own words stand.
+ * Where refusals are explained and values looked at, once somebody can: explain.ts is no part of a
+ * quick first load, and until it is there the engine's own words stand.
  */
 import { ThudError } from "../error.js";
 
@@ -12,11 +12,19 @@ let explainer: Explainer | null = null;
 export let nearest: (name: string, names: readonly string[]) => string = () => "";
 /** A value as a message has it. */
 export let shown: (value: unknown) => string = String;
+/** Throws for a value that is not of its option's type. */
+export let checkValue: (what: string, name: string, options: object) => void = () => {};
 
-export function explainWith(one: Explainer, tellNearest: typeof nearest, show: typeof shown): void {
+export function explainWith(
+  one: Explainer,
+  tellNearest: typeof nearest,
+  show: typeof shown,
+  check: typeof checkValue,
+): void {
   explainer = one;
   nearest = tellNearest;
   shown = show;
+  checkValue = check;
 }
 
 /** What to throw where the engine found a value out of range: where known, which one it was. */
