@@ -84,8 +84,8 @@ const REFUSED = [
     () => world.castRay([0, 5], [0, -9], { exclude: body }),
     'filter: no option is called "exclude"; the nearest is "ignore"',
   ],
-  [() => world.step(1 / 60), /^step: 0.01666.* is a time; a step is as long as setTimeStep says, /],
-  [() => world.step(undefined), /^step: undefined is a time; /],
+  [() => world.step(1 / 60), /^step: 0.01666.* is not taken: a step is as long as setTimeStep says, /],
+  [() => world.step(undefined), /^step: undefined is not taken: /],
 ];
 
 for (const [act, told] of REFUSED)

@@ -1,6 +1,6 @@
 /** A world's life in the module: made from options, stepped, set, snapshotted and freed. */
 /// <reference lib="esnext.disposable" preserve="true" />
-import { explained, shown } from "./checks/hook.js";
+import { checkElapsed, checkStep, explained } from "./checks/hook.js";
 import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
 import {
@@ -25,12 +25,6 @@ const forgotten =
         console.warn("thud: a world was forgotten that was never closed; its memory stays taken"),
       )
     : null;
-
-/** Seconds; the engine refuses more. */
-const LONGEST = 1e9;
-
-/** Nobody shows a game so many times as fast as it is, and milliseconds are 1000 times as many. */
-const FASTEST = 100;
 
 /** As far out as a body can be, in length scales; a little less, for rounding. */
 const EVERYWHERE = 0.999e9;
@@ -144,7 +138,7 @@ export class WorldBase {
 
   /** Runs one step of `timeStep` seconds, and takes no other time: `advance` does. */
   step(): void {
-    if (arguments.length > 0) this.#refuseTime("step", arguments[0]);
+    if (arguments.length > 0) checkStep(arguments[0]);
     this.engine.check(this.engine.exports.api_world_step(this.address));
   }
 
@@ -156,30 +150,12 @@ export class WorldBase {
    */
   advance(elapsed: number, maxSteps = 4): { steps: number; alpha: number } {
     const { engine } = this;
-    if (elapsed > 1 && elapsed <= LONGEST) this.#wantSeconds(elapsed, maxSteps);
+    if (elapsed > 1) {
+      this.onWorld("api_world_step_settings");
+      checkElapsed(this, elapsed, maxSteps * engine.slots[StepSettingsAt.timeStep]);
+    }
     this.onWorld("api_world_advance", elapsed, maxSteps);
     return { steps: engine.slots[AdvanceAt.steps], alpha: engine.slots[AdvanceAt.alpha] };
-  }
-
-  /** When time was last left out, by the clock of the host; at first when the program began. */
-  #leftOut = 0;
-
-  /**
-   * Refuses milliseconds, which are known by this: more time goes by than the clock says, and most of
-   * it is left out. A page that comes back to the front after a minute does not look so, nor does a
-   * game that runs ten times as fast.
-   */
-  #wantSeconds(elapsed: number, maxSteps: number): void {
-    this.onWorld("api_world_step_settings");
-    if (elapsed <= maxSteps * this.engine.slots[StepSettingsAt.timeStep]) return;
-    const now = performance.now() / 1000;
-    const most = this.#leftOut === 0 ? now : FASTEST * (now - this.#leftOut);
-    this.#leftOut = now;
-    if (elapsed > most) this.#refuseTime("advance", elapsed);
-  }
-
-  #refuseTime(call: string, given: unknown): never {
-    throw explained(new ThudError("invalid", `${call}: ${shown(given)}`), call, { time: given });
   }
 
   /**

@@ -4,9 +4,10 @@ import type { SolidShape } from "../query-types.js";
 import type { Terrain, Vec2 } from "../types.js";
 import { blameArguments } from "./arguments.js";
 import { explainWith, isRefusal } from "./hook.js";
-import { blameJoint } from "./joints.js";
+import { blameJoint, checkTogether } from "./joints.js";
 import { tellNearest } from "./nearest.js";
 import { show } from "./show.js";
+import { checkElapsed, checkStep } from "./time.js";
 import { checkValue } from "./values.js";
 import {
   ASKER_RANGES,
@@ -44,12 +45,6 @@ const PLAIN: Readonly<Record<string, Ranges>> = {
   Mover: MOVER_RANGES,
 };
 
-/** What is told of a time that a call was given. */
-const TIMES: Readonly<Record<string, string>> = {
-  step: " is a time; a step is as long as setTimeStep says, and takes no argument; advance takes seconds",
-  advance: " s are more than have passed; milliseconds are to be divided by 1000",
-};
-
 /** What else a call may be given. */
 interface Given {
   quality?: unknown;
@@ -65,7 +60,15 @@ interface Given {
  * `load` of "thud" does so itself.
  */
 export function explainErrors(): void {
-  explainWith(explain, tellNearest, show, checkValue);
+  explainWith({
+    explain,
+    nearest: tellNearest,
+    shown: show,
+    checkValue,
+    checkJoint: checkTogether,
+    checkElapsed,
+    checkStep,
+  });
 }
 
 function explain(error: ThudError, call: string, given: object, scale: number): unknown {
@@ -86,7 +89,6 @@ function explain(error: ThudError, call: string, given: object, scale: number): 
     const told = blame(error, call, given, MOVER_RANGES);
     return shape ? blame(told, call, shape, ASKER_RANGES[shape.kind], 1, "shape.") : told;
   }
-  if (call in TIMES) return new ThudError("invalid", `${error.message}${TIMES[call]}`, { cause: error });
   if (call in PLAIN) return blame(error, call, given, PLAIN[call], scale);
   return blameQuery(error, call, given, scale, shape);
 }
