@@ -19,6 +19,12 @@ const METHODS = [...typings.matchAll(/^ {4}(\w+)\(\w+: (Body|Shape|Joint)Ref\b(?
 
 /** What follows it, where that is looked at before; [0, 1] and [0, 1] elsewhere. */
 const REST = {
+  ...Object.fromEntries(
+    ["Awake", "Enabled", "Events", "FixedRotation", "JointEnabled", "MaySleep", "Sensor"].map((name) => [
+      `set${name}`,
+      [true],
+    ]),
+  ),
   applyBuoyancy: [{ point: [0, 0], density: 1 }],
   applyTyre: [{ at: [0, 0], grip: 1 }],
   applyWind: [[1, 0], {}],

@@ -18,7 +18,7 @@ export const RESULT_CODES: readonly (ErrorCode | "ok")[] = [
 export class ThudError extends Error {
   readonly code: ErrorCode;
 
-  constructor(code: ErrorCode, message: string, options?: ErrorOptions) {
+  constructor(code: ErrorCode, message: string, options?: { cause?: unknown }) {
     super(message, options);
     this.name = "ThudError";
     this.code = code;

@@ -1,6 +1,6 @@
 /**
- * For pages that want to be quick at their first visit: `load` without what explains refusals, which
- * "thud/explain" brings later. Everything else is that of "thud".
+ * For pages that want to be quick at their first visit: `load` without what explains refusals and looks
+ * at the types of options, which "thud/explain" brings later: until then "1" is taken for 1. Everything else is that of "thud".
  */
 import { besideModule, type Engine, instantiate, type WasmSource } from "./engine.js";
 import { ThudError } from "./error.js";

@@ -1,5 +1,5 @@
 /** How the options of joints become the numbers that the module takes, and back. */
-import { explained } from "./checks/hook.js";
+import { checkJoint, explained } from "./checks/hook.js";
 import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
 import {
@@ -83,18 +83,12 @@ export function writeJoint(engine: Engine, options: AnyJointOptions | Numbered<A
   });
   DIRECTIONS.forEach((name, i) => writeDrive(s, i, given[name] ?? {}, `${given.kind}, ${name}`));
   fill(s, [given.length, given.ratio], MAKING + JointMakingAt.rod);
+  checkJoint(given.kind, given, OWN[given.kind]);
   writePlaces(s, given);
 }
 
 function writePlaces(s: Float64Array, given: Given): void {
   const { kind, at, axis, angle, from = at, to = at } = given;
-  const told = at ? "at" : "a place in the world";
-  if (from && given.frameA) refuse(kind, `${told} and frameA exclude each other`);
-  if (to && given.frameB) refuse(kind, `${told} and frameB exclude each other`);
-  const turned = axis ? "axis" : "angle";
-  if ((axis || angle !== undefined) && !at) refuse(kind, `${turned} goes with at`);
-  if (axis && angle !== undefined) refuse(kind, "axis and angle exclude each other");
-  if (axis && !(Math.hypot(axis[0], axis[1]) > 0)) refuse(kind, "axis points nowhere");
   const usual = kind === "wheel" ? Math.PI / 2 : 0;
   const workedOut = [from, to, given.length === undefined, axis];
   const numbers = [

@@ -1,6 +1,7 @@
 /** How options become the numbers that the module takes, and numbers from it become handles. */
 import { ThudError } from "./error.js";
 import { FILTER_OPTIONS, ListAt, QUALITY_OPTIONS } from "./generated/slots.js";
+import { shown } from "./checks/hook.js";
 import { checkNames } from "./checks/names.js";
 import { COVERS } from "./fields/field-types.js";
 import { generationOf, index1Of, Kind } from "./plain/handles.js";
@@ -138,6 +139,23 @@ export function vecAt(numbers: Numbers, at: number): Vec2 {
   return [numbers[at], numbers[at + 1]];
 }
 
+/**
+ * The first of two numbers. A list of more is none: what is meant by the third is not taken. A typed
+ * array in which more is kept may be longer.
+ */
+export function xOf(pair: Vec2, name: string): number {
+  if (pair?.length !== 2 && Array.isArray(pair))
+    throw new ThudError("invalid", `${name} must be two numbers: ${shown(pair)}`);
+  return pair?.[0];
+}
+
+/** Of true 1, of false 0; what is neither is refused, whatever JavaScript takes it for. */
+export function flagOf(flag: boolean, name: string): number {
+  if (typeof flag !== "boolean")
+    throw new ThudError("invalid", `${name} must be true or false: ${shown(flag)}`);
+  return Number(flag);
+}
+
 /** Kind, half extents (a circle's radius is the first) and angle, as the module takes them. */
 export type SolidNumbers = [kind: number, hx: number, hy: number, angle: number];
 
@@ -170,13 +188,13 @@ export function fill(slots: Float64Array, options: readonly (number | undefined)
 export function indexOf<T extends string>(names: readonly T[], name: T, what: string): number {
   const index = names.indexOf(name);
   if (index < 0)
-    throw new ThudError("invalid", `${what} "${name}" is none of ${names.join(", ")}`);
+    throw new ThudError("invalid", `${what} ${shown(name)} is none of ${names.join(", ")}`);
   return index;
 }
 
 export function userData(value: number | undefined, what = "userData"): number | undefined {
   if (value !== undefined && !(Number.isSafeInteger(value) && value >= 0))
-    throw new ThudError("invalid", `${what} must be a whole number from 0 to 2^53 - 1: ${value}`);
+    throw new ThudError("invalid", `${what} must be a whole number from 0 to 2^53 - 1: ${shown(value)}`);
   return value;
 }
 

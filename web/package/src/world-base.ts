@@ -1,10 +1,17 @@
 /** A world's life in the module: made from options, stepped, set, snapshotted and freed. */
 /// <reference lib="esnext.disposable" preserve="true" />
-import { explained } from "./checks/hook.js";
+import { checkElapsed, checkStep, explained } from "./checks/hook.js";
 import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
-import { AdvanceAt, HandleAt, ListAt, WORLD_OPTIONS, WorldOptionsAt } from "./generated/slots.js";
-import { fill, numbersOf, qualityNumbers, rowsOf, shapeAt } from "./numbers.js";
+import {
+  AdvanceAt,
+  HandleAt,
+  ListAt,
+  StepSettingsAt,
+  WORLD_OPTIONS,
+  WorldOptionsAt,
+} from "./generated/slots.js";
+import { fill, flagOf, numbersOf, qualityNumbers, rowsOf, shapeAt, xOf } from "./numbers.js";
 import { generationOf, index1Of, type Kind } from "./plain/handles.js";
 import { restoreSnapshot, takeSnapshot } from "./snapshot.js";
 import type { BodyRef, JointRef, Quality, QualityOptions, ShapeId, ShapeRef, StepCalls, Vec2, WorldOptions } from "./types.js";
@@ -129,8 +136,9 @@ export class WorldBase {
 
   // ---- time ----
 
-  /** Runs one step of `timeStep` seconds. */
+  /** Runs one step of `timeStep` seconds, and takes no other time: `advance` does. */
   step(): void {
+    if (arguments.length > 0) checkStep(arguments[0]);
     this.engine.check(this.engine.exports.api_world_step(this.address));
   }
 
@@ -148,6 +156,10 @@ export class WorldBase {
    */
   advance(elapsed: number, maxSteps = 4, calls: StepCalls = {}): { steps: number; alpha: number } {
     const { engine } = this;
+    if (elapsed > 1) {
+      this.onWorld("api_world_step_settings");
+      checkElapsed(this, elapsed, maxSteps * engine.slots[StepSettingsAt.timeStep]);
+    }
     const { before, after } = calls;
     const called = Number(before !== undefined) + 2 * Number(after !== undefined);
     if (called) engine.callbacks.set(this.address, { before, after });
@@ -160,7 +172,7 @@ export class WorldBase {
    * @example world.setGravity([0, 10])
    */
   setGravity(gravity: Vec2): void {
-    this.onWorld("api_world_set_gravity", gravity?.[0], gravity?.[1]);
+    this.onWorld("api_world_set_gravity", xOf(gravity, "gravity"), gravity?.[1]);
   }
 
   /** Sets the seconds of the steps from the next on; (0, 1]. */
@@ -189,7 +201,7 @@ export class WorldBase {
 
   /** Whether bodies at rest may sleep. False wakes every one. */
   setSleeping(sleeping: boolean): void {
-    this.onWorld("api_world_set_sleeping", Number(sleeping));
+    this.onWorld("api_world_set_sleeping", flagOf(sleeping, "sleeping"));
   }
 
   /** Throws what the engine refused, and tells which of the arguments or options was wrong. */
@@ -219,6 +231,8 @@ export class WorldBase {
   ): void {
     const call = this.engine.exports[name];
     const index1 = index1Of(id, kind);
+    if (isOther(a) || isOther(b) || isOther(c) || isOther(d) || isOther(e) || isOther(f))
+      this.#wantNumbers(name, [a, b, c, d, e, f]);
     const result = call(this.address, index1, generationOf(id), a!, b!, c!, d!, e!, f!);
     if (result !== 0 || this.engine.callbacks.hasThrown)
       this.refuse(result, name, [a, b, c, d, e, f]);
@@ -226,8 +240,13 @@ export class WorldBase {
 
   /** As `on`, of the world itself. */
   protected onWorld(name: string, a?: number, b?: number, c?: number): void {
+    if (isOther(a) || isOther(b)) this.#wantNumbers(name, [a, b]);
     const result = this.engine.exports[name](this.address, a!, b!, c!);
     if (result !== 0 || this.engine.callbacks.hasThrown) this.refuse(result, name, [a, b]);
+  }
+
+  #wantNumbers(name: string, given: unknown[]): never {
+    throw explained(new ThudError("invalid", "numbers are wanted"), name, given, this.lengthScale);
   }
 
   /** Those of the list that the last call gave. */
@@ -235,4 +254,9 @@ export class WorldBase {
     const { buffer, slots } = this.engine;
     return rowsOf(Uint32Array, buffer, slots, ListAt.address, HandleAt.length, shapeAt);
   }
+}
+
+/** What WebAssembly would take for a number: "1" for 1, [2] for 2. */
+function isOther(value: unknown): boolean {
+  return typeof value !== "number" && value !== undefined;
 }

@@ -5,7 +5,7 @@
  */
 import { checkNames } from "./checks/names.js";
 import { Kind, kindOf } from "./plain/handles.js";
-import { indexOf, numbersOf, userData } from "./numbers.js";
+import { flagOf, indexOf, numbersOf, userData, xOf } from "./numbers.js";
 import {
   BODY_KINDS,
   type BodyRef,
@@ -74,7 +74,7 @@ export class WorldEdits extends WorldJoints {
 
   /** Whether it notes what is there and stops nothing. Its contacts end, and begin anew. */
   setSensor(shape: ShapeRef, sensor: boolean): void {
-    this.on(Kind.shape, "api_shape_set_sensor", shape, Number(sensor));
+    this.on(Kind.shape, "api_shape_set_sensor", shape, flagOf(sensor, "sensor"));
     this.shapesRevision++;
   }
 
@@ -84,7 +84,7 @@ export class WorldEdits extends WorldJoints {
    * @example world.setEvents(debris, false)
    */
   setEvents(shape: ShapeRef, events: boolean): void {
-    this.on(Kind.shape, "api_shape_set_events", shape, Number(events));
+    this.on(Kind.shape, "api_shape_set_events", shape, flagOf(events, "events"));
   }
 
   /**
@@ -135,7 +135,7 @@ export class WorldEdits extends WorldJoints {
 
   /** True stops its turning at once. */
   setFixedRotation(body: BodyRef, fixed: boolean): void {
-    this.on(Kind.body, "api_body_set_fixed_rotation", body, Number(fixed));
+    this.on(Kind.body, "api_body_set_fixed_rotation", body, flagOf(fixed, "fixed"));
   }
 
   /**
@@ -163,7 +163,7 @@ export class WorldEdits extends WorldJoints {
 
   /** Whether it may sleep once it is at rest. */
   setMaySleep(body: BodyRef, maySleep: boolean): void {
-    this.on(Kind.body, "api_body_set_may_sleep", body, Number(maySleep));
+    this.on(Kind.body, "api_body_set_may_sleep", body, flagOf(maySleep, "maySleep"));
   }
 
   /**
@@ -178,6 +178,6 @@ export class WorldEdits extends WorldJoints {
     }
     checkNames("setMass", mass, MASS);
     const { center = [0, 0] } = mass;
-    this.on(Kind.body, "api_body_set_mass", body, mass.mass, mass.inertia, center?.[0], center?.[1]);
+    this.on(Kind.body, "api_body_set_mass", body, mass.mass, mass.inertia, xOf(center, "center"), center?.[1]);
   }
 }

@@ -11,7 +11,7 @@ import {
 } from "./generated/slots.js";
 import { checkNames } from "./checks/names.js";
 import { explained } from "./checks/hook.js";
-import { fill, filterNumbers, numbersOf, writeOptions } from "./numbers.js";
+import { fill, filterNumbers, numbersOf, writeOptions, xOf } from "./numbers.js";
 import { Kind } from "./plain/handles.js";
 import type { Explosion, Tyre, Water, Wind } from "./fields/field-types.js";
 import type { BodyRef, Vec2 } from "./types.js";
@@ -47,7 +47,7 @@ export class WorldFields extends WorldForces {
   applyWind(body: BodyRef, velocity: Vec2, wind: Wind = {}): void {
     checkNames("applyWind", wind, WIND);
     const { density = 1, drag = 1, lift = 1 } = wind;
-    this.on(Kind.body, "api_body_apply_wind", body, velocity?.[0], velocity?.[1], density, drag, lift);
+    this.on(Kind.body, "api_body_apply_wind", body, xOf(velocity, "velocity"), velocity?.[1], density, drag, lift);
   }
 
   /**
@@ -76,7 +76,7 @@ export class WorldFields extends WorldForces {
    * a force of at most `most`: at speed 0 it holds or brakes, at another it drives.
    */
   applyGrip(body: BodyRef, point: Vec2, axis: Vec2, speed: number, most: number): void {
-    const [x, y, alongX, alongY] = [point?.[0], point?.[1], axis?.[0], axis?.[1]];
+    const [x, y, alongX, alongY] = [xOf(point, "point"), point?.[1], xOf(axis, "axis"), axis?.[1]];
     this.on(Kind.body, "api_body_apply_grip", body, x, y, alongX, alongY, speed, most);
   }
 

@@ -11,7 +11,7 @@ import {
   RotationAt,
   StepSettingsAt,
 } from "./generated/slots.js";
-import { bodyAt, vecAt } from "./numbers.js";
+import { bodyAt, vecAt, xOf } from "./numbers.js";
 import { type BodyId, type BodyRef, DETECTIONS, QUALITIES, type ShapeRef, type Vec2, type Into } from "./types.js";
 import { Kind, kindOf } from "./plain/handles.js";
 import type { StepSettings } from "./view-types.js";
@@ -25,7 +25,7 @@ export class WorldForces extends WorldEdits {
    * @example world.applyForceAt(rocket, [0, 20], nozzle)
    */
   applyForceAt(body: BodyRef, force: Vec2, point: Vec2): void {
-    this.on(Kind.body, "api_body_apply_force_at", body, force?.[0], force?.[1], point?.[0], point?.[1]);
+    this.on(Kind.body, "api_body_apply_force_at", body, xOf(force, "force"), force?.[1], xOf(point, "point"), point?.[1]);
   }
 
   /**
@@ -33,7 +33,7 @@ export class WorldForces extends WorldEdits {
    * @example world.applyCenterImpulse(ball, [0, 5])
    */
   applyCenterImpulse(body: BodyRef, impulse: Vec2): void {
-    this.on(Kind.body, "api_body_apply_center_impulse", body, impulse?.[0], impulse?.[1]);
+    this.on(Kind.body, "api_body_apply_center_impulse", body, xOf(impulse, "impulse"), impulse?.[1]);
   }
 
   /** Turns at once: mass times length²/s. */
@@ -47,7 +47,7 @@ export class WorldForces extends WorldEdits {
    * @example world.setTarget(lift, [0, 3 + Math.sin(time)])
    */
   setTarget(body: BodyRef, position: Vec2, angle = 0): void {
-    this.on(Kind.body, "api_body_set_target", body, position?.[0], position?.[1], angle);
+    this.on(Kind.body, "api_body_set_target", body, xOf(position, "position"), position?.[1], angle);
   }
 
   // ---- points; all write into a list of yours where one is given, and return it ----
@@ -156,7 +156,7 @@ export class WorldForces extends WorldEdits {
   }
 
   #place(name: string, body: BodyRef, point: Vec2, into?: Into): Vec2 {
-    this.on(Kind.body, name, body, point?.[0], point?.[1]);
+    this.on(Kind.body, name, body, xOf(point, "point"), point?.[1]);
     return this.#pair(PlaceAt.at, into);
   }
 

@@ -26,7 +26,18 @@ import {
   type JointTable,
   type Numbered,
 } from "./joint-types.js";
-import { bodyAt, fill, indexOf, jointAt, numbersOf, rowsOf, userData, vecAt, view } from "./numbers.js";
+import {
+  bodyAt,
+  fill,
+  flagOf,
+  indexOf,
+  jointAt,
+  numbersOf,
+  rowsOf,
+  userData,
+  vecAt,
+  view,
+} from "./numbers.js";
 import { Kind } from "./plain/handles.js";
 import type { BodyRef, JointId, JointRef } from "./types.js";
 import { WorldViews } from "./world-views.js";
@@ -131,7 +142,7 @@ export class WorldJoints extends WorldViews {
 
   /** False lets go of both bodies, until true. Wakes them. */
   setJointEnabled(joint: JointRef, enabled: boolean): void {
-    this.on(Kind.joint, "api_joint_set_enabled", joint, Number(enabled));
+    this.on(Kind.joint, "api_joint_set_enabled", joint, flagOf(enabled, "enabled"));
   }
 
   /** Keeps a number for your own use: whole, from 0 to 2⁵³ - 1. */

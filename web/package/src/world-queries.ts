@@ -14,9 +14,10 @@ import {
   filterNumbers,
   rowsOf,
   shapeAt,
-  type SolidNumbers,
   solidNumbers,
+  type SolidNumbers,
   vecAt,
+  xOf,
 } from "./numbers.js";
 import type {
   Bounds,
@@ -35,12 +36,13 @@ const EVERYTHING = filterNumbers({});
 
 export class WorldQueries extends WorldBase {
   /**
-   * The first shape along the ray, or null.
+   * The first shape along the ray, or null. `translation` is the way from the origin and not its end,
+   * which lies at the sum of both: to a point it is the point less the origin.
    * @example world.castRay([0, 10], [0, -20])
    */
   castRay(origin: Vec2, translation: Vec2, filter: QueryFilter = {}): RayHit | null {
     const { exports } = this.#asked(filter);
-    const [x, y, dx, dy] = [origin?.[0], origin?.[1], translation?.[0], translation?.[1]];
+    const [x, y, dx, dy] = [xOf(origin, "origin"), origin?.[1], xOf(translation, "translation"), translation?.[1]];
     const result = exports.api_cast_ray(this.address, x, y, dx, dy);
     if (result !== 0) this.refuse(result, "castRay", { origin, translation });
     return readFirst(this.engine.slots);
@@ -55,9 +57,9 @@ export class WorldQueries extends WorldBase {
     const { exports } = filter === undefined ? this.#askedAll() : this.#asked(filter);
     const result = exports.api_cast_ray(
       this.address,
-      origin?.[0],
+      xOf(origin, "origin"),
       origin?.[1],
-      translation?.[0],
+      xOf(translation, "translation"),
       translation?.[1],
     );
     if (result !== 0) this.refuse(result, "castRayInto", { origin, translation });
@@ -88,7 +90,7 @@ export class WorldQueries extends WorldBase {
   ): RayHit | null {
     const [kind, hx, hy, angle] = solidNumbers(shape);
     const { exports } = this.#asked(filter);
-    const [x, y, dx, dy] = [center?.[0], center?.[1], translation?.[0], translation?.[1]];
+    const [x, y, dx, dy] = [xOf(center, "center"), center?.[1], xOf(translation, "translation"), translation?.[1]];
     const result = exports.api_cast_shape(this.address, kind, x, y, hx, hy, angle, dx, dy);
     if (result !== 0) this.refuse(result, "castShape", { center, translation, shape });
     return readFirst(this.engine.slots);
@@ -137,7 +139,7 @@ export class WorldQueries extends WorldBase {
   /** The shape closest to a point, if one is no further than `maxDistance`, or null. */
   closest(point: Vec2, maxDistance: number, filter: QueryFilter = {}): ClosestHit | null {
     const { exports } = this.#asked(filter);
-    const result = exports.api_closest(this.address, point?.[0], point?.[1], maxDistance);
+    const result = exports.api_closest(this.address, xOf(point, "point"), point?.[1], maxDistance);
     if (result !== 0) this.refuse(result, "closest", { point, maxDistance });
     const s = this.engine.slots;
     return s[ClosestHitAt.found] === 0 ? null : readClosest(s);
@@ -152,12 +154,12 @@ export class WorldQueries extends WorldBase {
     if (query.kind === "bounds") {
       const { lower, upper } = query;
       checkNames("bounds", query, ["kind", "lower", "upper"]);
-      const [left, bottom, right, top] = [lower?.[0], lower?.[1], upper?.[0], upper?.[1]];
+      const [left, bottom, right, top] = [xOf(lower, "lower"), lower?.[1], xOf(upper, "upper"), upper?.[1]];
       const result = exports.api_overlap_aabb(this.address, left, bottom, right, top);
       if (result !== 0) this.refuse(result, "overlap", query);
     } else {
       const [kind, hx, hy, angle] = solidNumbers(query, ["center"]);
-      const [x, y] = [query.center?.[0], query.center?.[1]];
+      const [x, y] = [xOf(query.center, "center"), query.center?.[1]];
       const result = exports.api_overlap_shape(this.address, kind, x, y, hx, hy, angle);
       if (result !== 0) this.refuse(result, "overlap", { ...query, shape: query });
     }
@@ -193,7 +195,7 @@ export class WorldQueries extends WorldBase {
 
   /** Where a ray first meets this shape, or null. */
   castRayAt(shape: ShapeRef, origin: Vec2, translation: Vec2): RayHit | null {
-    const [x, y, dx, dy] = [origin?.[0], origin?.[1], translation?.[0], translation?.[1]];
+    const [x, y, dx, dy] = [xOf(origin, "origin"), origin?.[1], xOf(translation, "translation"), translation?.[1]];
     this.on(Kind.shape, "api_shape_meets_ray", shape, x, y, dx, dy);
     return readFirst(this.engine.slots);
   }
@@ -203,13 +205,13 @@ export class WorldQueries extends WorldBase {
    * @example if (world.containsPoint(shape, [x, y])) pick(shape)
    */
   containsPoint(shape: ShapeRef, point: Vec2): boolean {
-    this.on(Kind.shape, "api_shape_contains_point", shape, point?.[0], point?.[1]);
+    this.on(Kind.shape, "api_shape_contains_point", shape, xOf(point, "point"), point?.[1]);
     return this.engine.slots[NumberAt.value] !== 0;
   }
 
   /** The closest point of a shape's surface, however far. */
   closestPointOf(shape: ShapeRef, point: Vec2): ClosestHit {
-    this.on(Kind.shape, "api_shape_closest_point", shape, point?.[0], point?.[1]);
+    this.on(Kind.shape, "api_shape_closest_point", shape, xOf(point, "point"), point?.[1]);
     return readClosest(this.engine.slots);
   }
 
@@ -271,7 +273,7 @@ export class WorldQueries extends WorldBase {
     args: object,
   ): void {
     const { exports, callbacks } = this.#asked(filter);
-    const [x, y, dx, dy] = [from?.[0], from?.[1], translation?.[0], translation?.[1]];
+    const [x, y, dx, dy] = [xOf(from, "origin"), from?.[1], xOf(translation, "translation"), translation?.[1]];
     const result = exports[name](this.address, kind, x, y, hx, hy, angle, dx, dy);
     if (result !== 0 || callbacks.hasThrown) this.refuse(result, call, args);
   }

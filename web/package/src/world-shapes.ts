@@ -1,6 +1,6 @@
 /** The shapes of bodies: made, read and, where they are ground, dug. */
 import { checkNames } from "./checks/names.js";
-import { explained } from "./checks/hook.js";
+import { explained, shown } from "./checks/hook.js";
 import { ThudError } from "./error.js";
 import {
   FootAt,
@@ -10,7 +10,7 @@ import {
   ShapeStateAt,
   TerrainAt,
 } from "./generated/slots.js";
-import { bodyAt, FORMS, indexOf, rowsOf, shapeAt, vecAt, writeOptions } from "./numbers.js";
+import { bodyAt, FORMS, indexOf, rowsOf, shapeAt, vecAt, writeOptions, xOf } from "./numbers.js";
 import { generationOf, index1Of, Kind } from "./plain/handles.js";
 import {
   type BodyRef,
@@ -109,7 +109,7 @@ export class WorldShapes extends WorldLists {
       exports.api_shape_defaults();
       writeOptions("createTerrain", slots, options, SHAPE_OPTIONS, FORMS.terrain);
       if ((options.kind ?? "terrain") !== "terrain")
-        throw new ThudError("invalid", `createTerrain: its kind is "${options.kind}"`);
+        throw new ThudError("invalid", `createTerrain: its kind is ${shown(options.kind)}`);
       try {
         this.on(Kind.body, "api_terrain_create", body, kind, slope, x0, spacing, points, count);
       } catch (refused) {
@@ -193,7 +193,7 @@ export class WorldShapes extends WorldLists {
    * @example world.dig(shape, [x, y], 2)
    */
   dig(shape: ShapeRef, center: Vec2, radius: number): void {
-    this.on(Kind.shape, "api_shape_dig", shape, center?.[0], center?.[1], radius);
+    this.on(Kind.shape, "api_shape_dig", shape, xOf(center, "center"), center?.[1], radius);
     this.terrainsRevision++;
   }
 
@@ -257,7 +257,7 @@ export class WorldShapes extends WorldLists {
     exports.api_shape_defaults();
     writeOptions(call, slots, options, SHAPE_OPTIONS, SOLIDS[kind]);
     if ((options.kind ?? kind) !== kind)
-      throw new ThudError("invalid", `${call}: its kind is "${options.kind}"`);
+      throw new ThudError("invalid", `${call}: its kind is ${shown(options.kind)}`);
     const { offset, radius = 0, halfWidth = 0, halfHeight = 0, angle = 0 } = options;
     const x = offset === undefined ? 0 : (offset?.[0] ?? NaN);
     const y = offset === undefined ? 0 : (offset?.[1] ?? NaN);

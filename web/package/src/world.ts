@@ -5,10 +5,10 @@
  * world-queries, world-views (what is read of it), world-joints, world-edits, world-forces,
  * world-fields, world-lists, world-shapes, and here the bodies.
  */
-import { within } from "./checks/hook.js";
+import { shown, within } from "./checks/hook.js";
 import { ThudError } from "./error.js";
 import { BODY_OPTIONS, BodyStateAt, HandleAt } from "./generated/slots.js";
-import { bodyId, vecAt, writeOptions } from "./numbers.js";
+import { bodyId, flagOf, vecAt, writeOptions, xOf } from "./numbers.js";
 import {
   BODY_KINDS,
   type BodyId, type BodyRef,
@@ -82,7 +82,7 @@ export class World extends WorldShapes {
     const { engine } = this;
     const shapes = options?.shapes;
     if (shapes !== undefined && typeof shapes?.length !== "number")
-      throw new ThudError("invalid", `createBody: shapes must be a list: ${shapes}`);
+      throw new ThudError("invalid", `createBody: shapes must be a list: ${shown(shapes)}`);
     engine.exports.api_body_defaults();
     writeOptions("createBody", engine.slots, options, BODY_OPTIONS, BODY_OTHERS);
     const result = engine.exports.api_body_create(this.address);
@@ -163,7 +163,7 @@ export class World extends WorldShapes {
    * @example world.setTransform(ball, [0, 5], 0)
    */
   setTransform(body: BodyRef, position: Vec2, angle = 0): void {
-    this.on(Kind.body, "api_body_set_transform", body, position?.[0], position?.[1], angle);
+    this.on(Kind.body, "api_body_set_transform", body, xOf(position, "position"), position?.[1], angle);
   }
 
   /**
@@ -171,7 +171,7 @@ export class World extends WorldShapes {
    * @example world.setVelocity(ball, [3, 0])
    */
   setVelocity(body: BodyRef, velocity: Vec2, angularVelocity = 0): void {
-    this.on(Kind.body, "api_body_set_velocity", body, velocity?.[0], velocity?.[1], angularVelocity);
+    this.on(Kind.body, "api_body_set_velocity", body, xOf(velocity, "velocity"), velocity?.[1], angularVelocity);
   }
 
   /**
@@ -179,7 +179,7 @@ export class World extends WorldShapes {
    * @example world.applyImpulse(ball, [0, 5], point)
    */
   applyImpulse(body: BodyRef, impulse: Vec2, point: Vec2): void {
-    this.on(Kind.body, "api_body_apply_impulse", body, impulse?.[0], impulse?.[1], point?.[0], point?.[1]);
+    this.on(Kind.body, "api_body_apply_impulse", body, xOf(impulse, "impulse"), impulse?.[1], xOf(point, "point"), point?.[1]);
   }
 
   /**
@@ -187,12 +187,12 @@ export class World extends WorldShapes {
    * @example world.applyForce(ball, [10, 0])
    */
   applyForce(body: BodyRef, force: Vec2, torque = 0): void {
-    this.on(Kind.body, "api_body_apply_force", body, force?.[0], force?.[1], torque);
+    this.on(Kind.body, "api_body_apply_force", body, xOf(force, "force"), force?.[1], torque);
   }
 
   /** Wakes a body. False: it counts as at rest, and sleeps as soon as its whole island does. */
   setAwake(body: BodyRef, awake: boolean): void {
-    this.on(Kind.body, "api_body_set_awake", body, Number(awake));
+    this.on(Kind.body, "api_body_set_awake", body, flagOf(awake, "awake"));
   }
 
   /**
@@ -200,7 +200,7 @@ export class World extends WorldShapes {
    * brings it back, where it is and at the velocity it had.
    */
   setEnabled(body: BodyRef, enabled: boolean): void {
-    this.on(Kind.body, "api_body_set_enabled", body, Number(enabled));
+    this.on(Kind.body, "api_body_set_enabled", body, flagOf(enabled, "enabled"));
     this.shapesRevision++;
   }
 

@@ -4,9 +4,11 @@ import type { SolidShape } from "../query-types.js";
 import type { Terrain, Vec2 } from "../types.js";
 import { blameArguments } from "./arguments.js";
 import { explainWith, isRefusal } from "./hook.js";
-import { blameJoint } from "./joints.js";
+import { blameJoint, checkTogether } from "./joints.js";
 import { tellNearest } from "./nearest.js";
 import { show } from "./show.js";
+import { checkElapsed, checkStep } from "./time.js";
+import { checkValue } from "./values.js";
 import {
   ASKER_RANGES,
   blame,
@@ -53,9 +55,20 @@ interface Given {
   furthest?: number;
 }
 
-/** Has errors tell which option was wrong, and what it may be. `load` of "thud" does so itself. */
+/**
+ * Has errors tell which option was wrong, and what it may be, and has the types of options looked at.
+ * `load` of "thud" does so itself.
+ */
 export function explainErrors(): void {
-  explainWith(explain, tellNearest, show);
+  explainWith({
+    explain,
+    nearest: tellNearest,
+    shown: show,
+    checkValue,
+    checkJoint: checkTogether,
+    checkElapsed,
+    checkStep,
+  });
 }
 
 function explain(error: ThudError, call: string, given: object, scale: number): unknown {
@@ -133,7 +146,7 @@ function isQueryWrong(args: { origin: number[]; translation: number[] }, scale: 
 
 /** Of arguments that are wrong together. */
 function whereTo(args: object): string | null {
-  if ("translation" in args) return "translation leads out of the world";
+  if ("translation" in args) return "translation leads out of the world; it is the way from the origin, not the end";
   if ("lower" in args && "upper" in args) return "lower must be below upper";
   return null;
 }

@@ -1,6 +1,6 @@
 /**
- * Where refusals are explained, once somebody can: explain.ts is no part of a quick first load, and
- * until it is there the engine's own words stand.
+ * Where refusals are explained and values looked at, once somebody can: explain.ts is no part of a
+ * quick first load, and until it is there the engine's own words stand.
  */
 import { ThudError } from "../error.js";
 
@@ -12,11 +12,30 @@ let explainer: Explainer | null = null;
 export let nearest: (name: string, names: readonly string[]) => string = () => "";
 /** A value as a message has it. */
 export let shown: (value: unknown) => string = String;
+/** Throws for a value that is not of its option's type. */
+export let checkValue: (what: string, name: string, options: object) => void = () => {};
 
-export function explainWith(one: Explainer, tellNearest: typeof nearest, show: typeof shown): void {
-  explainer = one;
-  nearest = tellNearest;
-  shown = show;
+/** Throws for a joint whose options do not go together; `own` are those that its kind may have. */
+export let checkJoint: (kind: string, options: object, own: readonly string[]) => void = () => {};
+
+/** Throws for milliseconds where seconds are wanted; `made` is how many of them steps can make up for. */
+export let checkElapsed: (world: object, elapsed: number, made: number) => void = () => {};
+/** Throws: a step takes nothing. */
+export let checkStep: (given: unknown) => void = () => {};
+
+interface Checks {
+  explain: Explainer;
+  nearest: typeof nearest;
+  shown: typeof shown;
+  checkValue: typeof checkValue;
+  checkJoint: typeof checkJoint;
+  checkElapsed: typeof checkElapsed;
+  checkStep: typeof checkStep;
+}
+
+export function explainWith(checks: Checks): void {
+  explainer = checks.explain;
+  ({ nearest, shown, checkValue, checkJoint, checkElapsed, checkStep } = checks);
 }
 
 /** What to throw where the engine found a value out of range: where known, which one it was. */

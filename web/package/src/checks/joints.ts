@@ -1,6 +1,7 @@
 /** What was refused of joints. */
 import { ThudError } from "../error.js";
 import { DIRECTIONS, type Drive, type JointFrame } from "../joint-types.js";
+import type { Vec2 } from "../types.js";
 import { FRAME_RANGES, JOINT_RANGES, whyNot } from "./ranges.js";
 
 /** Most of an option, and its negative, or 0, the least; the engine refuses without a name. */
@@ -13,6 +14,32 @@ function mostOf(name: string, direction: string, furthest: number): number | und
   if (name.endsWith("Force") || name === "breakTorque") return 1e30;
   if (name !== "length" && !EITHER_WAY.includes(name)) return undefined;
   return direction !== "turn" ? furthest : name === "motorSpeed" ? 1e6 : 3.14159;
+}
+
+/** Where a joint is, of any kind. */
+interface Places {
+  at?: Vec2;
+  from?: Vec2;
+  to?: Vec2;
+  axis?: Vec2;
+  angle?: number;
+  frameA?: JointFrame;
+  frameB?: JointFrame;
+}
+
+/** Throws where options exclude or need each other. `own` are those that the kind may have. */
+export function checkTogether(kind: string, options: object, own: readonly string[]): void {
+  const given = options as Places;
+  const { at, axis, angle, from = at, to = at } = given;
+  const told = at ? "at" : "a place in the world";
+  if (from && given.frameA) refuse(kind, `${told} and frameA exclude each other`);
+  if (to && given.frameB) refuse(kind, `${told} and frameB exclude each other`);
+  const turned = axis ? "axis" : "angle";
+  if ((axis || angle !== undefined) && !at) refuse(kind, `${turned} goes with at`);
+  if (axis && angle !== undefined) refuse(kind, "axis and angle exclude each other");
+  if (axis && !(Math.hypot(axis[0], axis[1]) > 0)) refuse(kind, "axis points nowhere");
+  const isFramed = at || given.frameA || given.frameB || kind === "target";
+  if (own.includes("at") && !isFramed) refuse(kind, "at is missing, its place in the world");
 }
 
 /** Throws for the option of a joint, of a drive or of breaking that is wrong; returns for none. */

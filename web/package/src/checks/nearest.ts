@@ -1,7 +1,68 @@
 /** What a misspelt option is likely to mean. */
+import { DRIVE_OPTIONS } from "../generated/slots.js";
+
+/**
+ * What other engines call it, in small letters; the first of ours that the call knows is meant. What
+ * stands in brackets is told beside it.
+ */
+const OTHERS: Readonly<Record<string, readonly string[]>> = {
+  width: ["halfWidth (half of it)"],
+  w: ["halfWidth (half of it)"],
+  hx: ["halfWidth"],
+  height: ["halfHeight (half of it)"],
+  h: ["halfHeight (half of it)"],
+  hy: ["halfHeight"],
+  halfextents: ["halfWidth (and halfHeight)"],
+  size: ["halfWidth (half of it, and halfHeight)", "radius"],
+  r: ["radius"],
+  diameter: ["radius (half of it)"],
+  exclude: ["ignore"],
+  except: ["ignore"],
+  skip: ["ignore"],
+  bullet: ["detection"],
+  ccd: ["detection"],
+  type: ["kind"],
+  issensor: ["sensor"],
+  trigger: ["sensor"],
+  bounce: ["restitution"],
+  bounciness: ["restitution"],
+  rotation: ["angle"],
+  allowsleep: ["maySleep", "sleeping"],
+  cansleep: ["maySleep", "sleeping"],
+  collisionfilter: ["category (and mask)"],
+  layer: ["category"],
+  dt: ["timeStep"],
+  fixture: ["shapes"],
+  fixtures: ["shapes"],
+  shape: ["shapes"],
+  x: ["position", "offset", "center"],
+  y: ["position", "offset", "center"],
+  pos: ["position"],
+  anchor: ["at"],
+  anchora: ["from", "at"],
+  anchorb: ["to", "at"],
+  localanchora: ["frameA"],
+  localanchorb: ["frameB"],
+  stiffness: ["frequency", "contactStiffness"],
+  maxmotortorque: ["motorForce"],
+  maxmotorforce: ["motorForce"],
+  maxforce: ["motorForce"],
+  enablelimit: ["lower (and upper)"],
+  enablemotor: ["motorSpeed (and motorForce)"],
+};
+
+/** Where options of joints are that stand one level too high, the likelier first. */
+const DRIVES = ["turn", "along", "across"];
 
 /** To be told after the name that nobody knows. Of two as near it is the one that begins alike. */
 export function tellNearest(name: string, names: readonly string[]): string {
+  const drive = DRIVES.find((one) => names.includes(one));
+  if (drive && (DRIVE_OPTIONS as readonly string[]).includes(name))
+    return `; it is one of "${drive}": ${drive}: { ${name}: … }`;
+  for (const told of OTHERS[name.toLowerCase()] ?? []) {
+    const [known, ...rest] = told.split(" ");
+    if (names.includes(known)) return `; the nearest is "${known}"${rest.map((one) => ` ${one}`).join("")}`;
+  }
   const edits = names.map(
     (known) => distance(name.toLowerCase(), known.toLowerCase()) - Number(known[0] === name[0]) / 2,
   );

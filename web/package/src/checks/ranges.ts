@@ -201,7 +201,8 @@ export function whyNot(options: object, ranges: Ranges, scale: number, path = ""
     if (value === undefined && !range.needed) continue;
     if (isWithin(value, range, scale)) continue;
     const told = value === undefined ? "it is missing" : show(value);
-    return `${path}${name} must be ${inWords(range, scale)}: ${told}`;
+    const hint = range.pair && Object(value) === value && "x" in Object(value) ? "; write [x, y]" : "";
+    return `${path}${name} must be ${inWords(range, scale)}: ${told}${hint}`;
   }
   return null;
 }
@@ -213,7 +214,8 @@ function isWithin(value: unknown, range: Range, scale: number): boolean {
 }
 
 function isNumberWithin(value: unknown, range: Range, scale: number): boolean {
-  const number = Number(value);
+  if (typeof value !== "number") return false;
+  const number = value;
   const unit = range.scaled ? scale : 1;
   if (range.orZero && number === 0) return true;
   const { least, most, above } = range;

@@ -55,7 +55,7 @@ export class WorldRules extends WorldFields {
 
   /**
    * The contacts that gave more in the last step than their rule's `mostImpulse`; copied.
-   * @example for (const { a } of world.impulses()) world.destroyShape(a)
+   * @example for (const { a } of world.impulses()) world.destroy(a)
    */
   impulses(): ImpulseEvent[] {
     this.onWorld("api_world_impulses");
