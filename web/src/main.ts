@@ -31,6 +31,8 @@ const CODE_PANEL = "code";
 const VALUES_PANEL = "values";
 /** The part of its time from which on a scene runs in slow motion. */
 const MUCH_LAG = 0.2;
+/** Milliseconds that code which does not answer is left to the visitor to end. */
+const LONGEST_STUCK = 10_000;
 /** Milliseconds that the first scene stands still for a panel that comes with it. */
 const LONGEST_WAIT = 5000;
 
@@ -305,6 +307,14 @@ function listenToScenes(
     state: tell,
     samples: (samples) => hud.add(samples),
     trouble(trouble, running) {
+      if (trouble.tooLarge) {
+        const coded = app.state.code !== null;
+        takeBack = fail("The scene takes too much memory", trouble.message, [], {
+          label: coded ? "Go back" : "Start another scene",
+          go: () => void (coded ? app.endCode() : app.revive(FIRST_SCENE)),
+        });
+        return;
+      }
       // The code panel shows errors of the visitor's own text at their line.
       if (app.state.code !== null) {
         void dock.show(CODE_PANEL, false);
@@ -326,10 +336,21 @@ function listenToScenes(
         takeBack = fail(
           "The code does not answer",
           "A step, or building the scene, takes longer than eight seconds or never ends: a loop " +
-            "without an end? Your text is kept.",
+            "without an end? In ten seconds more it is ended. Your text is kept.",
           [],
           { label: "End it and go back", go: () => void app.endCode() },
         );
+        // What never ends may take ever more memory, and the whole tab with it.
+        const end = setTimeout(() => {
+          takeBack();
+          void app.endCode();
+          notice("The code did not answer, and was ended. Your text is kept.", 20);
+        }, LONGEST_STUCK);
+        const hide = takeBack;
+        takeBack = () => {
+          clearTimeout(end);
+          hide();
+        };
         return;
       }
       takeBack = fail(

@@ -8,10 +8,12 @@ import {
   openVisitor,
   PHONE,
   runAxe,
+  stepBy,
+  untilRunning,
   untilTold,
 } from "../support/page.mjs";
 import { display } from "../support/contexts.mjs";
-import { untilFigures, untilStill } from "../support/wait.mjs";
+import { until, untilFigures, untilStill } from "../support/wait.mjs";
 
 let visitor;
 before(async () => {
@@ -73,6 +75,63 @@ for (const [size, options] of SIZES)
     assert.deepEqual(errors, []);
     await close();
   });
+
+test("scene_that_waits_for_who_wants_less_motion_says_so_and_how_it_runs", async () => {
+  const still = { ...DESKTOP, reducedMotion: "reduce" };
+  const { page, errors, close } = await visitor.open("?scene=cradle", still);
+  await page.waitForSelector('#notice:has-text("press Play")');
+  await until(
+    () => page.textContent("#state"),
+    (text) => /not begun: Space/.test(text) && !/asleep|overlap/.test(text),
+    "words for who does not see it",
+  );
+  await page.click("#pause");
+  await untilRunning(page);
+  await page.waitForSelector("#notice", { state: "hidden" });
+  await until(() => page.textContent("#state"), (text) => /running at/.test(text), "it runs");
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+/** Of two boxes. */
+const meet = (a, b) =>
+  a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+
+for (const [size, options] of [
+  ["small_window", { viewport: { width: 800, height: 600 } }],
+  ["page_zoomed_twice", ZOOMED_TWICE],
+])
+  test(`games_in_a_${size}_keep_their_buttons_and_titles`, async () => {
+    const artillery = await visitor.open("?scene=artillery&paused=1", options);
+    await stepBy(artillery.page, 1);
+    await artillery.page.waitForSelector("#notice:not([hidden])");
+    await untilStill(artillery.page);
+    const notice = await artillery.page.locator("#notice").boundingBox();
+    const message = await artillery.page.locator("#message").boundingBox();
+    const { width, height } = options.viewport;
+    // The two buttons are painted into the scene, left and right of its middle, in its upper half.
+    const buttons = { x: 0.2 * width, y: message.y + message.height + 20, width: 0.6 * width };
+    assert.ok(!meet(notice, { ...buttons, height: 0.5 * height - buttons.y }), "the notice is over them");
+    await artillery.close();
+    const { page, close } = await visitor.open("?scene=bridge_builder&paused=1", options);
+    await stepBy(page, 1);
+    await page.waitForSelector("#hud .gap:not([hidden])");
+    const cut = await page.$eval("#scene-title", (title) => title.scrollWidth - title.clientWidth);
+    assert.ok(cut <= 0, `the title is cut by ${cut} pixels`);
+    await close();
+  });
+
+test("full_screen_and_the_whole_scene_are_two_buttons", async () => {
+  const { page, close } = await open("", DESKTOP);
+  const paths = await page.$$eval("#fit svg, #full svg", (icons) => icons.map((icon) => icon.innerHTML));
+  assert.notEqual(paths[0], paths[1]);
+  await page.click("#full");
+  await page.waitForSelector("#full[aria-pressed=true]");
+  assert.ok(await page.evaluate(() => document.fullscreenElement === document.documentElement));
+  await page.click("#full");
+  await page.waitForSelector("#full[aria-pressed=false]");
+  await close();
+});
 
 /** The names of all that Tab goes to from the scene until it comes back to it. */
 async function tabAround(page) {

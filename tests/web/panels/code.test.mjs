@@ -164,6 +164,46 @@ test("loop_without_an_end_leads_back_and_keeps_the_text", async () => {
   await close();
 });
 
+test("loop_that_nobody_ends_is_ended_before_it_has_taken_the_tab", async () => {
+  const { page, close } = await openCode(visitor, "?scene=sketch&panel=code");
+  const text = boxes(3, { update: "const a = []; for (;;) a.push({ a });" });
+  await type(page, text);
+  await impatiently(page, async () => {
+    await run(page);
+    assert.match(await failureText(page), /In ten seconds more it is ended/);
+  });
+  await page.waitForSelector("#failure", { state: "hidden" });
+  await untilBodies(page, 14);
+  await untilText(page, text);
+  await close();
+});
+
+test("scene_that_makes_bodies_without_end_is_ended_and_the_page_goes_on", async () => {
+  const { page, close } = await openCode(visitor, "?scene=sketch&panel=code");
+  const update = "for (let i = 0; i < 50_000; i++) world.createBody({});";
+  const text = boxes(3, { update });
+  await type(page, text);
+  await run(page);
+  assert.match(await failureText(page), /too much memory[\s\S]*more than 1 GB/);
+  await page.click("#failure button");
+  await untilBodies(page, 14);
+  await untilRunning(page);
+  await untilText(page, text);
+  await close();
+});
+
+test("changed_code_is_named_as_such_and_tells_its_own_keys", async () => {
+  const { page, close } = await openCode(visitor, "?scene=sketch&panel=code");
+  const keys = "keys: { left: 'sing', right: 'dance' },";
+  const text = boxes(3).replace("    world,", `    world,\n    ${keys}`);
+  await type(page, `export const title = "Mine";\n${text}`);
+  await run(page);
+  await page.waitForFunction(() => document.title === "Mine, edited · thud");
+  assert.equal(await page.textContent("#scene-title"), "Mine, edited");
+  await page.locator("#notice", { hasText: /to sing.*to dance/ }).waitFor({ state: "attached" });
+  await close();
+});
+
 test("text_is_kept_when_another_scene_was_opened_and_the_page_loaded_again", async () => {
   const { page, close } = await openCode(visitor, "?scene=sketch&panel=code");
   const text = boxes(6);

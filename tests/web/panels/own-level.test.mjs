@@ -76,6 +76,31 @@ for (const browser of BROWSERS)
       await close();
     });
 
+    test("error_over_the_page_goes_when_a_level_that_works_is_dropped", async () => {
+      const { page, close } = await visitor.open("?scene=cradle");
+      await untilRunning(page);
+      const isometric = JSON.stringify({ ...JSON.parse(ballLevel()), orientation: "isometric" });
+      await openLevel(page, "isometric.tmj", isometric);
+      assert.match(await failureText(page), /This level cannot be run/);
+      await openLevel(page, "ball.tmj", ballLevel());
+      await untilTitle(page, /^ball/);
+      await page.waitForSelector("#failure", { state: "hidden" });
+      await untilRunning(page);
+      await close();
+    });
+
+    test("classes_that_mean_nothing_to_thud_get_a_line_each", async () => {
+      const { page, close } = await visitor.open("?scene=cradle&paused=1");
+      const level = JSON.parse(ballLevel());
+      const objects = level.layers.flatMap((layer) => layer.objects ?? []);
+      for (const object of objects) object.type = "enemy";
+      await openLevel(page, "classes.tmj", JSON.stringify(level));
+      await untilTitle(page, /^classes/);
+      const line = new RegExp(`class “enemy” of ${objects.length} objects?`);
+      await until(() => page.textContent("#notice"), (text) => line.test(text), String(line));
+      await close();
+    });
+
     test("link_carries_the_level_and_what_is_chosen", async () => {
       const { page, errors, close } = await visitor.open("?scene=cradle&paused=1", DESKTOP, clipboard);
       await openLevel(page, "my ball.tmj", ballLevel());

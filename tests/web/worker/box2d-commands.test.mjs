@@ -140,6 +140,8 @@ test("bodies_that_come_and_go_do_so_in_the_rival_under_the_slot_of_thud", () => 
     rival.sync();
     assert.ok(Number.isNaN(heightOf(rival, first)));
     assert.ok(!rival.isValid(first));
+    // Its slot is free from the next step on.
+    step(world, rival, 1);
     const second = addBall(world, [4, 6], { radius: 0.3 });
     assert.equal(second.index, first.index);
     assert.ok(!rival.isValid(second));

@@ -78,6 +78,8 @@ export interface Level {
   character: boolean;
   bodies: LevelBody[];
   joints: LevelJoint[];
+  /** Classes of objects that mean nothing here, and how many objects have each: for your own use. */
+  classes: Record<string, number>;
   /** What the world does without; see `ReadOptions.skip`. */
   problems: Problem[];
 }
@@ -288,6 +290,7 @@ function readMapValues(
     character,
     bodies: [],
     joints: [],
+    classes: {},
     problems: report.problems,
   };
   return {

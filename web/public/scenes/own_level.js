@@ -15,6 +15,11 @@ export default async function ownLevel({ readLevel, buildLevel, readText }) {
     notes: [
       ...saidOf("skip").map(({ text }) => `Left out: ${text}`),
       ...saidOf("note").map(({ text }) => `Note: ${text}`),
+      ...Object.entries(level.classes).map(
+        ([name, count]) =>
+          `Note: the class “${name}” of ${count} ${count === 1 ? "object" : "objects"} means ` +
+          "nothing here; each is what it is drawn as.",
+      ),
     ],
   };
 }

@@ -60,6 +60,8 @@ export class Box2DWorld implements Follower, Twin {
   readonly #bare = new Map<number, BodyId>();
   /** A body came, whose joints may have been waiting for it. */
   #cameBody = false;
+  /** They lost a shape, which thud weighs with its next step only. */
+  readonly #lighter = new Set<Entry>();
   readonly #moves: Moves;
   /** By slot of the thud world. */
   readonly #entries = new Map<number, Entry>();
@@ -125,6 +127,8 @@ export class Box2DWorld implements Follower, Twin {
    * bodies move. Just before the step of either. A body that is switched off is gone meanwhile.
    */
   sync(): void {
+    for (const entry of this.#lighter) this.#balance(entry);
+    this.#lighter.clear();
     if (this.#stale || !this.#heeds) this.#follow();
     this.#stale = false;
     for (const entry of this.#entries.values()) if (entry.kind === "kinematic") this.#steer(entry);
@@ -134,7 +138,8 @@ export class Box2DWorld implements Follower, Twin {
     this.#cameBody = false;
     this.#mirror.sync();
     for (const id of this.#bare.values()) if (!this.#source.isValid(id)) this.removeBody(id);
-    for (const entry of this.#entries.values()) if (!entry.weight) this.#balance(entry);
+    for (const entry of this.#entries.values())
+      if (!entry.weight && !this.#lighter.has(entry)) this.#balance(entry);
     if (this.#cameBody) this.#joints.touchAll();
     this.#joints.follow();
   }
@@ -463,11 +468,13 @@ export class Box2DWorld implements Follower, Twin {
     else this.#box2d.b2DestroyShape(made.shape, true);
     entry.made.delete(index);
     entry.weight = null;
+    this.#lighter.add(entry);
   }
 
   removeBody(body: BodyId): void {
     this.#joints.forget(body);
     this.#bare.delete(body.index);
+    this.#lighter.delete(this.#entry(body));
     this.#box2d.b2DestroyBody(this.#entry(body).body);
     this.#entries.delete(body.index);
     this.#places.remove(body.index);

@@ -39,8 +39,7 @@ const GAP = 12;
 /** Of two panes, in CSS pixels: kept free at the top of each for its name. */
 export const PANE_HEAD = 42;
 
-/** The part of the room that a tall window has to spare by which a scene stands lower than the middle:
- * what is thrown goes up, and nobody looks at the ground. */
+/** The part of what a tall window has to spare by which a low view stands under its middle. */
 const SKY = 0.4;
 
 export class Camera {
@@ -52,7 +51,7 @@ export class Camera {
   /** Where controls lie over the canvas; the world's middle is that of what they leave free. */
   insets: Insets = { top: 0, right: 0, bottom: 0, left: 0 };
   #split = false;
-  #home = { x: 0, y: 0, height: 20, width: 0 };
+  #home = { x: 0, y: 0, height: 20, width: 0, low: false };
 
   get middleX(): number {
     return this.panes[0].middleX;
@@ -135,8 +134,8 @@ export class Camera {
   }
 
   /** Remembers a scene's view: its middle, and what must fit, in metres. */
-  setHome(x: number, y: number, height: number, width = 0): void {
-    this.#home = { x, y, height, width };
+  setHome(x: number, y: number, height: number, width = 0, low = false): void {
+    this.#home = { x, y, height, width, low };
     this.goHome();
   }
 
@@ -148,13 +147,9 @@ export class Camera {
   goHome(): void {
     this.x = this.#home.x;
     this.scale = this.#homeScale();
-    this.y = this.#home.y + SKY * this.#spareHeight();
-  }
-
-  /** How much more than the remembered view a tall window shows, upwards. */
-  #spareHeight(): number {
-    const freeHeight = 2 * (this.middleY - this.insets.top);
-    return this.#split ? 0 : Math.max(0, freeHeight / this.scale - this.#home.height);
+    const { y, height, low } = this.#home;
+    const shown = (2 * (this.middleY - this.insets.top)) / this.scale;
+    this.y = low && !this.#split ? y + SKY * Math.max(0, shown - height) : y;
   }
 
   #homeScale(): number {

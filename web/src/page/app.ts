@@ -252,6 +252,11 @@ export class App {
   }
 
   #stop(trouble: Trouble, running: boolean): void {
+    if (trouble.tooLarge) {
+      // Its memory goes with it.
+      this.client.close();
+      this.scene = null;
+    }
     if (running && !this.state.paused) this.#stand(true, true);
     this.#tell((listener) => listener.trouble?.(trouble, running));
   }

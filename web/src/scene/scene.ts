@@ -221,6 +221,8 @@ export interface View {
   height: number;
   /** World units that must fit from left to right. */
   width?: number;
+  /** In a window that is taller than that, the view stands low: what is thrown goes up. */
+  low?: boolean;
 }
 
 /** Names of colours, which the page's light and dark themes define. */

@@ -77,6 +77,8 @@ export interface Trouble {
   line?: number;
   column?: number;
   details?: readonly string[];
+  /** It holds so much memory that its worker is to be ended. */
+  tooLarge?: boolean;
 }
 
 export interface StateHash {

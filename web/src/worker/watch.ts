@@ -20,6 +20,7 @@ import {
   type WorldOptions,
 } from "thud";
 import { type Hands, inFrame, push, type Push } from "./hands";
+import { SceneError } from "./trouble";
 
 /** What a thud world does not tell of itself. */
 export interface Known {
@@ -46,6 +47,14 @@ export interface Watched extends Known {
   apart(act: () => void): void;
   /** A character of this world, as it is made. */
   watchMover(mover: Mover, options: MoverOptions): void;
+}
+
+/** Of the engine's memory: a scene that makes bodies without end would take the whole tab with it. */
+const MOST_BYTES = 2 ** 30;
+
+function tooLarge(): SceneError {
+  const message = `It holds more than ${MOST_BYTES / 2 ** 30} GB, so it was ended.`;
+  return new SceneError({ message, tooLarge: true });
 }
 
 const worlds = new WeakMap<World, Watched>();
@@ -89,6 +98,7 @@ export function watch(world: World, made: WorldOptions): Watched {
     }
   };
   const heed = (method: string, result: unknown, args: readonly unknown[]) => {
+    if (world.engine.buffer.byteLength > MOST_BYTES) throw tooLarge();
     called.add(method);
     keep(method, result, args);
     follower?.heed(method, result, args);

@@ -50,6 +50,7 @@ function readObject(reader: Reader, layer: Layer, object: JsonRecord): boolean {
   const { json, links } = thing;
   const v = plain.within([...layer.chain, ...links]);
   const joint = jointOf(v, json);
+  countClass(reader, json);
   report.noteUnknown(object, plain.object, "", joint);
   const what = json.text !== undefined ? "a text" : json.capsule !== undefined ? "a capsule" : null;
   if (what) {
@@ -92,6 +93,13 @@ function resolve(reader: Reader, v: Values, object: JsonRecord): Thing | null {
 /** The class of an object: `type`, but `class` in files of Tiled 1.9. */
 function classOf(object: JsonRecord): Json {
   return typeof object.type === "string" ? object.type : object.class;
+}
+
+/** A class that says nothing to thud; of a point that is told in any case. */
+function countClass({ level }: Reader, object: JsonRecord): void {
+  const name = classOf(object);
+  if (typeof name !== "string" || name === "" || object.point === true || jointKind(name)) return;
+  level.classes[name] = (Object.hasOwn(level.classes, name) ? level.classes[name] : 0) + 1;
 }
 
 /** What joint an object is. A shape may be called a wheel, too: it is one if it says what it holds. */
