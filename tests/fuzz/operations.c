@@ -124,6 +124,7 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(grip),
     PLAYS(saved),
     PLAYS(rollback),
+    PLAYS(linkage),
 };
 
 void session_play(fuzz_session *s) {
