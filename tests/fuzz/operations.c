@@ -124,6 +124,7 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(grip),
     PLAYS(saved),
     PLAYS(rollback),
+    PLAYS(advance_with),
     PLAYS(linkage),
 };
 

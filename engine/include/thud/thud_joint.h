@@ -20,8 +20,9 @@
  * Joints are solved softly with all else, and give way under a load; an island in which they would
  * by more than its quality allows, while it has work left for that, is solved directly, with its
  * contacts. Where it has none left, or something in the island bounces, and at least half of the
- * joints of up to 128 bodies that they tie give way, those are solved directly without the
- * contacts, unless these are more than the bodies, or that would gain energy. Else they give way.
+ * joints of up to 128 bodies that they tie give way, those are solved directly by themselves:
+ * contacts give them what the soft solver has made of them, and close no further than it has them.
+ * Where that cannot be, would gain energy, or contacts are more than the bodies, joints give way.
  *
  * Where its detection stops a body on its way through a step, all that locked directions tie to it
  * stop as far on their ways, so that no joint opens by that; the statistics tell. Under `bisect`
@@ -155,7 +156,8 @@ THUD_API thud_result thud_joint_set_breaking(thud_world *world, thud_joint_id jo
 THUD_API thud_result thud_joint_set_user_data(thud_world *world, thud_joint_id joint,
                                               uint64_t user_data);
 
-/* A joint whose force or torque went beyond what it bears, in the last step. */
+/* A joint whose force or torque went beyond what it bears, in the last step or thud_world_advance.
+ */
 typedef struct thud_joint_event {
     thud_joint_id joint;
     thud_body_id body_a, body_b;

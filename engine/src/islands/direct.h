@@ -67,6 +67,7 @@ typedef struct td_direct_constraint {
     bool b_later;    /* it has b's rows */
     double friction; /* of the last row, where it is friction: times all that pushes */
     double bound;    /* ... and this on top, whatever pushes: a motor's */
+    bool keeps;      /* a contact whose impulses are known, and which is only kept from closing */
     double stiff[2]; /* of a joint: moment that its impulses lose as a side turns */
     td_direct_row row[TD_DIRECT_ROWS];
 } td_direct_constraint;

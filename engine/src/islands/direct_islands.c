@@ -109,7 +109,12 @@ void td_islands_leave(thud_world *w, const td_island *island, int steps, bool fo
 void td_islands_settle(thud_world *w) {
     uint8_t *direct_steps = w->direct_steps.data;
     for (td_awake_slot slot = {1}; slot.at < w->islands.local.count; slot.at++) {
-        direct_steps[slot.at] = (uint8_t)direct_after_step(w, slot);
+        int after = direct_after_step(w, slot);
+        if (direct_steps[slot.at] > TD_DIRECT_COOLDOWN && after == 0) {
+            int times = TD_SLOW_LEFT(*td_slow_steps_at(w, slot));
+            *td_slow_steps_at(w, slot) = (uint16_t)(times * TD_SLOW_ONCE);
+        }
+        direct_steps[slot.at] = (uint8_t)after;
         if (*td_island_local_at(w, slot) == TOO_MANY) {
             cool_down(w, slot, TD_COOLDOWN_STEPS, 1);
         } else if (*td_island_local_at(w, slot) == ALONE) {

@@ -24,9 +24,11 @@ void td_island_list_ties(thud_world *w, const td_island *island) {
             td_constraint_at(w, td_int_at(&s->constraints, island->first_constraint + i));
         td_awake_slot a = td_island_neighbour(w, constraint, 1),
                       b = td_island_neighbour(w, constraint, 0);
-        bool tied = a.at && b.at;
-        td_push_int(&s->shape, tied ? td_int_at(&s->local, a.at) - 1 : TD_NONE);
-        td_push_int(&s->shape, tied ? td_int_at(&s->local, b.at) - 1 : TD_NONE);
+        int first = a.at ? td_island_number(w, island, a) : TD_NONE;
+        int second = b.at ? td_island_number(w, island, b) : TD_NONE;
+        bool tied = first != TD_NONE && second != TD_NONE;
+        td_push_int(&s->shape, tied ? first : TD_NONE);
+        td_push_int(&s->shape, tied ? second : TD_NONE);
     }
 }
 

@@ -13,6 +13,15 @@ static inline int *td_island_local_at(const thud_world *w, td_awake_slot slot) {
     return TD_AT(int, &w->islands.local, slot.at);
 }
 
+/* The number of a body in the island, from 0; TD_NONE where it is none of its bodies. */
+static inline int td_island_number(const thud_world *w, const td_island *island,
+                                   td_awake_slot slot) {
+    int number = *td_island_local_at(w, slot) - 1;
+    bool is_in = number >= 0 && number < island->bodies &&
+                 td_slot_in(&w->islands.slots, island->first_body + number).at == slot.at;
+    return is_in ? number : TD_NONE;
+}
+
 /* Adds a body to the island that is being listed, which has room. */
 static inline void td_island_add(thud_world *w, td_island *island, td_awake_slot slot) {
     td_push_slot(&w->islands.slots, slot);

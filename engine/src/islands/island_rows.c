@@ -1,4 +1,5 @@
 /* island_rows.c: the problem of direct.h, taken from an island's bodies and constraints. */
+#include "islands/island_order.h"
 #include "islands/island_solve.h"
 
 #include <string.h>
@@ -64,14 +65,17 @@ static void take_body(td_island_work *work, int i) {
 }
 
 /* The body's number in the island; TD_NONE where the solver does not move it. Its velocity then
- * goes to `known`. */
-static int side_of(const thud_world *w, uint32_t record, double known[3]) {
+ * goes to `known`: of a body that moves, but in another island, as the soft solver has it, its mean
+ * velocity. */
+static int side_of(const td_island_work *work, uint32_t record, double known[3]) {
+    const thud_world *w = work->w;
     td_awake_slot slot = td_slot_of_side(record);
-    const float *v = td_row(&w->velocity, slot);
+    const float *v = td_row(&w->velocity, slot), *delta = td_row(&w->delta, slot);
+    bool moves = v[3] > 0.0f;
     for (int k = 0; k < 3; k++) {
-        known[k] = (double)v[k];
+        known[k] = moves ? (double)delta[k] / work->time : (double)v[k];
     }
-    return v[3] > 0.0f ? td_int_at(&w->islands.local, slot.at) - 1 : TD_NONE;
+    return moves ? td_island_number(w, work->island, slot) : TD_NONE;
 }
 
 static double by_known(const double *j, const double *v) {
@@ -91,8 +95,8 @@ static void take_constraint(td_island_work *work, int i) {
     const float *impulses = td_at(&w->islands.impulses, work->island->first_constraint + i);
     td_direct_constraint *c = &work->problem.constraints[i];
     double known[2][3];
-    *c = (td_direct_constraint){.a = side_of(w, at.block->a[at.lane], known[0]),
-                                .b = side_of(w, at.block->b[at.lane], known[1])};
+    *c = (td_direct_constraint){.a = side_of(work, at.block->a[at.lane], known[0]),
+                                .b = side_of(work, at.block->b[at.lane], known[1])};
     if (c->a != TD_NONE && c->b != TD_NONE) {
         c->entry = td_sparse_find(work->problem.matrix, c->a, c->b);
         c->b_later = td_sparse_is_later(work->problem.matrix, c->b, c->a);

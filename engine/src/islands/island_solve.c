@@ -55,19 +55,6 @@ td_lane td_island_lane(const td_island_work *work, int i) {
     return td_lane_of(work->w, td_constraint_at(work->w, work->constraints[i]));
 }
 
-/* Sets the speeds that a constraint wants of the velocities at the end of the step. */
-static void want_velocity(td_island_work *work, int i) {
-    td_direct_constraint *c = &work->problem.constraints[i];
-    td_lane at = td_island_lane(work, i);
-    for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-        td_direct_row *r = &c->row[k];
-        if (r->used && r->kind == TD_ROW_PUSH) {
-            double gap = td_island_gap(work, c, k, (double)at.block->point[k].base[at.lane]);
-            r->wanted = gap > 0.0 ? -gap / work->next : 0.0;
-        }
-    }
-}
-
 /* The speed along a row as the soft solver has left it. */
 static double soft_speed(const td_island_work *work, const td_direct_constraint *c,
                          const td_direct_row *r) {
@@ -80,6 +67,22 @@ static double soft_speed(const td_island_work *work, const td_direct_constraint 
             c->b == TD_NONE ? 0.0 : r->b[j] * (double)td_row(&w->velocity, work->slots[c->b])[j];
     }
     return speed;
+}
+
+/* Sets the speeds that a constraint wants of the velocities at the end of the step. */
+static void want_velocity(td_island_work *work, int i) {
+    td_direct_constraint *c = &work->problem.constraints[i];
+    td_lane at = td_island_lane(work, i);
+    for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+        td_direct_row *r = &c->row[k];
+        if (r->used && r->kind == TD_ROW_PUSH) {
+            double gap = td_island_gap(work, c, k, (double)at.block->point[k].base[at.lane]);
+            r->wanted = gap > 0.0 ? -gap / work->next : 0.0;
+            if (c->keeps) {
+                r->wanted = td_min_double(r->wanted, soft_speed(work, c, r));
+            }
+        }
+    }
 }
 
 static bool is_apart(const td_direct_row *r, td_lane at, int k) {
@@ -199,10 +202,15 @@ static double solve_contacts(td_island_work *work, double tolerance) {
     return missing;
 }
 
+double td_island_tolerance(const thud_world *w) {
+    double x = (double)w->def.gravity.x, y = (double)w->def.gravity.y;
+    double falls = w->def.time_step * __builtin_sqrt(x * x + y * y);
+    return td_max_double(TOLERANCE * falls, TOLERANCE_LEAST * (double)w->unit);
+}
+
 bool td_island_work_out(td_island_work *work) {
     td_direct *d = &work->problem;
-    double tolerance =
-        td_max_double(TOLERANCE * d->unit_speed, TOLERANCE_LEAST * (double)work->w->unit);
+    double tolerance = td_island_tolerance(work->w);
     double missing =
         work->joints ? work->w->joining->solve(work, tolerance) : solve_contacts(work, tolerance);
     for (int i = 0; i < work->island->bodies; i++) {

@@ -35,6 +35,8 @@ td_island_work td_island_take(thud_world *w, const td_island *island);
 bool td_island_solve(thud_world *w, const td_island *island);
 /* The same of a problem that is there, with nothing written yet. */
 bool td_island_work_out(td_island_work *work);
+/* The speed by which rows may miss what they want. */
+double td_island_tolerance(const thud_world *w);
 /* Writes velocities and motions over. */
 void td_island_write_bodies(const td_island_work *work);
 /* What thud_islands_direct does before the soft solver. */

@@ -92,7 +92,7 @@ static float idle_time(const thud_world *w, td_awake_slot slot) {
 }
 
 void td_sleep(thud_world *w) {
-    if (!is_due(w, w->idle_bodies) || !td_islands_label(w)) {
+    if (!is_due(w, w->idle_bodies) || !td_islands_label(w, true)) {
         return;
     }
     const td_awake_slot *root = w->scratch.parents.data;

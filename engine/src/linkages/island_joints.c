@@ -7,6 +7,7 @@
 #include "islands/island_solve.h"
 
 #include "constraint/joining.h"
+#include "linkages/island_contacts.h"
 #include "linkages/island_parts.h"
 
 /* A result is refused whose kinetic energy is so many times what was there or could come. */
@@ -308,18 +309,35 @@ static double energy_of(const td_island_work *work, bool free) {
     return sum;
 }
 
-/* What only locks takes no energy, nor gives any but by closing gaps. */
-static bool explodes(const td_island_work *work) {
+/* Twice the energy that springs and motors may give: what a spring holds, and what is there once
+ * all goes at the speed of a motor. */
+static double energy_of_drives(const td_island_work *work) {
+    double sum = 0.0;
+    for (int i = 0; i < work->island->constraints; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            const td_direct_row *r = &work->problem.constraints[i].row[k];
+            bool drives = r->used && r->kind >= TD_ROW_FRICTION;
+            double mass = r->kind == TD_ROW_SOFT ? r->weight : r->mass;
+            sum += drives ? mass * r->wanted * r->wanted : 0.0;
+        }
+    }
+    return sum;
+}
+
+/* What only locks takes no energy, nor gives any but by closing gaps. `there`: twice the energy
+ * that there was as the step began, or could come. */
+static bool explodes(const td_island_work *work, double there) {
     double mass = 0.0, pushed = work->pushed + work->problem.unit_speed;
     for (int i = 0; i < work->island->bodies; i++) {
         mass += 1.0 / work->problem.bodies[i].inverse_mass;
     }
-    double most = energy_of(work, true) + mass * pushed * pushed * work->island->bodies;
+    double most = there + mass * pushed * pushed * work->island->bodies;
     return !(energy_of(work, false) <= ENERGY_MOST * most);
 }
 
 double td_island_solve_joints(td_island_work *work, double tolerance) {
     double missing = 0.0, whole = work->time;
+    double there = energy_of(work, true) + energy_of_drives(work);
     int parts = td_island_parts(work);
     if (parts == 0) {
         return __builtin_inf();
@@ -351,8 +369,12 @@ double td_island_solve_joints(td_island_work *work, double tolerance) {
     missing =
         td_finite(energy_of(work, false)) && !td_island_rubs(work) ? missing : __builtin_inf();
     work->turn_most = __builtin_inf();
+    if (td_finite(missing) && missing > tolerance && !td_island_is_joints(work) &&
+        td_island_sinks(work, tolerance * whole)) {
+        missing = __builtin_inf();
+    }
     if (td_island_is_joints(work)) {
-        missing = explodes(work) ? __builtin_inf() : missing;
+        missing = explodes(work, there) ? __builtin_inf() : missing;
         work->pushed = __builtin_inf();
         /* They take as many matrices as they turn by, which is no sign of more to come. */
         work->w->stats.factorings += work->problem.factorings;

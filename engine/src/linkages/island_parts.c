@@ -5,6 +5,16 @@
  * faster than the most parts can follow is left to the soft solver. */
 #define TURN_PART 0.1
 enum { PARTS = 64 };
+/* The phase of a spring by which a part of the step may take it, rad: its frequency is low by the
+ * square of that over 12, as the implicit midpoint rule has it, here by 2 %. Springs of more than
+ * half the rate of steps, whose phase is PHASE_MAX in a step, cannot be told from slower ones from
+ * outside, and get no more parts. */
+#define PHASE_PART 0.5
+#define PHASE_MAX TD_PI
+/* Where nothing but joints acts, a part is no longer than so many substeps, and all of the above is
+ * by as much finer: more substeps are to err less. Four are those of default, which has islands
+ * solved directly where they would give way, and not for the sake of their phase. */
+enum { SUBSTEPS_OF_PART = 4 };
 
 /* How fast the line of a rod turns, as it came; 0 of other kinds. */
 static double line_rate(const td_island_work *work, int i) {
@@ -23,6 +33,24 @@ static double line_rate(const td_island_work *work, int i) {
         speed += (b - a) * (b - a);
     }
     return length > 0.0 ? __builtin_sqrt(speed) / length : 0.0;
+}
+
+static bool is_drive(int kind) {
+    return kind == TD_CONSTRAINT_DRIVE_LINE || kind == TD_CONSTRAINT_DRIVE_AXIS ||
+           kind == TD_CONSTRAINT_DRIVE_TURN;
+}
+
+/* The greatest phase by which a spring goes on in the step, rad. */
+static double spring_phase(const td_island_work *work) {
+    double fastest = 0.0;
+    for (int i = 0; i < work->island->constraints; i++) {
+        if (is_drive(td_constraint_at(work->w, work->constraints[i])->kind)) {
+            td_lane at = td_island_lane(work, i);
+            double frequency = (double)td_drive_rows_at(at.block)->frequency[at.lane];
+            fastest = td_max_double(fastest, frequency);
+        }
+    }
+    return td_min_double(2.0 * TD_PI * fastest * work->time, PHASE_MAX);
 }
 
 /* A joint's anchor is nowhere but in the body's centre of mass. */
@@ -87,8 +115,17 @@ int td_island_parts(td_island_work *work) {
     for (int i = 0; i < work->island->constraints; i++) {
         fastest = td_max_double(fastest, line_rate(work, i));
     }
-    double parts = fastest * work->time / TURN_PART;
-    return !(parts > 1.0) ? 1 : parts < 2 * PARTS ? td_min_int((int)parts + 1, PARTS) : 0;
+    double parts = fastest * work->time / TURN_PART, finer = 1.0;
+    if (td_island_is_joints(work)) {
+        finer = td_max_double((double)work->w->substeps / SUBSTEPS_OF_PART, 1.0);
+        parts = td_max_double(parts, spring_phase(work) / PHASE_PART);
+    }
+    if (!(parts < 2 * PARTS)) {
+        return 0;
+    }
+    parts = finer * td_max_double(parts, 1.0);
+    int whole = parts < PARTS ? (int)parts : PARTS;
+    return whole < PARTS && whole < parts ? whole + 1 : whole;
 }
 
 bool td_island_rubs(const td_island_work *work) {

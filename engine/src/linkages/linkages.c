@@ -1,15 +1,21 @@
 /* linkages.c: what joints hold in islands that are left to the soft solver, because they are too
  * dear for the quality or something in them bounces. Where joints give way there, the bodies that
- * they tie are solved directly without their contacts, which give what the soft solver has made of
- * them. That is for machines among a heap: in the thick of one contacts rule, and do not answer. */
+ * they tie are solved directly by themselves. Contacts give them what the soft solver has made of
+ * them, and more where they would close further than it has them, beside bodies that move as it has
+ * them: what lies on a bridge does not sink through it as its joints close. Where both cannot be,
+ * the soft solver's result stands. That is for machines among a heap: in the thick of one contacts
+ * rule, and do not answer. */
 #include "linkages/joint_islands.h"
 
 #include "constraint/constraint.h"
 #include "islands/island_order.h"
 
-/* Matrices that a linkage may take whatever else the step has taken; island_joints.c gives it
- * more. */
-enum { PATIENCE = 4 };
+/* Matrices that a linkage may take whatever else the step has taken; island_joints.c doubles it.
+ * With half of them the wrecking ball's chain opens by over 10 mm as the ball meets the wall. */
+enum { PATIENCE = 16 };
+/* A linkage that could not be solved n times in succession is tried in one of 2^n steps, and in one
+ * of 2^REST at least. */
+enum { REST = 5 };
 /* Where more joints than this give way they are a crowd, which this would cost much and mend
  * little. */
 enum { FEW = 64 };
@@ -29,6 +35,25 @@ bool td_linkages_may_come(const thud_world *w) {
 }
 
 /* ---- which ---- */
+
+/* Failures are counted where an island that is left alone needs no count: td_slow_steps_at. */
+static bool rests(const thud_world *w, td_awake_slot slot) {
+    int failures = *td_direct_steps_at(w, slot) > TD_DIRECT_COOLDOWN
+                       ? *td_slow_steps_at(w, slot) % TD_SLOW_ONCE
+                       : 0;
+    return w->steps % (1ull << td_min_int(failures, REST)) != 0;
+}
+
+static void note_outcome(thud_world *w, const td_island *linkage, bool solved) {
+    for (int i = 0; i < linkage->bodies; i++) {
+        td_awake_slot slot = td_slot_in(&w->islands.slots, i);
+        if (*td_direct_steps_at(w, slot) > TD_DIRECT_COOLDOWN) {
+            uint16_t *slow_steps = td_slow_steps_at(w, slot);
+            int failures = *slow_steps % TD_SLOW_ONCE, left = *slow_steps - failures;
+            *slow_steps = (uint16_t)(left + (solved ? 0 : td_min_int(failures + 1, REST)));
+        }
+    }
+}
 
 static bool is_soft(const thud_world *w, td_awake_slot slot) {
     int local = *td_island_local_at(w, slot);
@@ -121,6 +146,45 @@ static void give_contact(td_direct_body *b, td_awake_slot slot, td_lane at, int 
     give(b, y, -x, cross, rubs ? impulse : 0.0);
 }
 
+/* Lists the contacts of a linkage behind its joints, each once. False: there are too many. */
+static bool list_contacts(thud_world *w, td_island *linkage) {
+    for (int i = 0; i < linkage->bodies; i++) {
+        td_body_index body = td_body_of(w, td_slot_in(&w->islands.slots, i));
+        for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
+            const td_constraint *constraint = td_constraint_at(w, e / 2);
+            td_awake_slot other = td_island_neighbour(w, constraint, e & 1);
+            bool first = !(e & 1) || !other.at || td_island_number(w, linkage, other) == TD_NONE;
+            if (constraint->state == TD_TOUCHING && td_is_contact(constraint) && first) {
+                if (linkage->constraints == TD_LATE_CONSTRAINTS) {
+                    return false;
+                }
+                td_push_int(&w->islands.constraints, e / 2);
+                linkage->constraints++;
+            }
+        }
+    }
+    return true;
+}
+
+/* Contacts are given their impulses; what they may give on top keeps them from closing further than
+ * the soft solver has them, beside bodies that move as that has it. */
+static void keep_contacts(td_island_work *work) {
+    for (int i = 0; i < work->island->constraints; i++) {
+        td_direct_constraint *c = &work->problem.constraints[i];
+        if (!td_is_contact(td_constraint_at(work->w, work->constraints[i]))) {
+            continue;
+        }
+        td_lane at = td_island_lane(work, i);
+        c->keeps = true;
+        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
+            double gap = (double)at.block->point[k].base[at.lane];
+            c->row[k].impulse = 0.0;
+            c->row[k].wanted = gap > 0.0 ? -gap / work->time : 0.0;
+        }
+        c->row[TD_DIRECT_TANGENT].used = false;
+    }
+}
+
 static void give_contacts(td_island_work *work) {
     const thud_world *w = work->w;
     for (int i = 0; i < work->island->bodies; i++) {
@@ -164,14 +228,18 @@ static bool gains(const td_island_work *work, double pushed) {
 static void solve_one(thud_world *w, td_awake_slot seed) {
     td_island linkage;
     bool counted = *td_island_local_at(w, seed) == TD_ISLAND_SOFT; /* among those that were tried */
-    if (!follow(w, seed, &linkage) || !td_joint_island_begin(w, &linkage)) {
+    if (!follow(w, seed, &linkage) || !list_contacts(w, &linkage) ||
+        !td_joint_island_begin(w, &linkage)) {
         return;
     }
     td_island_work work = td_island_take(w, &linkage);
-    work.problem.patience = td_max_int(work.problem.patience, PATIENCE);
+    work.problem.patience = PATIENCE;
     double pushed = work.pushed + work.problem.unit_speed;
     give_contacts(&work);
-    if (td_island_work_out(&work) && !gains(&work, pushed)) {
+    keep_contacts(&work);
+    bool solved = td_island_work_out(&work) && !gains(&work, pushed);
+    note_outcome(w, &linkage, solved);
+    if (solved) {
         td_island_write_bodies(&work);
         w->stats.direct_islands++;
         w->stats.direct_bodies += counted ? 0 : linkage.bodies;
@@ -204,7 +272,7 @@ void td_linkages_solve(thud_world *w, td_system last) {
     td_awake_slot seeds[FEW];
     bool few = list_seeds(w, seeds, &count);
     for (int i = 0; few && i < count; i++) {
-        if (is_soft(w, seeds[i])) {
+        if (is_soft(w, seeds[i]) && !rests(w, seeds[i])) {
             s->matrix.now = last;
             solve_one(w, seeds[i]);
             s->matrix.row.count = rows;

@@ -32,6 +32,7 @@ test("module_imports_only_clock_callbacks_and_memory_growth", async () => {
     ...["thud_asked", "thud_clock"],
     "thud_filtered",
     "thud_met",
+    "thud_stepped",
     "thud_told",
   ]);
 });

@@ -131,6 +131,17 @@ export interface WorldOptions {
   maxError?: number;
 }
 
+/** What `World.advance` calls around each step that it makes. */
+export interface StepCalls {
+  /**
+   * Before each step: forces that are applied here act in that step alone. For what depends on where
+   * bodies are and how they move: wind, water, tyres, steering.
+   */
+  before?: () => void;
+  /** After each step; `events` are then those of this step alone. */
+  after?: () => void;
+}
+
 export interface BodyOptions {
   /**
    * What moves it: pushes ("dynamic"), its own velocity alone ("kinematic"), or nothing. Default

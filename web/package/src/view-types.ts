@@ -44,7 +44,7 @@ export interface HitEvent extends ContactEvent {
   speed: number;
 }
 
-/** Events of the last step, in a deterministic order. */
+/** Events of the last step, or of all steps of the last `advance`, in a deterministic order. */
 export interface Events {
   begin: ContactEvent[];
   end: ContactEvent[];

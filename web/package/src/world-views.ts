@@ -91,7 +91,8 @@ export class WorldViews extends WorldQueries {
   }
 
   /**
-   * What touched, parted and hit in the last step; copied, so that it may be kept.
+   * What touched, parted and hit in the last step, or in all steps of the last `advance`; copied, so
+   * that it may be kept.
    * @example world.events().hit
    */
   events(): Events {
@@ -225,15 +226,7 @@ export class WorldViews extends WorldQueries {
   /** Every shape of the world, to be read once after shapes came or went, not in every frame. */
   shapeTable(): ShapeTable {
     const { engine } = this;
-    engine.check(
-      engine.exports.api_shape_table(
-        this.address,
-        -this.reach,
-        -this.reach,
-        this.reach,
-        this.reach,
-      ),
-    );
+    engine.check(engine.exports.api_shape_table(this.address));
     const { buffer, slots: s } = engine;
     const count = s[ShapeTableAt.count];
     return {

@@ -38,6 +38,8 @@ export interface SceneRequest {
 /** What the page knows of a scene that runs. */
 export interface RunningScene {
   run: number;
+  /** As its module says: a visitor's text may say another than the file's. */
+  title: string | null;
   size: number;
   sizes: SceneSize | null;
   view: View;

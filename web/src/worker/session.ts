@@ -72,6 +72,7 @@ export class Session {
     readonly sizes: SceneSize | null,
     readonly lengthScale: number,
     readonly timeStep: number,
+    readonly title: string | null,
     /** Whatever else the scene made and its world does not own. */
     readonly others: readonly { close(): void }[],
   ) {

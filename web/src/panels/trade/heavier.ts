@@ -64,8 +64,9 @@ export function createHeavier(app: App, laboratory: Laboratory): HTMLElement {
       "p",
       { class: "explained" },
       "More and more bodies, until an engine cannot keep up: until in the slowest of the first " +
-        "four seconds more than half of its steps take too long. What fails is tried again, what held " +
-        "last once more: the answer lies between the two sizes. No body may sleep meanwhile. Box2D has its usual 4 substeps, thud what is set above.",
+        "four seconds more than half of its steps take too long. What fails is tried again, and " +
+        "what held last once more: the answer lies between the two sizes. No body may sleep " +
+        "meanwhile. Box2D has its usual 4 substeps, thud what is set above.",
     ),
     able,
     instead,
