@@ -13,6 +13,9 @@ static void play_all(fuzz_session *s) {
     while (!session_over(s)) {
         session_play(s);
         s->trace[s->operations++] = s->digest;
+        if (s->asks) {
+            session_question(s);
+        }
         if (s->twin == TWIN_SNAPSHOT && s->second && s->operations % REPLACED_EVERY == 0) {
             uint64_t digest = s->digest;
             session_replace_world(s);

@@ -125,6 +125,7 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(saved),
     PLAYS(rollback),
     PLAYS(advance_with),
+    PLAYS(linkage),
     PLAYS(log),
 };
 

@@ -28,6 +28,8 @@ fuzz_operation play_step, play_advance, play_advance_with, play_log, play_settin
 fuzz_operation play_poses, play_drawing, play_refused_worlds, play_nulls, play_limit;
 fuzz_operation play_listeners;
 /* operations_bodies.c */
+/* Where the session's table is full the one that stood there goes. */
+void session_keep_body(fuzz_session *s, thud_body_id made);
 fuzz_operation play_body, play_wild_body, play_body_destroy, play_body_get, play_transform;
 fuzz_operation play_velocity, play_impulse, play_force, play_awake, play_enabled, play_user_data;
 fuzz_operation play_body_shapes, play_body_contacts, play_body_volume, play_make;
@@ -51,7 +53,7 @@ fuzz_operation play_shape_ray, play_minkowski, play_bisectable, play_sincos;
 fuzz_operation play_volume_fit, play_volume_points, play_volume_merge, play_volume_tests;
 /* operations_joints.c */
 fuzz_operation play_joint, play_joint_destroy, play_joint_edit, play_joint_get, play_joint_frame,
-    play_joint_breaking, play_joint_lists;
+    play_joint_breaking, play_joint_lists, play_linkage;
 /* operations_edits.c */
 fuzz_operation play_shape_edit, play_body_edit, play_push, play_points, play_reads;
 fuzz_operation play_events, play_locks;

@@ -4,8 +4,7 @@
 #include <thud/thud_edits.h>
 #include <thud/thud_make.h>
 
-/* Where the table is full the one that stood there goes. */
-static void keep_body(fuzz_session *s, thud_body_id made) {
+void session_keep_body(fuzz_session *s, thud_body_id made) {
     thud_body_id *place = &s->now.bodies[s->now.next_body++ % SESSION_BODIES];
     if (thud_body_is_valid(s->world, *place)) {
         s->gone_bodies[s->gone++ % SESSION_GONE] = *place;
@@ -23,7 +22,7 @@ static void create_body(fuzz_session *s, const thud_body_def *def) {
     TRY(s, thud_body_create(s->world, def, &body));
     if (s->result == THUD_OK) {
         note_bits(s, body.index1);
-        keep_body(s, body);
+        session_keep_body(s, body);
     } else if (body.index1 || body.generation) {
         fuzz_fail(s, "a body that was refused has a handle");
     }
@@ -43,7 +42,7 @@ static void create_whole_body(fuzz_session *s, const thud_body_def *def) {
     TRY(s, thud_body_create_with_shapes(s->world, def, shapes, count, &body, made));
     if (s->result == THUD_OK) {
         note_bits(s, body.index1 + (count ? made[count - 1].index1 : 0));
-        keep_body(s, body);
+        session_keep_body(s, body);
     } else if (body.index1 || made[0].index1) {
         fuzz_fail(s, "a body that was refused has a handle, or a shape");
     }
@@ -249,7 +248,7 @@ void play_make(fuzz_session *s) {
         TRY(s, (made = thud_body_make(s->world, at, &o)).index1 ? THUD_OK : s->heard);
         note_bits(s, made.index1);
         if (s->result == THUD_OK) {
-            keep_body(s, made);
+            session_keep_body(s, made);
         }
     }
 }

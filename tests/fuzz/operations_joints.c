@@ -39,6 +39,17 @@ static thud_joint_frame pick_frame(fuzz_session *s) {
     return frame;
 }
 
+static void make_joint(fuzz_session *s, const thud_joint_def *def) {
+    thud_joint_id joint = {0, 0};
+    TRY(s, thud_joint_create(s->world, def, &joint));
+    if (s->result == THUD_OK) {
+        note_bits(s, joint.index1);
+        s->now.joints[s->now.next_joint++ % SESSION_JOINTS] = joint;
+    } else if (joint.index1 || joint.generation) {
+        fuzz_fail(s, "a joint that was refused has a handle");
+    }
+}
+
 void play_joint(fuzz_session *s) {
     unsigned byte = next_byte(&s->bytes);
     thud_joint_def def =
@@ -60,13 +71,96 @@ void play_joint(fuzz_session *s) {
     if (s->bytes.hostile && next_chance(&s->bytes, 16)) {
         def.kind = (thud_joint_kind)next_count(&s->bytes, THUD_JOINT_KIND_COUNT + 2);
     }
-    thud_joint_id joint = {0, 0};
-    TRY(s, thud_joint_create(s->world, &def, &joint));
-    if (s->result == THUD_OK) {
-        note_bits(s, joint.index1);
-        s->now.joints[s->now.next_joint++ % SESSION_JOINTS] = joint;
-    } else if (joint.index1 || joint.generation) {
-        fuzz_fail(s, "a joint that was refused has a handle");
+    make_joint(s, &def);
+}
+
+/* ---- many at once: a chain, a loop, a hub, a ladder, begun where every joint fits ---- */
+
+typedef enum linkage_form { CHAIN, LOOP, HUB, LADDER, LINKAGE_FORMS } linkage_form;
+
+enum { LINKAGE_MOST = 12 };
+
+typedef struct linkage {
+    linkage_form form;
+    thud_joint_kind kind;
+    float frequency; /* of springs along; 0: none */
+    int count;
+    thud_pos at[LINKAGE_MOST]; /* from the first body, in units */
+    thud_body_id bodies[LINKAGE_MOST];
+} linkage;
+
+static linkage pick_linkage(fuzz_session *s) {
+    static const thud_joint_kind kinds[] = {THUD_HINGE, THUD_DISTANCE, THUD_WELD, THUD_SLIDER,
+                                            THUD_WHEEL};
+    static const float frequencies[] = {0, 1, 20, 200, 1000, THUD_JOINT_FREQUENCY_MAX};
+    linkage l = {.form = (linkage_form)next_choice(&s->bytes, LINKAGE_FORMS)};
+    l.kind = kinds[next_choice(&s->bytes, sizeof kinds / sizeof *kinds)];
+    l.frequency = frequencies[next_choice(&s->bytes, sizeof frequencies / sizeof *frequencies)];
+    l.count = 2 + next_choice(&s->bytes, LINKAGE_MOST - 1);
+    for (int i = 0; i < l.count; i++) {
+        int row = l.form == LADDER ? i % 2 : l.form == HUB && i > 0 ? 1 + i % 3 : 0;
+        l.at[i] = (thud_pos){l.form == LADDER ? i / 2 : i, row};
+    }
+    return l;
+}
+
+static void add_links(fuzz_session *s, linkage *l) {
+    thud_pos place = pick_place(s);
+    unsigned flags = next_byte(&s->bytes);
+    float size = (float)s->unit * (flags & 1 ? 0.03125f : 0.25f);
+    thud_shape_def shape = thud_default_shape_def();
+    shape.density = flags & 2 ? 0.0625f : 1;
+    for (int i = 0; i < l->count; i++) {
+        thud_body_def def = thud_default_body_def();
+        thud_shape_id made = {0, 0};
+        thud_vec2 zero = {0, 0};
+        def.kind = i == 0 && flags & 4 ? THUD_STATIC : THUD_DYNAMIC;
+        def.position = (thud_pos){place.x + l->at[i].x * s->unit, place.y + l->at[i].y * s->unit};
+        TRY(s, thud_body_create(s->world, &def, &l->bodies[i]));
+        note_bits(s, l->bodies[i].index1);
+        session_keep_body(s, l->bodies[i]);
+        if (i % 2) {
+            TRY(s, thud_shape_create_circle(s->world, l->bodies[i], &shape, zero, size, &made));
+        } else {
+            TRY(s, thud_shape_create_obb(s->world, l->bodies[i], &shape, zero,
+                                         (thud_vec2){size, size / 2}, 0, &made));
+        }
+        s->now.shapes[s->now.next_shape++ % SESSION_SHAPES] = made;
+    }
+}
+
+/* Half way between the two, but for rods, which go from middle to middle. */
+static void tie_links(fuzz_session *s, const linkage *l, int a, int b) {
+    thud_joint_def def = COUNTED(thud_default_joint_def(l->kind));
+    double x = (l->at[b].x - l->at[a].x) * s->unit, y = (l->at[b].y - l->at[a].y) * s->unit;
+    def.body_a = l->bodies[a];
+    def.body_b = l->bodies[b];
+    if (l->kind == THUD_DISTANCE) {
+        def.length = (float)sqrt(x * x + y * y);
+        def.drive[THUD_ALONG].target = def.length;
+    } else {
+        def.frame_a.position = (thud_vec2){(float)(0.5 * x), (float)(0.5 * y)};
+        def.frame_b.position = (thud_vec2){(float)(-0.5 * x), (float)(-0.5 * y)};
+    }
+    def.drive[l->kind == THUD_WELD ? THUD_TURN : THUD_ALONG].frequency =
+        l->kind == THUD_HINGE ? 0 : l->frequency;
+    make_joint(s, &def);
+}
+
+void play_linkage(fuzz_session *s) {
+    linkage l = pick_linkage(s);
+    if (s->depth || COUNTED(thud_world_stats(s->world)).shapes + l.count > SESSION_SHAPES_MOST) {
+        return;
+    }
+    add_links(s, &l);
+    for (int i = 1; i < l.count; i++) {
+        tie_links(s, &l, l.form == HUB ? 0 : i - 1, i);
+        if (l.form == LADDER && i > 1) {
+            tie_links(s, &l, i - 2, i);
+        }
+    }
+    if (l.form == LOOP && l.count > 2) {
+        tie_links(s, &l, l.count - 1, 0);
     }
 }
 

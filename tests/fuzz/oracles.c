@@ -85,6 +85,34 @@ static void check_events(fuzz_session *s) {
 
 /* ---- bodies and figures ---- */
 
+/* A step holds x and y of a velocity to the world's maximum, and spins to 10^8 rad/s; an impact on
+ * the way may leave more. */
+static void check_speed(const fuzz_session *s, thud_body_id body, const thud_body_state *state) {
+    double most = 1.00001 * (double)s->def.maximum_speed * s->unit;
+    bool held = fabs((double)state->velocity.x) <= most &&
+                fabs((double)state->velocity.y) <= most &&
+                fabsf(state->angular_velocity) <= 1.00001e8f;
+    if (!held && state->kind == THUD_DYNAMIC && state->awake &&
+        thud_world_stats(s->world).impacts == 0) {
+        fuzz_fail(s, "a step leaves body %u the velocity %g, %g of at most %g, and the spin %g",
+                  body.index1, (double)state->velocity.x, (double)state->velocity.y, most,
+                  (double)state->angular_velocity);
+    }
+}
+
+static void check_joint(fuzz_session *s, thud_joint_id joint) {
+    thud_joint_state state;
+    if (thud_joint_get(s->world, joint, &state) != THUD_OK) {
+        return;
+    }
+    s->calls[0].text = "thud_joint_get";
+    note_number(s, state.gap);
+    note_number(s, state.angle_gap);
+    for (int i = 0; i < THUD_DIRECTION_COUNT; i++) {
+        note_number(s, state.value[i]);
+    }
+}
+
 static void check_body(fuzz_session *s, thud_body_id body) {
     thud_body_state state;
     if (thud_body_get(s->world, body, &state) != THUD_OK) {
@@ -101,6 +129,7 @@ static void check_body(fuzz_session *s, thud_body_id body) {
     note_number(s, (double)state.mass);
     note_number(s, (double)state.inertia);
     note_bits(s, (uint64_t)(state.awake + 2 * state.enabled + 4 * state.quarantined));
+    check_speed(s, body, &state);
     if (state.mass < 0 || state.inertia < 0 || state.shape_count < 0 ||
         (state.awake && !state.enabled)) {
         fuzz_fail(s, "body %u: mass %g, inertia %g, %d shapes, awake %d, enabled %d", body.index1,
@@ -176,6 +205,9 @@ void oracle_step(fuzz_session *s) {
     check_events(s);
     for (int i = 0; i < SESSION_BODIES; i++) {
         check_body(s, s->now.bodies[i]);
+    }
+    for (int i = 0; i < SESSION_JOINTS; i++) {
+        check_joint(s, s->now.joints[i]);
     }
     check_poses(s);
     check_counts(s);

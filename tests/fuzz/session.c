@@ -153,6 +153,7 @@ void session_open(fuzz_session *s, const uint8_t *data, size_t size, bool second
     s->memory_allowed = -1;
     s->twin = (twin_kind)next_choice(&s->bytes, TWIN_COUNT);
     unsigned manner = next_byte(&s->bytes), twin = next_byte(&s->bytes);
+    s->asks = second && twin & 128;
     static const int moods[] = {0, 9, 4, 2};
     s->mood = moods[manner / 2 % 4];
     take_settings(s);
@@ -193,6 +194,23 @@ void session_replace_world(fuzz_session *s) {
     COUNTED(thud_world_destroy(s->world));
     s->world = next;
     free(snapshot);
+}
+
+void session_question(fuzz_session *s) {
+    thud_pos middle = {s->shift_x, s->shift_y + 2 * s->unit};
+    thud_ray_hit hit;
+    bool met;
+    size_t bytes = 0;
+    s->operation = "a question";
+    thud_world_cast_ray(s->world, middle, 8 * s->unit, -2 * s->unit, NULL, &met, &hit);
+    thud_world_measure(s->world);
+    thud_world_error(s->world);
+    if (thud_world_snapshot_size(s->world, &bytes) == THUD_OK) {
+        char *snapshot = malloc(bytes);
+        thud_world_snapshot(s->world, snapshot, bytes, NULL);
+        free(snapshot);
+    }
+    fuzz_calls_made += 5;
 }
 
 void session_close(fuzz_session *s) {

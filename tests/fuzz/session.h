@@ -78,6 +78,7 @@ typedef struct fuzz_session {
     bool filters;             /* likewise */
     twin_kind twin;
     bool second, closing;
+    bool asks; /* the second one is asked about the world after each operation */
     session_state now, kept;
     thud_body_id gone_bodies[SESSION_GONE], foreign_body;
     thud_shape_id gone_shapes[SESSION_GONE], foreign_shape;
@@ -127,6 +128,8 @@ void session_close(fuzz_session *s);
 bool session_over(const fuzz_session *s);
 /* Goes on in another world, restored from a snapshot of the present one. */
 void session_replace_world(fuzz_session *s);
+/* Queries, reports and a snapshot, which change nothing. */
+void session_question(fuzz_session *s);
 
 /* ---- population.c ---- */
 

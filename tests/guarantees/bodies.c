@@ -153,6 +153,36 @@ static void speeds_have_their_limits(trial *t) {
     }
 }
 
+/* What turns fast throws off what touches it, whose own speed has the same limit; but an impact on
+ * the way may leave more. */
+static void what_is_thrown_off_has_its_limit(trial *t) {
+    thud_world_def def = trial_weightless(t);
+    thud_shape_def rough = thud_default_shape_def();
+    def.maximum_speed = 100;
+    rough.friction = 10;
+    rough.density = 100;
+    thud_world *world = trial_make(t, def);
+    for (int k = 0; k < 8 && world && !trial_failed(t); k++) {
+        trial_add(t, world,
+                  (part){.kind = THUD_DYNAMIC,
+                         .form = k % 2 ? TURNED : BALL,
+                         .x = 20 * k,
+                         .hx = 0.5,
+                         .hy = 0.5,
+                         .spin = 2e4 * (k + 1),
+                         .shape = &rough});
+        thud_body_id thrown = trial_drop(t, world, BALL, 20 * k + 0.55, 0.05 * k, 0.1);
+        for (int i = 0; i < 4; i++) {
+            trial_run(t, world, 1);
+            thud_body_state s = trial_state(t, world, thrown);
+            double speed = fmax(fabs((double)s.velocity.x), fabs((double)s.velocity.y));
+            if (!(speed <= 100.1 || thud_world_stats(world).impacts)) {
+                trial_fault(t, "what is thrown off is at speed %g", speed);
+            }
+        }
+    }
+}
+
 /* However hard it is pushed, all is finite, or told to be quarantined. */
 static void all_is_finite(trial *t) {
     thud_world_def def = trial_def(t);
@@ -278,5 +308,6 @@ const guarantee guarantees_of_bodies[] = {
     {"kinematic_bodies_push", kinematic_bodies_push, {{0}}},
     {"speeds_have_their_limits", speeds_have_their_limits, {{0}}},
     {"what_cannot_move_does_not", what_cannot_move_does_not, {{0}}},
+    {"what_is_thrown_off_has_its_limit", what_is_thrown_off_has_its_limit, {{0}}},
     {NULL, NULL, {{0}}},
 };

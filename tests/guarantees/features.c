@@ -126,7 +126,7 @@ static void go_beside(trial *t, twin kind, unsigned features, bool casts) {
 }
 
 static void go_beside_all(trial *t, unsigned features, bool casts) {
-    for (int kind = 0; kind < ASKED && !trial_failed(t); kind++) {
+    for (int kind = 0; kind < TWINS && !trial_failed(t); kind++) {
         go_beside(t, (twin)kind, features, casts);
     }
 }

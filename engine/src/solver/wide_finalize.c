@@ -7,6 +7,7 @@
 #include "solver/wide_energy.h"
 #include "state/world.h"
 
+#include <float.h>
 #include <stddef.h>
 
 /* Does for eight angles what td_angle_turn does for one, with the same operations in the same
@@ -178,9 +179,30 @@ TD_INLINE void place_lanes(thud_world *w, td_awake_slot first, f8 turn, unsigned
     }
 }
 
+/* The last relax pass may leave a velocity beyond the bounds to which substeps hold it. Returns the
+ * rows as they are then; what is infinite stays so, for finalize.c to see. */
+TD_INLINE td_rows hold_speeds(const thud_world *w, float (*velocity)[4], i8 here) {
+    float most[3] = {w->def.maximum_speed * w->unit, w->def.maximum_speed * w->unit, THUD_SPIN_MAX};
+    td_rows v = td_load_rows((const float(*)[4])velocity);
+    f8 x = f8_abs(v.x), y = f8_abs(v.y), z = f8_abs(v.z), end = f8_all(FLT_MAX);
+    i8 fast = (x > f8_all(most[0])) | (y > f8_all(most[1])) | (z > f8_all(most[2]));
+    unsigned bits = i8_bits(here & fast & (x <= end) & (y <= end) & (z <= end));
+    if (!bits) {
+        return v;
+    }
+    for (; bits; bits &= bits - 1) {
+        float *row = velocity[__builtin_ctz(bits)];
+        for (int k = 0; k < 3; k++) {
+            row[k] = row[k] > most[k] ? most[k] : row[k] < -most[k] ? -most[k] : row[k];
+        }
+    }
+    return td_load_rows((const float(*)[4])velocity);
+}
+
 td_finalize_bodies_fn TD_WIDE(td_finalize_bodies);
 void TD_WIDE(td_finalize_bodies)(thud_world *w) {
-    const float(*velocity)[4] = w->velocity.data, (*delta)[4] = w->delta.data;
+    float(*velocity)[4] = w->velocity.data;
+    const float(*delta)[4] = w->delta.data;
     const float *mass = w->mass.data, *inertia = w->inertia.data, *weight = w->weight.data;
     i8 lane = {0, 1, 2, 3, 4, 5, 6, 7};
     f8 zero = f8_all(0.0f), far = f8_all((float)(0x1p50 / w->to_fixed));
@@ -189,12 +211,12 @@ void TD_WIDE(td_finalize_bodies)(thud_world *w) {
     int count = w->body_of.count;
     for (td_awake_slot first = {0}; first.at < count; first.at += TD_LANES) {
         int at = first.at;
-        td_rows v = td_load_rows(velocity + at), d = td_load_rows(delta + at);
+        i8 slot = i8_all(at) + lane, here = (slot > i8_all(0)) & (slot < i8_all(count));
+        td_rows v = hold_speeds(w, velocity + at, here), d = td_load_rows(delta + at);
         f8 reach0 = f8_load(td_row(&w->reach, first));
         f8 reach1 = f8_load(td_row(&w->reach, first) + TD_LANES);
         f8 core = __builtin_shufflevector(reach0, reach1, 0, 2, 4, 6, 8, 10, 12, 14);
         f8 rim = __builtin_shufflevector(reach0, reach1, 1, 3, 5, 7, 9, 11, 13, 15);
-        i8 slot = i8_all(at) + lane, here = (slot > i8_all(0)) & (slot < i8_all(count));
         f8 sum = v.x + v.y + v.z + (d.x + d.y + d.z);
         i8 finite = sum - sum == zero;
         f8 most = f8_all(TD_ENERGY_MAX);
