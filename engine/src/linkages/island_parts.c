@@ -11,10 +11,12 @@ enum { PARTS = 64 };
  * outside, and get no more parts. */
 #define PHASE_PART 0.5
 #define PHASE_MAX TD_PI
-/* Where nothing but joints acts, a part is no longer than so many substeps, and all of the above is
- * by as much finer: more substeps are to err less. Four are those of default, which has islands
- * solved directly where they would give way, and not for the sake of their phase. */
+/* Where nothing but joints acts, what swings has a part for each so many substeps, and what springs
+ * so many times the parts of PHASE_PART: more substeps are to err less. Four are those of default,
+ * which has islands solved directly where they would give way, and not for the sake of their phase.
+ * What turns by no more than STILL in a step, rad, does not swing. */
 enum { SUBSTEPS_OF_PART = 4 };
+#define STILL 1e-3
 
 /* How fast the line of a rod turns, as it came; 0 of other kinds. */
 static double line_rate(const td_island_work *work, int i) {
@@ -115,15 +117,15 @@ int td_island_parts(td_island_work *work) {
     for (int i = 0; i < work->island->constraints; i++) {
         fastest = td_max_double(fastest, line_rate(work, i));
     }
-    double parts = fastest * work->time / TURN_PART, finer = 1.0;
-    if (td_island_is_joints(work)) {
-        finer = td_max_double((double)work->w->substeps / SUBSTEPS_OF_PART, 1.0);
-        parts = td_max_double(parts, spring_phase(work) / PHASE_PART);
-    }
+    double parts = td_max_double(fastest * work->time / TURN_PART, 1.0);
     if (!(parts < 2 * PARTS)) {
         return 0;
     }
-    parts = finer * td_max_double(parts, 1.0);
+    double phase = spring_phase(work);
+    if (td_island_is_joints(work) && (phase > 0.0 || fastest * work->time > STILL)) {
+        double finer = td_max_double((double)work->w->substeps / SUBSTEPS_OF_PART, 1.0);
+        parts = td_max_double(parts, finer * td_max_double(phase / PHASE_PART, 1.0));
+    }
     int whole = parts < PARTS ? (int)parts : PARTS;
     return whole < PARTS && whole < parts ? whole + 1 : whole;
 }
