@@ -124,6 +124,7 @@ const named_operation operations[OPERATION_BYTES] = {
     PLAYS(grip),
     PLAYS(saved),
     PLAYS(rollback),
+    PLAYS(advance_with),
 };
 
 void session_play(fuzz_session *s) {

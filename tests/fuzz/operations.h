@@ -23,7 +23,8 @@ extern const named_operation operations[OPERATION_BYTES];
 extern uint64_t operations_played[OPERATION_BYTES];
 
 /* operations_worlds.c */
-fuzz_operation play_step, play_advance, play_settings, play_qualities, play_reading, play_names;
+fuzz_operation play_step, play_advance, play_advance_with, play_settings, play_qualities,
+    play_reading, play_names;
 fuzz_operation play_poses, play_drawing, play_refused_worlds, play_nulls, play_limit;
 fuzz_operation play_listeners;
 /* operations_bodies.c */

@@ -31,6 +31,28 @@ void play_advance(fuzz_session *s) {
     }
 }
 
+static void count_step(thud_world *world, void *context) {
+    (void)world;
+    ++*(int *)context;
+}
+
+/* The same with a call after each step. */
+void play_advance_with(fuzz_session *s) {
+    double elapsed = next_number(&s->bytes, 0, 1.0 / 4096);
+    int steps = 0, calls = 0;
+    const thud_step_calls count = {NULL, count_step, &calls};
+    TRY(s, thud_world_advance_with(s->world, elapsed, 1, &count, &steps, NULL));
+    if (s->result == THUD_OK) {
+        note_bits(s, (uint64_t)steps);
+        if (calls != steps) {
+            fuzz_fail(s, "advance: %d steps, and %d calls", steps, calls);
+        }
+        if (steps) {
+            oracle_step(s);
+        }
+    }
+}
+
 void play_settings(fuzz_session *s) {
     static const double steps[] = {1.0 / 60, 1.0 / 30, 1.0 / 120, 1.0 / 1000};
     switch (next_choice(&s->bytes, 4)) {
@@ -269,6 +291,7 @@ void play_nulls(fuzz_session *s) {
     wants_null(s, thud_world_create(NULL, NULL));
     wants_null(s, thud_world_step(NULL));
     wants_null(s, thud_world_advance(NULL, 0, 1, NULL, NULL));
+    wants_null(s, thud_world_advance_with(NULL, 0, 1, NULL, NULL, NULL));
     wants_null(s, thud_world_set_gravity(NULL, vector));
     wants_null(s, thud_body_destroy(NULL, body));
     wants_null(s, thud_body_set_transform(NULL, body, place, 0));

@@ -2,8 +2,12 @@
 #include "guarantee.h"
 #include "yard.h"
 
-#include <thud/thud_joint.h>
 #include <fenv.h>
+#include <fenv.h>
+#include <thud/thud_casts.h>
+#include <thud/thud_draw.h>
+#include <thud/thud_joint.h>
+#include <thud/thud_queries.h>
 #include <thud/thud_snapshot.h>
 
 enum { STEPS = 40 };
@@ -173,32 +177,72 @@ static bool see(thud_shape_id shape, void *context) {
     return true;
 }
 
+static void draw_nothing(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *context) {
+    (void)a;
+    (void)b;
+    (void)style;
+    (void)context;
+}
+
+/* Of each body that is there. */
+static void ask_of_bodies(yard *y) {
+    trial *t = y->t;
+    for (int i = 0; i < YARD_BODIES; i++) {
+        thud_manifold contacts[4];
+        thud_shape_id shape;
+        thud_volume volume;
+        thud_closest_hit hit;
+        int count = 0;
+        DO(t, thud_body_contacts(y->world, y->body[i], contacts, 4, &count));
+        DO(t, thud_body_volume(y->world, y->body[i], THUD_AABB, yard_origin(y), &volume));
+        DO(t, thud_body_shapes(y->world, y->body[i], &shape, 1, &count));
+        DO(t, thud_shape_closest_point(y->world, shape, trial_place(t, 0, 2), &hit));
+    }
+}
+
+/* What is told of the last step stays as it is meanwhile. */
 static void ask_much(yard *y) {
     trial *t = y->t;
     double limit;
     thud_ray_hit hits[4];
     int count;
+    thud_debug_draw draw = {.flags = ~0u, .line = draw_nothing};
+    uint64_t told = yard_told(y);
+    draw.lower = trial_place(t, -8, -2);
+    draw.upper = trial_place(t, 8, 12);
     DO(t, thud_world_cast_ray_all(y->world, trial_place(t, -4, 2), 8 * t->scale, 0, NULL, hits, 4,
                                   &count));
     DO(t, thud_world_overlap_circle(y->world, trial_place(t, 0, 2), 2 * t->scale, NULL, see, NULL));
     DO(t, thud_world_bisection_limit(y->world, &limit));
+    DO(t, thud_world_draw(y->world, &draw));
+    ask_of_bodies(y);
     thud_world_poses(y->world, (thud_pos){0, 0}, 0.5, &count);
     thud_world_measure(y->world);
-    thud_world_error(y->world);
     free(trial_snapshot(t, y->world).bytes);
+    if (yard_told(y) != told) {
+        trial_fault(t, "what is told changes as it is asked for");
+    }
 }
 
+enum { EDITS = 3 };
+
+/* One is asked after each edit, and before the first step, when its joints have just been made. */
 static void same_bits_asked_or_not(trial *t) {
     yard one, other;
     yard_make(&one, t, trial_def(t), 0);
     yard_make(&other, t, trial_def(t), 0);
     for (int i = 1; i <= STEPS && !trial_failed(t); i++) {
+        ask_much(&other);
+        for (int k = 0; k < EDITS; k++) {
+            yard_edit(&one);
+            yard_edit(&other);
+            ask_much(&other);
+        }
         yard_step(&one);
         yard_step(&other);
         if (yard_told(&one) != yard_told(&other)) {
             trial_fault(t, "step %d differs", i);
         }
-        ask_much(&other);
     }
 }
 
@@ -229,7 +273,89 @@ static void same_bits_in_advance(trial *t) {
     }
 }
 
+/* ---- a program that steps by the time that has passed, beside one that makes the steps ---- */
+
+typedef struct player {
+    yard y;
+    thud_body_id pulled[2]; /* which no edit concerns: it would come sooner or later in a picture */
+    int made;
+    uint64_t told[STEPS]; /* of each step */
+    long events;          /* as the program counts them after each call */
+} player;
+
+static void before_step(thud_world *world, void *context) {
+    player *p = context;
+    yard_before_step(&p->y);
+    thud_body_apply_force(world, p->y.body[0], (thud_vec2){0, (float)(p->made % 7)}, 0.5f);
+}
+
+/* What the step told; and a force of the next one. */
+static void after_step(thud_world *world, void *context) {
+    player *p = context;
+    thud_events e = thud_world_events(world);
+    p->told[p->made++] = yard_told(&p->y);
+    thud_body_apply_force(world, p->y.body[1], (thud_vec2){(float)e.begin_count, 1}, 0);
+}
+
+static void play(player *p, trial *t) {
+    *p = (player){.made = 0};
+    yard_make(&p->y, t, trial_def(t), 0);
+    for (int i = 0; i < 2; i++) {
+        part ball = {.kind = THUD_DYNAMIC, .form = BALL, .x = 2 * i - 1, .y = 3, .hx = 0.3};
+        p->pulled[i] = trial_add(t, p->y.world, ball);
+    }
+}
+
+static void before_picture(player *p) {
+    for (int i = 0; i < 2; i++) {
+        thud_vec2 force = {0.3f * (float)i, 1.1f};
+        DO(p->y.t, thud_body_apply_force(p->y.world, p->pulled[i], force, 0.1f));
+    }
+}
+
+static void after_picture(player *p) {
+    thud_events e = thud_world_events(p->y.world);
+    p->events += e.begin_count + e.end_count + e.hit_count;
+    p->events += e.sensor_begin_count + e.sensor_end_count;
+}
+
+static void same_outcome_at_any_rate(trial *t) {
+    static const double rates[] = {20, 30, 60, 144};
+    player steps;
+    play(&steps, t);
+    while (steps.made < STEPS && !trial_failed(t)) {
+        before_picture(&steps);
+        before_step(steps.y.world, &steps);
+        DO(t, thud_world_step(steps.y.world));
+        after_step(steps.y.world, &steps);
+        after_picture(&steps);
+    }
+    for (int i = 0; i < 4 && !trial_failed(t); i++) {
+        player pictures;
+        const thud_step_calls calls = {before_step, after_step, &pictures};
+        play(&pictures, t);
+        while (pictures.made < STEPS && !trial_failed(t)) {
+            thud_world *world = pictures.y.world;
+            before_picture(&pictures);
+            DO(t, thud_world_advance_with(world, t->step * 60 / rates[i], STEPS - pictures.made,
+                                          &calls, NULL, NULL));
+            trial_bytes s = trial_snapshot(t, world);
+            DO(t, thud_world_restore(world, s.bytes, s.size));
+            free(s.bytes);
+            after_picture(&pictures);
+        }
+        if (memcmp(pictures.told, steps.told, sizeof steps.told) != 0) {
+            trial_fault(t, "steps differ at %g pictures a second", rates[i]);
+        }
+        if (pictures.events != steps.events) {
+            trial_fault(t, "%ld events at %g pictures a second, of %ld", pictures.events, rates[i],
+                        steps.events);
+        }
+    }
+}
+
 const guarantee guarantees_of_bits[] = {
+    {"same_outcome_at_any_rate", same_outcome_at_any_rate, {{0}}},
     {"same_bits_any_broadphase", same_bits_any_broadphase, {{0}}},
     {"same_bits_any_rounding_mode", same_bits_any_rounding_mode, {{0}}},
     {"same_bits_any_workers", same_bits_any_workers, {{0}}},

@@ -26,9 +26,9 @@ typedef struct guarantee {
 
 /* One table for each file of guarantees; the last of each has no name. */
 extern const guarantee guarantees_of_asking[], guarantees_of_bits[], guarantees_of_bodies[],
-    guarantees_of_callbacks[], guarantees_of_events[], guarantees_of_filters[],
-    guarantees_of_joints[], guarantees_of_passing[], guarantees_of_refusal[], guarantees_of_rest[],
-    guarantees_of_state[];
+    guarantees_of_callbacks[], guarantees_of_events[], guarantees_of_features[],
+    guarantees_of_filters[], guarantees_of_joints[], guarantees_of_passing[],
+    guarantees_of_refusal[], guarantees_of_rest[], guarantees_of_state[];
 
 enum { GUARANTEES_MAX = 96 };
 

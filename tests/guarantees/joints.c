@@ -65,6 +65,68 @@ static void joints_hold_what_they_lock(trial *t) {
     }
 }
 
+/* A load on a rope, a link on a hook, and a chain of three that hangs that much too low. */
+enum { LINKS = 3, OPEN = 2 + LINKS };
+
+typedef struct open_joints {
+    thud_world *world;
+    thud_body_id hook;
+    thud_joint_id joint[OPEN];
+} open_joints;
+
+static open_joints hang(trial *t) {
+    open_joints o = {.world = trial_make(t, trial_def(t))};
+    if (!o.world) {
+        return o;
+    }
+    thud_joint_def rope = between(t, THUD_DISTANCE, hook_at(t, o.world, -5, 10),
+                                  trial_drop(t, o.world, UPRIGHT, -5, 4, 0.5), 0);
+    rope.length = (float)(6 * t->scale);
+    o.joint[0] = make(t, o.world, &rope);
+    o.hook = hook_at(t, o.world, 0, 10);
+    thud_joint_def hinge =
+        between(t, THUD_HINGE, o.hook, trial_drop(t, o.world, TURNED, 0, 9, 0.5), 0);
+    hinge.frame_b.position = trial_speed(t, 0, 1);
+    o.joint[1] = make(t, o.world, &hinge);
+    thud_body_id last = hook_at(t, o.world, 5, 10);
+    for (int i = 0; i < LINKS; i++) {
+        thud_body_id link = trial_drop(t, o.world, TURNED, 5, 5 - i, 0.2);
+        hinge = between(t, THUD_HINGE, last, link, 0);
+        hinge.frame_a.position = trial_speed(t, 0, i ? -0.5 : 0);
+        hinge.frame_b.position = trial_speed(t, 0, 0.5);
+        o.joint[2 + i] = make(t, o.world, &hinge);
+        last = link;
+    }
+    return o;
+}
+
+/* The rope is shortened by 4 and the hook raised by as much, once all hangs still. */
+static void joints_close_before_they_sleep(trial *t) {
+    open_joints o = hang(t);
+    double widest = 0;
+    if (!o.world) {
+        return;
+    }
+    trial_run(t, o.world, trial_steps(t, 2));
+    DO(t, thud_joint_set_length(o.world, o.joint[0], (float)(2 * t->scale)));
+    DO(t, thud_body_set_transform(o.world, o.hook, trial_place(t, 0, 14), 0));
+    for (int k = 0; k < trial_steps(t, 5) && !trial_failed(t); k++) {
+        DO(t, thud_world_step(o.world));
+        widest = 0;
+        for (int i = 0; i < OPEN; i++) {
+            widest = fmax(widest, state_of(t, o.world, o.joint[i]).gap);
+        }
+        double told = thud_world_error(o.world).joint_gap_max / t->scale;
+        if (!(fabs(told - widest) <= 1e-6 * widest)) {
+            trial_fault(t, "step %d: %g is told of a gap of %g", k, told, widest);
+        }
+    }
+    int awake = thud_world_stats(o.world).awake_bodies;
+    if (!(widest < 0.02) || (settings_sleeping(t->set) && awake)) {
+        trial_fault(t, "%d are awake, with a gap of %g", awake, widest);
+    }
+}
+
 /* A box rests on what it is not tied to, and falls through what it is. */
 static void tied_bodies_pass_through_each_other(trial *t) {
     thud_joint_kind kind = trial_pick(t, 2) ? THUD_FILTER : THUD_DISTANCE;
@@ -144,6 +206,7 @@ static void joints_are_gone_with_their_bodies(trial *t) {
 const guarantee guarantees_of_joints[] = {
     {"joints_are_gone_with_their_bodies", joints_are_gone_with_their_bodies, {{0}}},
     {"joints_break_where_they_bear_too_much", joints_break_where_they_bear_too_much, {{0}}},
+    {"joints_close_before_they_sleep", joints_close_before_they_sleep, {{0}}},
     {"joints_hold_what_they_lock", joints_hold_what_they_lock, {{0}}},
     {"tied_bodies_pass_through_each_other", tied_bodies_pass_through_each_other, {{0}}},
     {NULL, NULL, {{0}}},

@@ -143,9 +143,9 @@ static void steps_without_memory_change_nothing(trial *t) {
     yard one, other;
     long held = memory_held;
     int failures = 0;
-    yard_make(&one, t, def, 0);
+    yard_make_with(&one, t, def, 0, YARD_ALL);
     def.allocator = hostile_memory();
-    yard_make(&other, t, def, 0);
+    yard_make_with(&other, t, def, 0, YARD_ALL);
     for (int i = 1; i <= 40 && !trial_failed(t); i++) {
         yard_step(&one);
         yard_before_step(&other);

@@ -61,6 +61,26 @@ static void what_rests_stays_and_sleeps(trial *t) {
     }
 }
 
+/* Two boxes, set down 6 deep in each other and the floor. */
+static void overlaps_part_before_they_sleep(trial *t) {
+    thud_world *world = trial_make(t, trial_def(t));
+    if (!world) {
+        return;
+    }
+    thud_body_id below = trial_wall(t, world, 0, -4, 20, 4);
+    thud_body_id box[2] = {trial_drop(t, world, TURNED, 0, 0, 4),
+                           trial_drop(t, world, UPRIGHT, 0, 2, 4)};
+    trial_run(t, world, trial_steps(t, 10));
+    int awake = thud_world_stats(world).awake_bodies;
+    double deepest =
+        fmax(trial_state(t, world, below).position.y + 8 - trial_state(t, world, box[0]).position.y,
+             trial_state(t, world, box[0]).position.y + 8 -
+                 trial_state(t, world, box[1]).position.y);
+    if (!(deepest < 0.05) || (settings_sleeping(t->set) && awake)) {
+        trial_fault(t, "%d are awake, %g deep", awake, deepest);
+    }
+}
+
 enum { NUDGES = 8 };
 
 static void nudge(trial *t, heap *h, int what) {
@@ -300,6 +320,7 @@ const guarantee guarantees_of_rest[] = {
     {"max_error_is_kept_at_rest",
      max_error_is_kept_at_rest,
      {{QUALITY, BIT(DRAFT), "it has no island solver, and a max_error is refused"}}},
+    {"overlaps_part_before_they_sleep", overlaps_part_before_they_sleep, {{0}}},
     {"what_rests_overlaps_little", what_rests_overlaps_little, {{0}}},
     {"what_rests_stays_and_sleeps", what_rests_stays_and_sleeps, {{0}}},
     {NULL, NULL, {{0}}},

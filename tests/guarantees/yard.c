@@ -1,9 +1,13 @@
 /* yard.c: see yard.h. */
 #include "yard.h"
 
+#include <thud/thud_fields.h>
 #include <thud/thud_joint.h>
+#include <thud/thud_locks.h>
+#include <thud/thud_rules.h>
 
-enum { LINE = 7 };
+/* Kinds of shapes, as bits of their filter's category: those of bodies come by turns. */
+enum { LINE = 7, FIRST_KIND = 2, KINDS = 3, PLATE_KIND = 16 };
 
 thud_pos yard_origin(const yard *y) {
     double at = y->away * trial_unit(y->t);
@@ -28,6 +32,9 @@ static void add_body(yard *y, int i, double x, double up) {
     def.velocity = trial_speed(t, draw(&y->random, -3, 3), draw(&y->random, -3, 3));
     shape.restitution = i % 5 == 4 ? 0.7f : 0.0f;
     shape.sensor = i % 7 == 6;
+    if (y->features & YARD_RULES) {
+        shape.filter.category = (uint32_t)FIRST_KIND << i % KINDS;
+    }
     DO(t, thud_body_create(y->world, &def, &y->body[i]));
     if (i % 3 == 0) {
         DO(t, thud_shape_create_circle(y->world, y->body[i], &shape, (thud_vec2){0, 0}, hx, NULL));
@@ -40,8 +47,10 @@ static void add_body(yard *y, int i, double x, double up) {
     }
 }
 
-static void add_box(yard *y, thud_body_id body, double x, double up, double hx, double hy) {
+static void add_box(yard *y, thud_body_id body, double x, double up, double hx, double hy,
+                    uint32_t kind) {
     thud_shape_def shape = thud_default_shape_def();
+    shape.filter.category = kind;
     DO(y->t, thud_shape_create_aabb(y->world, body, &shape, trial_speed(y->t, x, up),
                                     trial_speed(y->t, hx, hy), NULL));
 }
@@ -53,11 +62,11 @@ static void add_floor(yard *y) {
     def.position = place(y, 0, 0);
     DO(y->t, thud_body_create(y->world, &def, &y->floor));
     for (int i = -3; i <= 3; i++) {
-        add_box(y, y->floor, 2.0 * i, -1, 1, 1);
+        add_box(y, y->floor, 2.0 * i, -1, 1, 1, 1);
     }
-    add_box(y, y->floor, -7, 5, 2, 8);
-    add_box(y, y->floor, 7, 5, 2, 8);
-    add_box(y, y->floor, 0, 12, 7, 2);
+    add_box(y, y->floor, -7, 5, 2, 8, 1);
+    add_box(y, y->floor, 7, 5, 2, 8, 1);
+    add_box(y, y->floor, 0, 12, 7, 2, 1);
     for (int i = 0; i < LINE; i++) {
         points[i] = trial_place(y->t, i - 3.0, i % 2 ? 0.4 : 0.05);
     }
@@ -89,16 +98,40 @@ static void tie(yard *y, int i, thud_body_id a, thud_body_id b) {
     DO(y->t, thud_joint_create(y->world, &def, NULL));
 }
 
-void yard_make(yard *y, trial *t, thud_world_def def, double away) {
-    yard_make_loose(y, t, def, away);
-    y->tied = true;
-    for (int i = 0; i < YARD_JOINTS && y->world; i++) {
-        tie(y, i, i == 2 ? y->plate : y->body[i], y->body[i + 4]);
+/* Two kinds ignore each other, meet one way where they are two, or have a surface of their own, by
+ * `what`. */
+static void rule_between(yard *y, int what, uint32_t first, uint32_t second) {
+    thud_rule rule = thud_default_rule();
+    rule.meeting = what == 0 ? THUD_IGNORE : THUD_COLLIDE;
+    if (what == 2 && first != second) {
+        rule.meeting = THUD_ONE_WAY;
     }
+    rule.friction = 1.5f;
+    rule.restitution = 0.5f;
+    rule.surface_speed = (float)(0.5 * y->t->scale);
+    rule.most_impulse = (float)(0.01 * y->t->scale * y->t->scale * y->t->scale);
+    DO(y->t, thud_world_set_rule(y->world, first, second, &rule));
+}
+
+static void set_rules(yard *y) {
+    rule_between(y, 0, FIRST_KIND, FIRST_KIND << 1);
+    rule_between(y, 1, FIRST_KIND << 1, FIRST_KIND << 2);
+    rule_between(y, 2, PLATE_KIND, FIRST_KIND | FIRST_KIND << 1 | FIRST_KIND << 2);
+}
+
+void yard_make(yard *y, trial *t, thud_world_def def, double away) {
+    yard_make_with(y, t, def, away, YARD_TIED);
 }
 
 void yard_make_loose(yard *y, trial *t, thud_world_def def, double away) {
-    *y = (yard){.t = t, .away = away, .random = {t->random.state ^ 0x5deece66du}};
+    yard_make_with(y, t, def, away, 0);
+}
+
+void yard_make_with(yard *y, trial *t, thud_world_def def, double away, unsigned features) {
+    *y = (yard){.t = t,
+                .away = away,
+                .features = features,
+                .random = {t->random.state ^ 0x5deece66du}};
     y->world = trial_make(t, def);
     if (!y->world) {
         return;
@@ -111,7 +144,13 @@ void yard_make_loose(yard *y, trial *t, thud_world_def def, double away) {
     plate.kind = THUD_KINEMATIC;
     plate.position = place(y, 0, 4);
     DO(t, thud_body_create(y->world, &plate, &y->plate));
-    add_box(y, y->plate, 0, 0, 1, 0.2);
+    add_box(y, y->plate, 0, 0, 1, 0.2, features & YARD_RULES ? PLATE_KIND : 1);
+    for (int i = 0; i < YARD_JOINTS && features & YARD_TIED; i++) {
+        tie(y, i, i == 2 ? y->plate : y->body[i], y->body[i + 4]);
+    }
+    if (features & YARD_RULES) {
+        set_rules(y);
+    }
 }
 
 /* Of what is read back as a double, the last bits depend on how far away the yard is. */
@@ -160,8 +199,48 @@ void yard_edit(yard *y) {
     } else if (what == 7) {
         DO(y->t, thud_shape_raise(y->world, y->line, place(y, x, 0).x, 0.6 * y->t->scale,
                                   0.2 * y->t->scale));
-    } else if (what == 8 && y->tied) {
+    } else if (what == 8 && y->features & YARD_TIED) {
         tie(y, i, y->body[i], y->body[(i + 5) % YARD_BODIES]);
+    } else if (what > 8 && what < 12 && y->features & YARD_TIED) {
+        int axes = draw_below(&y->random, 4);
+        DO(y->t, thud_body_set_locks(y->world, y->body[i], axes & 1, axes >> 1));
+    } else if (what < 14 && y->features & YARD_RULES) {
+        int kind = draw_below(&y->random, KINDS), other = draw_below(&y->random, KINDS);
+        rule_between(y, draw_below(&y->random, 3), (uint32_t)FIRST_KIND << kind,
+                     (uint32_t)FIRST_KIND << other);
+    } else if (what < 16 && y->features & YARD_FIELDS) {
+        thud_explosion blast = thud_default_explosion();
+        blast.center = place(y, x, 2);
+        blast.radius = y->t->scale;
+        blast.falloff = 2 * y->t->scale;
+        blast.impulse = (float)(y->t->scale * y->t->scale);
+        DO(y->t, thud_world_explode(y->world, &blast, NULL));
+    }
+}
+
+/* Before a step: each body gets one of four by turns. */
+static void act(yard *y) {
+    thud_water water = thud_default_water();
+    float scale = (float)y->t->scale;
+    water.point = place(y, 0, 2);
+    water.density = 2;
+    water.flow = trial_speed(y->t, 1, 0);
+    for (int i = 0; i < YARD_BODIES; i++) {
+        thud_body_id body = y->body[i];
+        switch (i % 4) {
+        case 0:
+            DO(y->t, thud_body_apply_wind(y->world, body, trial_speed(y->t, 6, 1), 0.5f, 1, 0.5f));
+            break;
+        case 1:
+            DO(y->t, thud_body_apply_buoyancy(y->world, body, &water));
+            break;
+        case 2:
+            DO(y->t, thud_body_apply_grip(y->world, body, trial_speed(y->t, 0.1, 0),
+                                          (thud_vec2){0.6f, 0.8f}, 0, scale * scale * scale));
+            break;
+        default:
+            DO(y->t, thud_body_apply_rolling_resistance(y->world, body, 0.25f));
+        }
     }
 }
 
@@ -172,6 +251,9 @@ void yard_before_step(yard *y) {
         DO(y->t, thud_body_set_velocity(y->world, y->plate, trial_speed(y->t, side, 0), 0));
     }
     yard_edit(y);
+    if (y->features & YARD_FIELDS) {
+        act(y);
+    }
 }
 
 void yard_step(yard *y) {
@@ -216,6 +298,17 @@ static uint64_t mix_events(uint64_t digest, const thud_world *world) {
     return digest;
 }
 
+static uint64_t mix_impulses(uint64_t digest, const thud_world *world) {
+    int count = 0;
+    const thud_impulse_event *events = thud_world_impulses(world, &count);
+    for (int i = 0; i < count; i++) {
+        MIX(events[i].shape_a.index1);
+        MIX(events[i].shape_b.index1);
+        MIX(events[i].impulse);
+    }
+    return digest;
+}
+
 static uint64_t mix_report(uint64_t digest, const thud_world *world) {
     thud_step_error error = thud_world_error(world);
     thud_stats s = thud_world_stats(world);
@@ -247,5 +340,6 @@ uint64_t yard_told(const yard *y) {
             MIX(s.awake);
         }
     }
-    return mix_report(mix_events(digest, y->world), y->world);
+    digest = mix_impulses(mix_events(digest, y->world), y->world);
+    return mix_report(digest, y->world);
 }

@@ -2,11 +2,15 @@
 project, shared and static. usage: test_package.py SOURCE BUILD CC [CXX]"""
 
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
+
+sys.path.append(str(Path(__file__).parent.parent / "fuzz"))
+from check_calls import declared  # noqa: E402
 
 SOURCE, BUILD, CC = Path(sys.argv[1]), Path(sys.argv[2]), sys.argv[3]
 CXX = sys.argv[4] if len(sys.argv) > 4 else ""
@@ -32,7 +36,8 @@ ADDS = """cmake_minimum_required(VERSION 3.22)
 project(game LANGUAGES CXX)
 add_subdirectory({} thud)
 add_executable(game game.cpp)
-target_link_libraries(game PRIVATE thud)
+target_link_libraries(game PRIVATE thud::thud)
+install(FILES game.cpp DESTINATION share)
 """
 
 
@@ -98,6 +103,9 @@ class PackageTest(unittest.TestCase):
             f"-DCMAKE_CXX_COMPILER={CXX}")
         run("cmake", "--build", folder / "build")
         run(folder / "build/game")
+        project(folder, FINDS.replace("thud::thud", "thud"))
+        run("cmake", "-B", folder / "build", "-S", folder)
+        run("cmake", "--build", folder / "build")
         project(folder, FINDS.replace("thud 0.1", "thud 0.2"))
         with self.assertRaisesRegex(AssertionError, "considered but not accepted"):
             run("cmake", "-B", folder / "later", "-S", folder,
@@ -107,8 +115,24 @@ class PackageTest(unittest.TestCase):
     def test_project_in_cplusplus_alone_may_have_it_as_a_part(self):
         folder = self.made("adds")
         project(folder, ADDS.format(SOURCE))
-        run("cmake", "-B", folder / "build", "-S", folder, f"-DCMAKE_CXX_COMPILER={CXX}",
-            f"-DCMAKE_C_COMPILER={CC}")
+        compilers = (f"-DCMAKE_CXX_COMPILER={CXX}", f"-DCMAKE_C_COMPILER={CC}")
+        run("cmake", "-B", folder / "build", "-S", folder, *compilers)
+        # Of thud nothing is installed, which is not even built.
+        run("cmake", "--install", folder / "build", "--prefix", folder / "prefix")
+        installed = [path.name for path in (folder / "prefix").rglob("*") if path.is_file()]
+        self.assertEqual(installed, ["game.cpp"])
+        project(folder, ADDS.format(SOURCE).replace("thud::thud", "thud"))
+        run("cmake", "-B", folder / "build", "-S", folder, *compilers)
+
+    @unittest.skipUnless(shutil.which("emcmake"), "there is no emcc")
+    def test_part_of_a_project_for_browsers_does_not_bring_the_page(self):
+        folder = self.made("browser")
+        project(folder, ADDS.format(SOURCE))
+        run("emcmake", "cmake", "-G", "Unix Makefiles", "-B", folder / "build", "-S", folder)
+        targets = run("cmake", "--build", folder / "build", "--target", "help")
+        self.assertIn("... thud\n", targets)
+        self.assertNotIn("thud-web", targets)
+        self.assertNotIn("thud-demo", targets)
 
     def test_static_library_becomes_part_of_a_shared_one_and_shows_only_its_interface(self):
         whole = self.folder / "libwhole.so"
@@ -116,11 +140,20 @@ class PackageTest(unittest.TestCase):
             "-Wl,--no-whole-archive", "-lm", "-Wl,-z,defs")
         shown = names_shown(whole)
         self.assertEqual([name for name in shown if not name.startswith("thud_")], [])
-        declared = set()
+        # Whatever the headers declare, with THUD_API or without.
+        headers = SOURCE / "engine/include/thud"
+        functions = declared(headers)
+        constants = set()
         for header in HEADERS:
-            text = (SOURCE / "engine/include/thud" / header).read_text()
-            declared |= set(re.findall(r"THUD_API[^;(]*?\b(thud_\w+)\s*[;(]", text))
-        self.assertEqual(shown, declared)
+            constants |= set(re.findall(r"^extern (?:THUD_API )?const \w+ (thud_\w+);",
+                                        (headers / header).read_text(), re.MULTILINE))
+        self.assertEqual(shown, functions | constants)
+        program = self.folder / "all.c"
+        calls = ", ".join(f"(any *){name}" for name in sorted(functions))
+        program.write_text(f"#include <thud/thud_all.h>\ntypedef void any(void);\n"
+                           f"any *all[] = {{{calls}}};\nint main(void) {{ return !all[0]; }}\n")
+        run(CC, f"-I{self.prefix / 'include'}", program, "-o", self.folder / "all", whole, "-lm")
+        run(self.folder / "all")
 
     def test_excess_precision_is_refused_with_the_reason(self):
         if "x86" not in run(CC, "-dumpmachine") or "clang" in run(CC, "--version"):

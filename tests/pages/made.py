@@ -14,6 +14,7 @@ import measured
 import page_figures
 import prose
 import readme
+import sources
 
 TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 # Of each page: what writes it from its JSON, its notes, and the command that measures it anew.
@@ -123,4 +124,4 @@ def wrong(docs=measured.DOCS):
     found = pictures_without_commit(docs)
     for page in WRITERS:
         found += not_as_made(page, docs) + wrong_commit(page, docs) + loose_notes(page)
-    return found + loose_readme(docs) + uncovered(docs)
+    return found + loose_readme(docs) + sources.wrong(docs) + uncovered(docs)

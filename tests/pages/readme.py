@@ -71,12 +71,6 @@ def stray_numbers(readme, notes):
     return prose.stray_numbers(bare + "\n\n" + listed, numbers)
 
 
-def refresh(folder):
-    """After a page was written: the README quotes those of docs/."""
-    if measured.is_docs(folder):
-        write()
-
-
 def write():
     anew = filled(read(README), read(NOTES))
     with open(README, "w", encoding="utf-8") as file:

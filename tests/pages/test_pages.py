@@ -17,6 +17,7 @@ import measured
 import page_figures
 import prose
 import readme
+import sources
 
 RESULTS = {"about": {"commit": "0123456789ab"}, "quick": False, "scenes": [
     {"scene": "gas", "size": n, "engines": [
@@ -85,6 +86,31 @@ class Prose(unittest.TestCase):
         self.assertEqual(prose.stray_numbers("a\n\nb\nc 7 d\n"), [(4, "c 7 d", "7")])
 
 
+class Sources(unittest.TestCase):
+    NOTES = "# Figures\n\n## a.h\n\na pit takes {{scenes > pit | .1f}} ms a\nstep\n\n<!-- given: 60 % of it -->\n"
+    SOURCE = "/* 60 % of it;\n * a pit takes 2.5\n * ms a step. */\n"
+
+    def wrong(self, source):
+        with mock.patch.object(page_figures.Figures, "find", lambda self, path: [((), 2.5)]):
+            return sources.wrong_in("a.h", source, self.NOTES)
+
+    def test_phrase_is_found_over_the_ends_of_lines_of_comments(self):
+        self.assertEqual(self.wrong(self.SOURCE), [])
+
+    def test_other_figure_is_noticed_and_written_in_its_place(self):
+        changed = self.SOURCE.replace("2.5", "1,300")
+        self.assertIn("a.h has other figures", self.wrong(changed)[0])
+        with mock.patch.object(page_figures.Figures, "find", lambda self, path: [((), 2.5)]):
+            self.assertEqual(sources.filled(changed, sources.phrases_of(self.NOTES)["a.h"]), self.SOURCE)
+
+    def test_phrase_that_is_gone_and_number_that_nobody_knows_are_noticed(self):
+        self.assertIn("stands there 0 times", self.wrong("/* 60 % of it */")[0])
+        self.assertEqual(self.wrong(self.SOURCE + "// twice: 85 times\n"),
+                         ["a.h:4: '85 times' is neither a figure of the JSON nor given"])
+        self.assertEqual(self.wrong(self.SOURCE.replace("60 %", "half")),
+                         ["a.h: '60 % of it' is given and not written"])
+
+
 class Pages(unittest.TestCase):
     """The pages of docs/, in a copy that is spoilt."""
 
@@ -130,6 +156,15 @@ class Pages(unittest.TestCase):
                             for line in made.not_as_made("performance", self.docs)))
         self.assertTrue(any("README.md has other figures" in line
                             for line in made.loose_readme(self.docs)))
+
+    def test_figure_changed_in_the_json_is_noticed_in_headers_and_typings(self):
+        def dearer(results):
+            for row in results["growth"]:
+                row["grid"]["ns_per_shape"] = 1234
+        self.assertEqual(sources.wrong(self.docs), [])
+        self.spoil_json("catalogue", dearer)
+        self.assertEqual([line.split(" ")[0] for line in sources.wrong(self.docs)],
+                         ["engine/include/thud/thud_detection.h"])
 
     def test_page_of_a_dirty_or_another_commit_is_refused(self):
         for commit in ("0123456789ab-dirty", "unknown", "0123456789ab"):

@@ -17,7 +17,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(os.path.dirname(HERE), "pages"))
 
 import measured  # noqa: E402
-import readme  # noqa: E402
+import sources  # noqa: E402
 import stability_page  # noqa: E402
 
 
@@ -78,7 +78,7 @@ def write_page(out, results):
     # One figure a line: a change of it is a change of that line.
     write(os.path.join(out, "stability.json"), as_json(results))
     write(os.path.join(out, "stability.md"), stability_page.fill(read_notes(), results))
-    readme.refresh(out)
+    sources.refresh(out)
     print("wrote " + os.path.join(out, "stability.md"))
 
 

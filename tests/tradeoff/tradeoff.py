@@ -19,7 +19,7 @@ import time
 import tradeoff_page
 import tradeoff_picture
 import measured  # found through tradeoff_page
-import readme
+import sources
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
@@ -197,7 +197,7 @@ def main(words):
         else:
             measured.refuse_unnamed(arguments.out)
             measure(arguments)
-        readme.refresh(arguments.out)
+        sources.refresh(arguments.out)
     except KeyboardInterrupt:
         print("\ninterrupted: the finished cases are in "
               f"{os.path.join(arguments.out, FOLDER)}; the same command goes on", file=sys.stderr)

@@ -155,6 +155,7 @@ void wrong_settings(void **state) {
     REFUSED_UNTOLD(NULL, thud_world_set_sleeping(NULL, false));
     REFUSED_UNTOLD(NULL, thud_world_step(NULL));
     REFUSED_UNTOLD(NULL, thud_world_advance(NULL, 1, 1, &wrong_out.count, &wrong_out.number));
+    REFUSED_UNTOLD(NULL, thud_world_advance_with(NULL, 1, 1, NULL, NULL, NULL));
     EACH(x, not_finite) {
         REFUSED(INVALID, poses(w, (thud_pos){x, 0}, 0.5));
         REFUSED(INVALID, poses(w, (thud_pos){0, x}, 0.5));

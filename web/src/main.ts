@@ -219,8 +219,22 @@ async function runFirst(app: App, state: Partial<State>): Promise<void> {
   const draft = code && readDraft(scene) === code ? code : null;
   if (!draft || !(await app.open(scene, { ...more, code: draft }))) await app.open(scene, more);
   if (code && !draft) app.offerCode(code);
+  tellStill(app);
   if (code === null)
     notice("The code in this link is damaged, so the page’s own scene runs.", 20);
+}
+
+/** Whoever asked for less motion finds a scene that waits, and is told how it runs. */
+function tellStill(app: App): void {
+  if (!app.waitsForMotion) return;
+  notice("You asked your device for less motion, so the scene waits: press Play ▶ to run it.", 3600);
+  const stop = app.listen({
+    state({ paused }) {
+      if (paused) return;
+      stop();
+      notice("");
+    },
+  });
 }
 
 function toFirst(app: App): WayOn {
@@ -247,11 +261,13 @@ function listenToScenes(
     if (text && (how || !hinted) && byId("notice").hidden) notice(text, how ? 15 : 7);
     hinted = false;
   };
+  /** Takes back what was told of a scene that could not be run, or did not answer. */
   let takeBack = () => {};
   /** What lists the notes of scenes, once one has some. */
   let leftOut: Promise<typeof import("./page/left-out")> | undefined;
   app.listen({
     run(scene) {
+      takeBack();
       hud.reset();
       figures.reset();
       document.querySelector("main")!.removeAttribute("aria-busy");
@@ -259,7 +275,9 @@ function listenToScenes(
       byId("scene-title").textContent = title;
       byId("scenes-button").setAttribute("aria-label", `Scenes and levels; now: ${title}`);
       document.title = `${title} · thud`;
-      untold = announced !== title;
+      // Other code may have other keys, and the same title.
+      const played = title + JSON.stringify(scene.keys);
+      untold = announced !== played;
       framed = false;
       say(untold ? title : `${title}, from the beginning`);
       // What was told of the scene before is not of this one.
@@ -267,7 +285,7 @@ function listenToScenes(
         notice("");
         hinted = false;
       }
-      announced = title;
+      announced = played;
       showValues(dock, scene.controls.length > 0, untold);
       const { notes } = scene;
       if (notes.length > 0) {
@@ -295,7 +313,7 @@ function listenToScenes(
       const { message, details } = trouble;
       if (running) notice(`The scene stopped: ${message}`, 30);
       else
-        fail(
+        takeBack = fail(
           `This ${app.state.level ? "level" : "scene"} cannot be run`,
           message,
           details,

@@ -66,11 +66,12 @@ export async function buildScene(thud, name, options = {}) {
   return { module, setting, scene, close };
 }
 
-/** A running scene of the registry, as the page's worker has it. `options`: size, seed. */
-export async function openSession(thud, name, options = {}) {
+/** A running scene of the registry, as the page's worker has it. `options`: size, seed; `by` is stage.ts's
+ * setUp of another bundle. */
+export async function openSession(thud, name, options = {}, by = setUp) {
   const module = await import(new URL(`public/${sceneFile(name)}`, web).href);
   const request = { name, seed: 0, choices: USUAL, ...options };
-  return setUp(1, module, thud, request, readText, { ...loaders, loadMover });
+  return by(1, module, thud, request, readText, { ...loaders, loadMover });
 }
 
 /** Makes steps as the page does, with nobody at the keys. */

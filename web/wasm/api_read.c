@@ -1,7 +1,9 @@
 /* api_read.c: what is read in bulk: events, the table of shapes, and debug drawing. */
 #include "api.h"
 
-static api_buffer hits, found, shape_rows, shape_ids, awake_flags;
+#include <thud/thud_lists.h>
+
+static api_buffer hits, shape_rows, shape_ids, awake_flags;
 static api_buffer draw_shapes, draw_lines, draw_points;
 
 /* ---- events ---- */
@@ -37,36 +39,28 @@ int api_world_events(const thud_world *world) {
 
 /* ---- every shape at once, for drawing ---- */
 
-static bool collect(thud_shape_id shape, void *context) {
-    api_buffer *buffer = context;
-    api_buffer_push(buffer, &shape, sizeof shape);
-    return !buffer->failed;
-}
-
-/* Fills a table of every shape inside the bounds. Slots out: shape_table, with a shape_row and a
- * shape_handles of each. */
-int api_shape_table(thud_world *world, double lower_x, double lower_y, double upper_x,
-                    double upper_y) {
-    thud_query_filter filter = thud_default_query_filter();
-    filter.sensors = true;
-    api_buffer_clear(&found);
-    thud_result result =
-        thud_world_overlap_aabb(world, (thud_pos){lower_x, lower_y}, (thud_pos){upper_x, upper_y},
-                                &filter, collect, &found);
+/* Fills a table of every shape, but for those of disabled bodies. Slots out: shape_table, with a
+ * shape_row and a shape_handles of each. */
+int api_shape_table(const thud_world *world) {
+    int slots = 0;
+    thud_result result = thud_world_slots(world, NULL, &slots);
     if (result != THUD_OK)
         return result;
-    const thud_shape_id *ids = (const thud_shape_id *)found.data;
-    size_t count = found.bytes / sizeof *ids;
     api_buffer_clear(&shape_rows);
     api_buffer_clear(&shape_ids);
-    for (size_t i = 0; i < count; i++) {
+    for (int slot = 0; slot < slots; slot++) {
+        thud_shape_id id;
         thud_shape_state shape;
         thud_body_state body;
-        result = thud_shape_get(world, ids[i], &shape);
+        if (thud_world_shape_at(world, slot, &id) != THUD_OK || id.index1 == 0)
+            continue;
+        result = thud_shape_get(world, id, &shape);
         if (result == THUD_OK)
             result = thud_body_get(world, shape.body, &body);
         if (result != THUD_OK)
             return result;
+        if (!body.enabled)
+            continue;
         double c, s;
         api_sincos(shape.angle, &s, &c);
         struct shape_row row = {.slot = (float)(shape.body.index1 - 1),
@@ -77,14 +71,14 @@ int api_shape_table(thud_world *world, double lower_x, double lower_y, double up
                                 .half_extents = {shape.half_extents.x, shape.half_extents.y},
                                 .cosine = (float)c,
                                 .sine = (float)s};
-        struct shape_handles handles = {{ids[i].index1, ids[i].generation},
+        struct shape_handles handles = {{id.index1, id.generation},
                                         {shape.body.index1, shape.body.generation}};
         api_buffer_push(&shape_rows, &row, sizeof row);
         api_buffer_push(&shape_ids, &handles, sizeof handles);
     }
     api_slots.shape_table.rows = (double)(uintptr_t)shape_rows.data;
     api_slots.shape_table.handles = (double)(uintptr_t)shape_ids.data;
-    api_slots.shape_table.count = (double)count;
+    api_slots.shape_table.count = (double)(shape_ids.bytes / sizeof(struct shape_handles));
     return shape_rows.failed ? THUD_ERROR_MEMORY : api_buffer_result(&shape_ids);
 }
 

@@ -5,6 +5,8 @@
 
 /* The import that times the stages: seconds, as thud_clock_fn wants them. */
 extern double thud_clock(void);
+/* The import that is called before a step of api_world_advance, or after one. */
+extern void thud_stepped(const thud_world *world, int after);
 
 static char last_message[256];
 
@@ -136,22 +138,36 @@ int api_world_create(void) {
     return result;
 }
 
-/* Inside a callback a world is not destroyed; any setting, which is refused there too, tells so. */
+/* Inside a callback a world is not destroyed; an advance by no time that could pass is refused
+ * there in the same way, and does nothing elsewhere. */
 int api_world_destroy(thud_world *world) {
-    thud_result result = thud_world_set_time_step(world, THUD_TIME_STEP_MAX);
+    thud_result result = thud_world_advance(world, -1.0, 1, NULL, NULL);
     thud_world_destroy(world);
-    return result;
+    return result == THUD_ERROR_LOCKED ? result : THUD_OK;
 }
 
 int api_world_step(thud_world *world) {
     return thud_world_step(world);
 }
 
-/* Slots out: advance. */
-int api_world_advance(thud_world *world, double elapsed, double max_steps) {
+static void before_step(thud_world *world, void *context) {
+    (void)context;
+    thud_stepped(world, 0);
+}
+
+static void after_step(thud_world *world, void *context) {
+    (void)context;
+    thud_stepped(world, 1);
+}
+
+/* `calls`: 1 before each step, 2 after it. Slots out: advance. */
+int api_world_advance(thud_world *world, double elapsed, double max_steps, int calls) {
     int steps = 0;
     double alpha = 0.0;
-    thud_result result = thud_world_advance(world, elapsed, api_to_int(max_steps), &steps, &alpha);
+    const thud_step_calls stepped = {calls & 1 ? before_step : NULL, calls & 2 ? after_step : NULL,
+                                     NULL};
+    thud_result result = thud_world_advance_with(world, elapsed, api_to_int(max_steps), &stepped,
+                                                 &steps, &alpha);
     api_slots.advance.steps = steps;
     api_slots.advance.alpha = alpha;
     return result;

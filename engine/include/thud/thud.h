@@ -78,7 +78,9 @@ typedef struct thud_world_def {
     float hit_speed;     /* [0, THUD_SPEED_MAX]; faster approaches are hit events; default 1 */
     float maximum_speed; /* (0, THUD_SPEED_MAX]; default that. Steps hold x and y of a velocity to
                             it, each; an impact on the way may leave more to the next step */
-    bool sleeping;       /* default true */
+    bool sleeping; /* default true: what is connected falls asleep once it has been slower than
+                      0.05 length scales a second for 0.5 s, and no gap of a joint and no
+                      overlap in it closes faster than that */
     bool contact_events; /* collect begin, end and hit events; default true. Sensors report
                             either way */
     bool baseline_simd;  /* never AVX2: the same bits, slower; for tests. Default false */
@@ -118,11 +120,40 @@ THUD_API thud_result thud_world_step(thud_world *world);
 /* The world keeps its own time: runs as many whole steps as `elapsed` seconds, in [0,
  * THUD_ADVANCE_MAX], allow, at most `max_steps` (>= 1; time beyond that is dropped), and gives in
  * *alpha, in [0, 1), how far the present lies between the last step and the next, for
- * thud_world_poses. Where a step runs out of memory, *steps and *alpha are of those before it, and
- * the time left waits for the next call; if it was the first, `elapsed` is as if never given.
+ * thud_world_poses. Call it once a picture; what happens does not depend on how often that is:
+ *
+ * Events, meetings, broken joints and impulses (thud_world_events and so on) are then those of all
+ * steps that it made, in their order; none where it made none.
+ *
+ * Forces that were applied since the last call act for all of `elapsed`: each step gets their mean
+ * over its time, also where its time came with several calls. So a force that is applied before
+ * each call acts all the time, whatever the rate; one that is applied once acts for the time of
+ * one picture. What shall act in one step alone, or depends on where bodies are or how they move,
+ * as the forces of thud_fields.h do, is for `before` below.
+ *
+ * Where a step runs out of memory, *steps, *alpha and the events are of those before it, and the
+ * time left waits for the next call; if it was the first, all is as if it had not been called.
  * THUD_ERROR_LOCKED inside a callback. */
 THUD_API thud_result thud_world_advance(thud_world *world, double elapsed, int max_steps,
                                         int *steps, double *alpha);
+
+typedef void thud_step_fn(thud_world *world, void *context);
+
+/* What to call before and after each step; either may be null. There the world may be edited, asked
+ * and taken a snapshot of as between two calls of thud_world_step, but steps, thud_world_restore
+ * and thud_world_destroy are THUD_ERROR_LOCKED. Forces act in one step: those of `before` in the
+ * one that follows, those of `after` in the next. Events are those of the last step alone: in
+ * `after` the one just made. Of a step that runs out of memory `before` is not called again when it
+ * is tried again. */
+typedef struct thud_step_calls {
+    thud_step_fn *before, *after;
+    void *context; /* handed to both */
+} thud_step_calls;
+
+/* thud_world_advance with such calls, which may be null. */
+THUD_API thud_result thud_world_advance_with(thud_world *world, double elapsed, int max_steps,
+                                             const thud_step_calls *calls, int *steps,
+                                             double *alpha);
 
 /* Settings hold from the next step on. Inside a callback they are refused with THUD_ERROR_LOCKED,
  * since the step under way has begun with the old ones. */
@@ -188,8 +219,9 @@ THUD_API thud_result thud_body_get(const thud_world *world, thud_body_id body,
                                    thud_body_state *out);
 
 /* Edits wake the body, also the bodies that touch it; places and angles have the ranges of the def.
- * Inside a callback they take effect at the start of the next step, or with a query between the
- * two: until then a shape made there takes no part in anything, its mass included. What is
+ * All take effect together, as the next step begins; queries see shapes where edits put them, and
+ * change nothing. Inside a callback they wait for the start of the next step, or a query between
+ * the two: until then a shape made there takes no part in anything, its mass included. What is
  * destroyed there is stale at once. */
 THUD_API thud_result thud_body_set_transform(thud_world *world, thud_body_id body,
                                              thud_pos position, double angle);
@@ -197,7 +229,7 @@ THUD_API thud_result thud_body_set_velocity(thud_world *world, thud_body_id body
                                             thud_vec2 velocity, float angular_velocity);
 THUD_API thud_result thud_body_apply_impulse(thud_world *world, thud_body_id body,
                                              thud_vec2 impulse, thud_pos point);
-/* Acts through the next step only. */
+/* Acts through the next step only, or the time of the next thud_world_advance. */
 THUD_API thud_result thud_body_apply_force(thud_world *world, thud_body_id body, thud_vec2 force,
                                            float torque);
 /* False: the body counts as at rest from now on, and sleeps as soon as its whole island does. */
@@ -343,8 +375,9 @@ THUD_API thud_stats thud_world_stats(const thud_world *world);
 THUD_API thud_result thud_world_bisection_limit(thud_world *world, double *speed);
 
 /* What the last step got wrong, found as it was solved: costs nothing to ask, but in a step in
- * which detection held bodies back or resolved collisions a pass over contacts. Of contacts that
- * are awake, where detection left the bodies: one that it held back, or that met something within
+ * which detection held bodies back or resolved collisions a pass over contacts, and a pass over
+ * joints, where there are any. Of contacts that are awake (thud_world_measure has those that sleep
+ * as well), where detection left the bodies: one that it held back, or that met something within
  * the step, counts as it stands at the end. The same with any number of workers. */
 typedef struct thud_step_error {
     double penetration_max, penetration_mean; /* lengths, at the end of the step, over the points of
@@ -360,9 +393,10 @@ typedef struct thud_step_error {
     double shortfall; /* length: how far the body that detection held back the most, of
                          thud_stats.held_bodies, ended from where its motion would have taken it; 0
                          where none was held */
-    double joint_gap_max, joint_gap_mean; /* lengths: by how much joints of awake bodies are open at
-                                             the end of the step, as thud_joint_state.gap has it */
-    double joint_angle_max;               /* likewise, angle_gap, rad */
+    double joint_gap_max,
+        joint_gap_mean;     /* lengths: by how much joints are open at the end of the
+                               step, asleep or awake, as thud_joint_state.gap has it */
+    double joint_angle_max; /* likewise, angle_gap, rad */
 } thud_step_error;
 
 /* All 0 before the first step. */

@@ -21,8 +21,8 @@ extern "C" {
  * there. */
 typedef struct thud_broadphase thud_broadphase;
 
-/* A grid with a level for each eightfold of size: cost per shape stays flat as their number grows,
- * whatever their sizes. The default. */
+/* A grid with a level for each eightfold of size, whatever the sizes: in a gas (docs/catalogue.md)
+ * a shape costs 30 ns a step among 1,000 and 59 ns among 100,000. The default. */
 extern THUD_API const thud_broadphase thud_broadphase_grid;
 /* Sort and sweep along x, kept sorted by insertion sort: cheap while little moves; dear where many
  * shapes stand above each other, or where one is much wider than the rest. */
@@ -56,7 +56,8 @@ extern THUD_API const thud_detection thud_detection_bisect;
  * and gives way for the rest of the step. A body that meets more than 8 times, 16 if elastic, in a
  * step is held for the rest of it, which the statistics tell; in a pile under impact that is up to
  * three in a hundred. So is a body that leaves its expected way where there is no memory to look
- * for whom else it may meet.
+ * for whom else it may meet. A step takes 3.2 times as long as with overlap in a gas, 6.5 times in
+ * a heap (docs/catalogue.md).
  *
  * Bisection takes the motion of a step as straight: gravity g bends it by up to g * time_step^2
  * / 8. Swept bodies that nothing bears fly exact parabolas, and elastic ones (restitution 1) keep

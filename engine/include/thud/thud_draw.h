@@ -44,13 +44,13 @@ typedef enum thud_draw_style {
 enum {
     THUD_DRAW_SHAPES = 1 << 0,
     THUD_DRAW_SHAPE_BOUNDS = 1 << 1,
-    THUD_DRAW_CELLS = 1 << 2,    /* that awake shapes lie in; only a grid has some */
+    THUD_DRAW_CELLS = 1 << 2, /* of the last step, that awake shapes lay in; only a grid has some */
     THUD_DRAW_CONTACTS = 1 << 3, /* points and normals */
     THUD_DRAW_ISLANDS = 1 << 4,  /* shapes carry their island's number, see `island`; and the pairs
                                     of islands that were solved directly */
-    /* The order that a plane sweep keeps: of each shape's bounds the interval along x, side by side
-     * in rows from the lower edge of the view up, first of awake shapes, then of resting ones.
-     * Where more than 12 overlap, bars lie upon each other. */
+    /* The order that a plane sweep kept in the last step: of each shape's bounds the interval along
+     * x, side by side in rows from the lower edge of the view up, first of awake shapes, then of
+     * resting ones. Where more than 12 overlap, bars lie upon each other. */
     THUD_DRAW_AXES = 1 << 5,
     THUD_DRAW_PAIRS = 1 << 6, /* of the last step's broadphase; to the ground straight down */
     /* The swept volumes of the last step, for each shape of a body that moved further than a
@@ -66,8 +66,9 @@ enum {
     THUD_DRAW_JOINT_FORCES = 1 << 12
 };
 
-/* Null callbacks are skipped. `island` is -1 unless THUD_DRAW_ISLANDS is asked for. Coordinates
- * are relative to `origin`. */
+/* Shapes are drawn where the edits made so far put them, all else as the last step left it, and
+ * nothing changes. Null callbacks are skipped. `island` is -1 unless THUD_DRAW_ISLANDS is asked
+ * for. Coordinates are relative to `origin`. */
 typedef struct thud_debug_draw {
     unsigned flags;
     thud_pos origin;

@@ -1,6 +1,7 @@
-/* thud_events.h: what happened in the last step. Included by thud.h.
+/* thud_events.h: what happened in the last step, or in all steps of the last thud_world_advance.
+ * Included by thud.h.
  *
- * Events come in a deterministic order, and are valid until the next step.
+ * Events come in a deterministic order, and are valid until the next step or thud_world_advance.
  *
  * Of one pair of shapes, begin and end come in turn, and each begin has its end: also when a shape,
  * its body or the ground goes, moves or falls asleep. Where an edit ended a pair, the end comes

@@ -3,10 +3,11 @@
  * sensors take no part. A program that uses none of this does not link it.
  *
  * Wind, water and rolling resistance are asked for body by body before each step, and act through
- * that step, as forces do (thud_forces.h). They wake nobody: a sleeping, disabled or quarantined
- * body is left alone, and one that is at rest in the water falls asleep there. Who wants a rising
- * wind to wake a body does so by thud_body_set_awake. Inside a callback they are THUD_ERROR_LOCKED.
- * Where a body has several shapes, each counts as if it stood alone.
+ * that step, as forces do (thud_forces.h); with thud_world_advance, in thud_step_calls.before. They
+ * wake nobody: a sleeping, disabled or quarantined body is left alone, and one that is at rest in
+ * the water falls asleep there. Who wants a rising wind to wake a body does so by
+ * thud_body_set_awake. Inside a callback they are THUD_ERROR_LOCKED. Where a body has several
+ * shapes, each counts as if it stood alone.
  *
  * What brakes never adds to the energy of the motion against the air, water or ground, however long
  * the time step: of the step's push so much is given as takes the most of that energy, and the rest

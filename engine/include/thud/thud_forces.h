@@ -3,10 +3,12 @@
  * of this does not link it.
  *
  * A force acts through the next step, all of its substeps alike, and is gone then: what it gives in
- * velocity is force * time_step / mass. An impulse changes the velocity at once; inside a callback
- * it is the force through the next step that gives the same. Either wakes the body, and with it
- * what it touches, where it sleeps; a disabled body keeps what an impulse gave it and forgets
- * forces; a static or kinematic one is refused, by THUD_ERROR_INVALID.
+ * velocity is force * time_step / mass. Applied between two calls of thud_world_advance it acts for
+ * the time that the second is given, and gives force * elapsed / mass. An impulse changes the
+ * velocity at once; inside a callback it is the force through the next step that gives the same.
+ * Either wakes the body, and with it what it touches, where it sleeps; a disabled body keeps what
+ * an impulse gave it and forgets forces; a static or kinematic one is refused, by
+ * THUD_ERROR_INVALID.
  *
  * All return THUD_ERROR_NULL for a null world, THUD_ERROR_STALE, THUD_ERROR_INVALID for a value
  * that is not finite, a push beyond THUD_PUSH_MAX, or a place beyond THUD_PLACE_MAX length scales,

@@ -156,7 +156,8 @@ THUD_API thud_result thud_joint_set_breaking(thud_world *world, thud_joint_id jo
 THUD_API thud_result thud_joint_set_user_data(thud_world *world, thud_joint_id joint,
                                               uint64_t user_data);
 
-/* A joint whose force or torque went beyond what it bears, in the last step. */
+/* A joint whose force or torque went beyond what it bears, in the last step or thud_world_advance.
+ */
 typedef struct thud_joint_event {
     thud_joint_id joint;
     thud_body_id body_a, body_b;

@@ -120,7 +120,8 @@ THUD_API thud_result thud_pair_get(const thud_world *world, thud_shape_id shape_
 
 /* ---- who met whom ---- */
 
-/* Two shapes of two kinds that met in the last step. All zero before the first one. */
+/* Two shapes of two kinds that met in the last step or thud_world_advance. All zero before the
+ * first one. */
 typedef struct thud_met {
     thud_shape_id shape_a, shape_b;
     thud_pair_side a, b; /* a is of the first kind, whatever the event's order */

@@ -34,15 +34,17 @@ typedef struct thud_quality {
                             this share of the smaller body's size goes to `islands`; 0: each does */
     int island_limit;    /* 1 .. THUD_ISLAND_LIMIT_MAX: islands of more bodies stay with the soft
                             solver */
-    int64_t island_work; /* >= 0: operations on 3 x 3 blocks (some 15 ns each) that all islands
-                            together may take a step: those of each matrix, one more a body and two
-                            a contact. Those for which there is no more stay with the soft solver.
-                            A column takes 6 a body at rest, a pyramid of 500 bodies 140 a body; in
-                            motion it is 20 to 100 times as much. An island of joints alone may
-                            take eight times what is left. Whatever that allows, islands with joints
-                            take some 30 ms a step together, or as much for each 1,000 bodies:
-                            where that is spent they are left to the soft solver for 8 steps, and
-                            for twice as many each time that it happens again */
+    int64_t island_work; /* >= 0: operations on 3 x 3 blocks that all islands together may take a
+                            step: those of each matrix, one more a body and two a contact. Those
+                            for which there is no more stay with the soft solver. A column takes 6
+                            a body at rest, a pyramid of 500 bodies 140 a body; in motion a step
+                            takes many matrices, each as dear as the one at rest. Whole steps at
+                            quality high (docs/tradeoff.md): at rest a column of boxes takes 0.6 µs
+                            a body, a pyramid 1.9 µs. An island of joints alone may take eight
+                            times what is left. Whatever this allows, islands with joints take a
+                            bounded part of a frame together, more in worlds of over a thousand
+                            bodies; where it is spent they are left to the soft solver for some
+                            steps, and for twice as many each time that it happens again */
     int island_patience; /* 0 .. THUD_ISLAND_PATIENCE_MAX: steps in succession in which an island
                             may need more than eight matrices, or twenty times as many while it
                             hardly moves, before it is left to the soft solver for 120 steps, as it

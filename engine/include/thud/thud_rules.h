@@ -88,7 +88,8 @@ typedef struct thud_impulse_event {
     float impulse;    /* along it, the sum over the step: mass * length / s */
 } thud_impulse_event;
 
-/* Those of the last step; valid until the next one. *count may be null. */
+/* Those of the last step, or of all steps of the last thud_world_advance; valid as events are.
+ * *count may be null. */
 THUD_API const thud_impulse_event *thud_world_impulses(const thud_world *world, int *count);
 
 #ifdef __cplusplus

@@ -137,8 +137,8 @@ THUD_API thud_result thud_shapes_time_of_collision(const thud_shape_instance *a,
  * the other: they move by less, relative to each other and with what turning adds at their corners,
  * than the smaller of both is thick. Corners that only graze each other can be missed all the same.
  * False for invalid shapes. */
-bool thud_motion_is_bisectable(const thud_shape_instance *a, thud_motion motion_a,
-                               const thud_shape_instance *b, thud_motion motion_b);
+THUD_API bool thud_motion_is_bisectable(const thud_shape_instance *a, thud_motion motion_a,
+                                        const thud_shape_instance *b, thud_motion motion_b);
 
 /* ---- terrain ---- */
 

@@ -15,8 +15,8 @@
  * which goes by the clock.
  *
  * A snapshot has what can change in a running world: bodies, shapes, the lines of terrains,
- * contacts with their impulses, who sleeps, edits that wait for the next step, the last step's
- * events, the settings that have a setter (gravity, time step, quality, sleeping, max_error), and
+ * contacts with their impulses, who sleeps, edits that wait for the next step, the events that are
+ * told, the time that thud_world_advance left over and the forces in it, the settings that have a setter (gravity, time step, quality, sleeping, max_error), and
  * the rules between kinds of shapes (thud_rules.h). What only the def says is not in it: the world
  * that is restored must have the same length scale, broadphase, substeps, contact_stiffness,
  * contact_damping, push_speed, restitution_threshold, hit_speed, maximum_speed, contact_events,

@@ -1,8 +1,7 @@
 /* body_volume.c: the bounding volume of a body, merged from those of its shapes. */
 #include "state/body.h"
 #include "state/handles.h"
-#include "state/shape.h"
-#include "api/step.h"
+#include "state/preview.h"
 
 #include "thud/thud_queries.h"
 
@@ -10,7 +9,7 @@
 
 static thud_result around_shape(const thud_world *w, thud_shape_kind kind, int index,
                                 td_position origin, thud_volume *out) {
-    thud_shape_instance placed = td_shape_instance(w, index, origin);
+    thud_shape_instance placed = td_shape_instance_of(w, index, td_preview_proxy(w, index), origin);
     if (!td_kind_is_line(placed.kind)) {
         return thud_volume_around_shape(kind, &placed, out);
     }
@@ -27,8 +26,7 @@ static thud_result around_shape(const thud_world *w, thud_shape_kind kind, int i
     return result;
 }
 
-/* Whether there is such a volume around what the body has once its changes are in effect: they do
- * not take effect for a call that is refused. */
+/* Whether there is such a volume around what the body has once its changes are in effect. */
 static bool has_volume(const thud_world *w, thud_shape_kind kind, td_body_index index) {
     bool any = false;
     for (int i = td_body_at(w, index)->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
@@ -61,14 +59,14 @@ thud_result thud_body_volume(thud_world *w, thud_body_id id, thud_shape_kind kin
     if (!has_volume(w, kind, index)) {
         return td_refuse(w, THUD_ERROR_INVALID, NO_VOLUME);
     }
-    if (!w->locked && !td_changes_apply(w)) {
+    if (!w->locked && !td_preview_make(w)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "body volume: out of memory");
     }
     thud_volume volume, shape;
     bool first = true;
     int i = td_body_at(w, index)->first_shape;
     for (; i != TD_NONE && result == THUD_OK; i = td_shape_at(w, i)->next) {
-        if (td_shape_at(w, i)->flags & TD_SHAPE_WAITS) {
+        if ((td_shape_at(w, i)->flags & (TD_SHAPE_LIVE | TD_SHAPE_WAITS)) != TD_SHAPE_LIVE) {
             continue;
         }
         result = around_shape(w, kind, i, td_place_from(w, origin), &shape);

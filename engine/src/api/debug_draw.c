@@ -3,7 +3,7 @@
 #include "state/body.h"
 #include "api/debug_draw.h"
 #include "state/handles.h"
-#include "state/shape.h"
+#include "state/preview.h"
 #include "api/step.h"
 #include "islands/label.h"
 
@@ -21,7 +21,7 @@ static thud_draw_style style_of(const td_drawing *d, const td_shape *shape) {
 }
 
 static void draw_terrain(const td_drawing *d, int index, thud_draw_style style) {
-    const td_position *center = &td_shape_proxy_at(d->w, index)->center;
+    const td_position *center = &td_preview_proxy(d->w, index)->center;
     thud_terrain terrain = td_terrain_view(d->w, index);
     double x_min = (double)(d->lower.x - center->x) / d->w->to_fixed;
     double x_max = (double)(d->upper.x - center->x) / d->w->to_fixed;
@@ -41,7 +41,7 @@ static void draw_terrain(const td_drawing *d, int index, thud_draw_style style) 
 
 static void draw_shape(const td_drawing *d, int index, int island) {
     const td_shape *shape = td_shape_at(d->w, index);
-    const td_shape_proxy *proxy = td_shape_proxy_at(d->w, index);
+    const td_shape_proxy *proxy = td_preview_proxy(d->w, index);
     thud_draw_style style = style_of(d, shape);
     thud_vec2 at = td_drawing_local(d, proxy->center);
     const td_pose *pose = td_pose_at(d->w, shape->body);
@@ -73,8 +73,9 @@ static void draw_shapes(const td_drawing *d) {
         if ((shape->flags & (TD_SHAPE_LIVE | TD_SHAPE_WAITS)) != TD_SHAPE_LIVE) {
             continue;
         }
-        const td_bounds *b = td_fat_at(w, i);
-        const td_position *center = &td_shape_proxy_at(w, i)->center;
+        const td_shape_proxy *proxy = td_preview_proxy(w, i);
+        const td_bounds *b = &proxy->fat;
+        const td_position *center = &proxy->center;
         int64_t x0 = td_unwrap(b->min_x, center->x), x1 = td_unwrap(b->max_x, center->x);
         int64_t y0 = td_unwrap(b->min_y, center->y), y1 = td_unwrap(b->max_y, center->y);
         bool seen = td_kind_is_line(shape->kind) ||
@@ -103,8 +104,8 @@ thud_result thud_world_draw(thud_world *w, const thud_debug_draw *draw) {
     if (w->locked) {
         return td_refuse(w, THUD_ERROR_LOCKED, "draw: not inside a callback");
     }
-    if (!td_changes_apply(w) || !td_broadphase_refresh(w) ||
-        ((draw->flags & THUD_DRAW_ISLANDS) && !td_islands_label(w))) {
+    if (!td_preview_make(w) || !td_broadphase_refresh(w) ||
+        ((draw->flags & THUD_DRAW_ISLANDS) && !td_islands_label(w, false))) {
         return td_refuse(w, THUD_ERROR_MEMORY, "draw: out of memory");
     }
     td_drawing d = {w, draw, td_place_from(w, draw->origin), td_place_from(w, draw->lower),

@@ -13,7 +13,8 @@
 static const td_constraint *next_acting(const thud_world *w, int *i) {
     while (*i < w->constraints.count) {
         const td_constraint *constraint = td_constraint_at(w, (*i)++);
-        if (constraint->live && constraint->state == TD_TOUCHING && constraint->child != TD_NONE) {
+        if (constraint->live && constraint->state == TD_TOUCHING &&
+            !td_contact_is_ending(w, constraint)) {
             return constraint;
         }
     }

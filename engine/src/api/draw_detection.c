@@ -2,6 +2,7 @@
  * intervals, the pairs that they give, and the motions of fast shapes. */
 #include "api/debug_draw.h"
 #include "detection/trajectory.h"
+#include "contact/contact.h"
 #include "geometry/shape_instance.h"
 #include "state/shape.h"
 
@@ -126,7 +127,7 @@ static bool bounds_overlap(const td_drawing *d, const td_contact *contact) {
 static void draw_pairs(const td_drawing *d, bool stages) {
     for (int i = 0; i < d->w->constraints.count; i++) {
         const td_constraint *contact = td_constraint_at(d->w, i);
-        if (!td_is_contact(contact) || !contact->live || contact->child == TD_NONE) {
+        if (!td_is_contact(contact) || !contact->live || td_contact_is_ending(d->w, contact)) {
             continue;
         }
         td_drawing_pair(d, contact,

@@ -3,6 +3,7 @@
 
 #include "state/body.h"
 #include "state/handles.h"
+#include "state/preview.h"
 #include "state/shape.h"
 #include "api/step.h"
 #include "base/trig.h"
@@ -36,7 +37,7 @@ thud_result td_query_check(const thud_world *w, thud_pos center, const thud_shap
 }
 
 thud_shape_instance td_query_instance(const thud_world *w, int index, td_position origin) {
-    thud_shape_instance shape = td_shape_instance(w, index, origin);
+    thud_shape_instance shape = td_shape_instance_of(w, index, td_preview_proxy(w, index), origin);
     double scale = 1.5 - 0.5 * (shape.c * shape.c + shape.s * shape.s); /* Newton's, for 1 / sqrt */
     shape.c *= scale;
     shape.s *= scale;
@@ -66,7 +67,7 @@ thud_shape_instance td_query_box(double half_x, double half_y, double angle) {
 /* ---- candidates ---- */
 
 bool td_query_prepare(thud_world *w) {
-    return (w->locked || td_changes_apply(w)) && td_broadphase_refresh(w);
+    return (w->locked || td_preview_make(w)) && td_broadphase_refresh(w);
 }
 
 /* Nothing of the world lies further out; inside, differences of places fit in 64 bits. */
@@ -98,9 +99,7 @@ bool td_query_list(thud_world *w, thud_pos lower, thud_pos upper) {
     }
     td_bounds bounds = {td_coarse(from.x), td_coarse(from.y), td_coarse(to.x) + 1,
                         td_coarse(to.y) + 1};
-    td_find_fn *find = w->def.broadphase->find[w->wide];
-    return find(&w->awake_shapes, &w->memory, &bounds, from, hits) &&
-           find(&w->rest_shapes, &w->memory, &bounds, from, hits);
+    return td_preview_find(w, &w->memory, &bounds, from, hits);
 }
 
 bool td_query_list_terrains(thud_world *w) {

@@ -10,8 +10,8 @@ bool td_query_passes(const thud_world *w, int shape, const thud_query_filter *fi
 /* THUD_OK if a query's own shape, about `center`, is one that the world can meet. */
 thud_result td_query_check(const thud_world *w, thud_pos center, const thud_shape_instance *shape);
 
-/* As td_shape_instance, with a rotation whose length is 1 in double precision: over a long way,
- * what single precision leaves would be seen. */
+/* As td_shape_instance, but where the edits made so far put it, and with a rotation whose length is
+ * 1 in double precision: over a long way, what single precision leaves would be seen. */
 thud_shape_instance td_query_instance(const thud_world *w, int shape, td_position origin);
 
 /* The bounding box of a shape about `center`. */
@@ -21,8 +21,9 @@ void td_query_bounds(thud_pos center, const thud_shape_instance *shape, thud_pos
 /* An AABB or OBB about the origin, or one that no check accepts where the angle is out of range. */
 thud_shape_instance td_query_box(double half_x, double half_y, double angle);
 
-/* Applies the edits made so far, so that a query sees what the caller made. False when memory is
- * short. Inside a callback nothing changes: the query sees the step as it stands. */
+/* Has a query see shapes where the edits made so far put them, which go on waiting for the next
+ * step: preview.h. False when memory is short. Inside a callback nothing changes: the query sees
+ * the step as it stands. */
 bool td_query_prepare(thud_world *w);
 
 /* Lists in scratch.hits every shape but terrain whose bounds overlap the box, in any order, after

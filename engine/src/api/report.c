@@ -10,7 +10,7 @@ thud_events thud_world_events(const thud_world *w) {
     if (!w) {
         return (thud_events){0};
     }
-    const td_event_lists *e = &w->published;
+    const td_event_lists *e = w->gathers ? &w->gathered.lists : &w->published;
     return (thud_events){
         .begin = e->begin.data,
         .end = e->end.data,

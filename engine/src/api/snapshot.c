@@ -232,6 +232,8 @@ static void forget_scratch(thud_world *w) {
     w->scratch.blocks.count = w->scratch.runs.count = w->scratch.impacts.count = 0;
     w->islands.island.count = w->islands.slots.count = w->islands.constraints.count = 0;
     w->islands.local.count = 0;
+    w->preview.shape.count = 0;
+    w->preview.stale = true;
 }
 
 thud_result thud_world_restore(thud_world *w, const void *buffer, size_t bytes) {
@@ -239,7 +241,7 @@ thud_result thud_world_restore(thud_world *w, const void *buffer, size_t bytes) 
     if (!w || !buffer) {
         return td_refuse(w, THUD_ERROR_NULL, "restore: world or buffer is null");
     }
-    if (w->locked) {
+    if (w->locked || w->advancing) {
         return td_refuse(w, THUD_ERROR_LOCKED, "restore: not inside a callback");
     }
     const char *from = buffer, *fault = fault_of(w, from, bytes, &head);

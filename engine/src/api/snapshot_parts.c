@@ -79,6 +79,10 @@ void td_snapshot_list_parts(thud_world *w, const td_snapshot_head *head,
     list_events(&w->events, parts + TD_SNAPSHOT_EVENTS);
     list_events(&w->published, parts + TD_SNAPSHOT_PUBLISHED);
     parts[TD_SNAPSHOT_BROKEN] = list_of(&w->broken, 0);
+    list_events(&w->gathered.lists, parts + TD_SNAPSHOT_GATHERED);
+    parts[TD_SNAPSHOT_GATHERED_BROKEN] = list_of(&w->gathered.broken, 0);
+    parts[TD_SNAPSHOT_GATHERED_IMPULSES] = list_of(&w->gathered.impulses, 0);
+    parts[TD_SNAPSHOT_PULLS] = list_of(&w->pulls, 0);
     list_proxy_set(w, &w->awake_shapes, parts + TD_SNAPSHOT_PROXY_SETS);
     list_proxy_set(w, &w->rest_shapes,
                    parts + TD_SNAPSHOT_PROXY_SETS + TD_SNAPSHOT_PROXY_SET_PARTS);

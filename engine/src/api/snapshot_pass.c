@@ -33,6 +33,8 @@ static const struct {
     FIELD(number), /* so that handles stay valid */
     FIELD(steps),
     FIELD(spare_time),
+    FIELD(begun),
+    FIELD(gathers),
     FIELD(rest_epoch),
     FIELD(touching),
     FIELD(bouncy),
@@ -102,6 +104,7 @@ static uint32_t layout_of_build(void) {
                               (uint32_t)td_form_bytes(TD_FORM_TWO_CACHED),
                               sizeof(td_joint),
                               sizeof(td_kept_rule),
+                              sizeof(td_pull),
                               sizeof(thud_impulse_event),
                               sizeof(td_errors),
                               sizeof(td_budget),

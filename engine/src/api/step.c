@@ -6,12 +6,13 @@
 #include "state/handles.h"
 #include "api/step.h"
 
-/* Events are handed over whole: what edits ended before the step, because a query had them applied,
- * and what a step met that ran out of memory, waits in `events` for the first step that is done. */
+/* Events are handed over whole: what edits ended before the step, and what a step met that ran out
+ * of memory, waits in `events` for the first step that is done. */
 static void publish_events(thud_world *w) {
     td_event_lists published = w->events;
     w->events = w->published;
     w->published = published;
+    w->gathers = false;
     w->scratch.begins.count = 0;
     td_event_lists *next = &w->events;
     next->begin.count = next->end.count = next->hit.count = next->quarantined.count = 0;
@@ -112,7 +113,8 @@ static thud_result run_stages(thud_world *w) {
     mark(w, THUD_STAGE_BROADPHASE, &last);
     done = done && td_broadphase_refresh(w) && td_narrowphase(w) && find_islands(w) &&
            td_finalize_reserve(w) && reserve_detection(w) && td_sleep_reserve(w) &&
-           (!w->ruling || w->ruling->reserve(w)) && (!w->listening || w->listening->reserve(w));
+           (!w->ruling || w->ruling->reserve(w)) && (!w->listening || w->listening->reserve(w)) &&
+           (!w->gather || w->gather(w));
     mark(w, THUD_STAGE_NARROWPHASE, &last);
     if (!done) {
         return td_refuse(w, THUD_ERROR_MEMORY, "step: out of memory; nothing has moved");
@@ -146,14 +148,7 @@ static thud_result run_stages(thud_world *w) {
     return THUD_OK;
 }
 
-thud_result thud_world_step(thud_world *w) {
-    TD_IN_OWN_MODE;
-    if (!w) {
-        return THUD_ERROR_NULL;
-    }
-    if (w->locked) {
-        return td_refuse(w, THUD_ERROR_LOCKED, "step: not inside a callback");
-    }
+thud_result td_step(thud_world *w) {
     uint64_t allocations = w->memory.allocations;
     w->locked =
         true; /* whatever of the caller's it calls: callbacks, log, clock, job system, allocator */
@@ -164,38 +159,13 @@ thud_result thud_world_step(thud_world *w) {
     return result;
 }
 
-thud_result thud_world_advance(thud_world *w, double elapsed, int max_steps, int *steps,
-                               double *alpha) {
+thud_result thud_world_step(thud_world *w) {
     TD_IN_OWN_MODE;
     if (!w) {
         return THUD_ERROR_NULL;
     }
-    if (w->locked) {
-        return td_refuse(w, THUD_ERROR_LOCKED, "advance: not inside a callback");
+    if (w->locked || w->advancing) {
+        return td_refuse(w, THUD_ERROR_LOCKED, "step: not inside a callback");
     }
-    if (!(elapsed >= 0.0 && elapsed <= THUD_ADVANCE_MAX) || max_steps < 1) {
-        return td_refuse(w, THUD_ERROR_INVALID, "advance: elapsed or max_steps is out of range");
-    }
-    double h = w->def.time_step;
-    double spare = w->spare_time + elapsed;
-    thud_result result = THUD_OK;
-    int done = 0;
-    while (spare >= h && done < max_steps && (result = thud_world_step(w)) == THUD_OK) {
-        spare -= h;
-        done++;
-        w->spare_time = spare;
-    }
-    /* Of the time that max_steps leaves over, whole steps are dropped. */
-    if (result == THUD_OK) {
-        double steps_left = spare / h;
-        spare = steps_left < 0x1p62 ? spare - h * (double)(int64_t)steps_left : 0.0;
-        w->spare_time = spare >= 0.0 && spare < h ? spare : 0.0;
-    }
-    if (steps) {
-        *steps = done;
-    }
-    if (alpha) {
-        *alpha = td_min_double(w->spare_time / h, 0x1.fffffffffffffp-1);
-    }
-    return result;
+    return td_step(w);
 }

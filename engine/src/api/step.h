@@ -8,6 +8,9 @@
 
 #include "state/world.h"
 
+/* step.c: a whole step of a world that is not in one. */
+thud_result td_step(thud_world *w);
+
 /* changes.c: applies what the API and callbacks asked for since the last step. */
 bool td_changes_apply(thud_world *w);
 /* broadphase.c: makes a contact of each new pair of overlapping fat bounds. */

@@ -1,5 +1,6 @@
 /* world.c: making and ending worlds, and their settings. */
 #include "thud/thud_joint.h"
+#include "thud/thud_rules.h"
 #include "state/world.h"
 
 #include "state/awake.h"
@@ -121,6 +122,9 @@ static const td_array_place ARRAYS[] = {
     ARRAY(changed, td_body_index),
     ARRAY(deferred, td_deferred_edit),
     ARRAY(poses, thud_pose),
+    ARRAY(preview.shape, int),
+    ARRAY(preview.proxy, td_shape_proxy),
+    ARRAY(preview.number, int),
     ARRAY(scratch.hits, int),
     ARRAY(scratch.ahead, int),
     ARRAY(scratch.crowded, int),
@@ -146,9 +150,14 @@ static const td_array_place ARRAYS[] = {
     ARRAY(scratch.odd, td_awake_slot),
     ARRAY(scratch.order, int32_t),
     ARRAY(scratch.rings, td_awake_slot),
+    ARRAY(scratch.powers, double[2]),
     EVENTS(events),
     EVENTS(published),
     ARRAY(broken, thud_joint_event),
+    EVENTS(gathered.lists),
+    ARRAY(gathered.broken, thud_joint_event),
+    ARRAY(gathered.impulses, thud_impulse_event),
+    ARRAY(pulls, td_pull),
 };
 enum { ARRAY_COUNT = sizeof ARRAYS / sizeof *ARRAYS };
 
@@ -235,7 +244,7 @@ void thud_world_destroy(thud_world *w) {
     if (!w) {
         return;
     }
-    if (w->locked) {
+    if (w->locked || w->advancing) {
         td_refuse(w, THUD_ERROR_LOCKED, "world destroy: not inside a callback");
         return;
     }

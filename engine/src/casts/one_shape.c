@@ -1,8 +1,8 @@
 /* one_shape.c: asking one shape where it is. */
 #include "casts/path.h"
 
-#include "api/step.h"
 #include "state/handles.h"
+#include "state/preview.h"
 #include "state/shape.h"
 #include "thud/thud_casts.h"
 
@@ -15,9 +15,9 @@ static thud_result find(const thud_world *w, thud_shape_id id, int *index) {
     return result;
 }
 
-/* Applies the edits made so far; inside a callback the step is seen as it stands. */
+/* Has it seen where the edits made so far put it; inside a callback as the step stands. */
 static thud_result prepare(thud_world *w) {
-    return w->locked || td_changes_apply(w)
+    return w->locked || td_preview_make(w)
                ? THUD_OK
                : td_refuse(w, THUD_ERROR_MEMORY, "asking a shape: out of memory");
 }

@@ -2,6 +2,7 @@
 #include "casts/walk.h"
 
 #include "state/handles.h"
+#include "state/preview.h"
 
 static void *give_nothing(size_t bytes, void *context) {
     (void)bytes;
@@ -61,10 +62,8 @@ static bool list(td_walk *walk, double from) {
     td_bounds bounds = {td_coarse(low.x), td_coarse(low.y), td_coarse(high.x) + 1,
                         td_coarse(high.y) + 1};
     td_memory none = {.hooks = {.allocate = give_nothing}};
-    td_find_fn *find = w->def.broadphase->find[w->wide];
     walk->found.count = 0;
-    return find(&w->awake_shapes, &none, &bounds, low, &walk->found) &&
-           find(&w->rest_shapes, &none, &bounds, low, &walk->found);
+    return td_preview_find(w, &none, &bounds, low, &walk->found);
 }
 
 static void begin_piece(td_walk *walk) {

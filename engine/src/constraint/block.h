@@ -89,6 +89,7 @@ typedef struct td_hold_rows {
     f8 turn_base;  /* angle by which it is off at the start of the step; of a rod its length */
     f8 turn_sign;  /* 1, or -1 where sides have changed places */
     f8 turn_apart; /* like separation, now */
+    f8 haste;      /* gaps close at up to so many times TD_JOINT_CLOSING in this step */
     i8 locked;     /* td_joint.locked */
     td_anchor_rows anchor;
 } td_hold_rows;
@@ -271,6 +272,22 @@ typedef struct td_collide_context {
 /* Passes of restitution: the first and others before all substeps, and the one after them. */
 typedef enum td_bounce { TD_BOUNCE_FIRST, TD_BOUNCE_AGAIN, TD_BOUNCE_LAST } td_bounce;
 
+/* Passes that keep a warm start from adding energy where joints are torn: joints/joint_brace.c. */
+typedef enum td_brace {
+    TD_BRACE_TAKE,   /* take back what was given, */
+    TD_BRACE_BEFORE, /* measure the power of the impulses at the velocities without them, */
+    TD_BRACE_GIVE,   /* give them along the directions as they are now, */
+    TD_BRACE_AFTER,  /* measure their power again, */
+    TD_BRACE_KEEP,   /* and keep the share of them that adds no energy */
+    TD_BRACE_STAGES
+} td_brace;
+
+/* Length scales, or radians, a second, at which a gap of a joint closes, or so many times that
+ * where it is solved softly and adds no energy by it: with less it would bear no more than so much,
+ * since what it is open by is what it pulls with. Both chosen. */
+#define TD_JOINT_CLOSING 3.0f
+#define TD_JOINT_HASTE 30.0f
+
 enum { TD_BOUNCE_PASSES = 64 }; /* before all substeps; each takes a row two links on at least */
 
 typedef struct td_solve_context {
@@ -281,6 +298,7 @@ typedef struct td_solve_context {
     float substeps;         /* in a step */
     float time_step;        /* s */
     float push_speed;
+    float joint_closing; /* TD_JOINT_CLOSING, lengths/s */
     float bounce_speed;  /* normal velocity, <= 0: pairs that close in more slowly do not bounce */
     float elastic_speed; /* the same for pairs of restitution 1 */
     float fall;          /* a length: gravity times the square of time_step */
@@ -294,6 +312,9 @@ typedef struct td_solve_context {
     bool bounces;           /* some lane may bounce: totals of bouncy blocks began anew then */
     td_bounce bounce;       /* which pass */
     atomic_bool *bounced;   /* set by it where a pair bounces */
+    td_brace brace;         /* which pass */
+    atomic_bool *torn;      /* set by the warm start where a joint is open by more than
+                               TD_JOINT_CLOSING takes out of it in a substep */
     struct td_tally *tally; /* the last relax pass notes approaches there */
 } td_solve_context;
 
@@ -311,9 +332,10 @@ typedef struct td_sifted {
 typedef td_sifted td_sift_fn(const int32_t *shape_a, const int32_t *shape_b,
                              const td_collide_context *context);
 
-/* The passes over blocks of one number of points: [0] both sides move, [1] side a is static. */
+/* The passes over blocks of one number of points: [0] both sides move, [1] side a is static.
+ * `brace` is null but for what joints lock. */
 typedef struct td_solve_ops {
-    td_solve_fn *warm_start[2], *solve[2], *relax[2], *bounce;
+    td_solve_fn *warm_start[2], *solve[2], *relax[2], *bounce, *brace[2];
 } td_solve_ops;
 
 #endif

@@ -29,9 +29,11 @@ typedef struct td_joining_ops {
     void (*ring)(thud_world *w);
     /* A body was held at a part of its motion: those that joints tie to it go back as far. */
     void (*hold_back)(thud_world *w, td_awake_slot slot, double time);
+    /* joint_brace.c: between two passes of the solver that brace joints. */
+    void (*weigh)(thud_world *w);
     /* After the epilogue: events of the joints that bear too much, which are destroyed. */
     void (*break_up)(thud_world *w);
-    /* Adds up how far joints of awake bodies are open. */
+    /* Adds up how far joints are open that are in force, asleep or awake. */
     void (*measure)(const thud_world *w, td_joint_gaps *gaps);
     /* joint_draw.c; of a td_drawing: api/debug_draw.h */
     void (*draw)(const struct td_drawing *drawing);
@@ -52,6 +54,7 @@ void td_joints_suspend(thud_world *w, td_body_index body);
 void td_joints_follow(thud_world *w, td_body_index body);
 void td_joints_ring(thud_world *w);
 void td_joints_hold_back(thud_world *w, td_awake_slot slot, double time);
+void td_joints_weigh(thud_world *w);
 void td_joints_break_up(thud_world *w);
 void td_joints_draw(const struct td_drawing *drawing);
 void td_joints_measure(const thud_world *w, td_joint_gaps *gaps);

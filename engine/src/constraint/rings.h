@@ -15,4 +15,21 @@ static inline bool td_is_tied(const thud_world *w, td_awake_slot slot) {
     return slot.at > 0 && slot.at < w->scratch.rings.count && td_next_tied(w, slot)->at != slot.at;
 }
 
+/* A body leaves its awake slot within the step, and the one in the last slot gets it: the others of
+ * its ring stay tied. */
+static inline void td_ring_leave(thud_world *w, td_awake_slot slot) {
+    td_awake_slot last = {w->scratch.rings.count - 1};
+    if (last.at < 0) {
+        return;
+    }
+    td_awake_slot after = *td_next_tied(w, slot);
+    for (td_awake_slot i = {0}; i.at <= last.at; i.at++) {
+        td_awake_slot *next = td_next_tied(w, i);
+        *next = next->at == slot.at ? after : *next;
+        *next = next->at == last.at ? slot : *next;
+    }
+    *td_next_tied(w, slot) = *td_next_tied(w, last);
+    w->scratch.rings.count = last.at;
+}
+
 #endif

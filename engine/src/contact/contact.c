@@ -145,6 +145,23 @@ void td_contact_end(thud_world *w, int contact_index) {
     }
 }
 
+static bool is_ending_side(const thud_world *w, td_body_index body, int shape) {
+    const td_body *b = td_body_at(w, body);
+    bool gone = !(b->flags & TD_BODY_LIVE) || b->changes & TD_CHANGE_ENABLE;
+    if (gone || shape == TD_NONE) {
+        return gone;
+    }
+    bool moved_line = td_kind_is_line(td_shape_at(w, shape)->kind) && b->changes & TD_CHANGE_PLACE;
+    return moved_line || !(td_shape_at(w, shape)->flags & TD_SHAPE_LIVE);
+}
+
+/* As the change list of the next step will do: changes.c. */
+bool td_contact_is_ending(const thud_world *w, const td_constraint *constraint) {
+    return (td_is_contact(constraint) && constraint->child == TD_NONE) ||
+           is_ending_side(w, constraint->body[0], constraint->shape_a) ||
+           is_ending_side(w, constraint->body[1], constraint->shape_b);
+}
+
 void td_contact_part(thud_world *w, int contact_index) {
     td_lane_remove(w, contact_index);
     td_constraint_wait(w, contact_index);

@@ -28,6 +28,8 @@ void td_contact_end(thud_world *w, int contact);
 /* Takes a joint as well, which has no end event. */
 void td_contact_destroy(thud_world *w, int constraint);
 bool td_contact_end_reserve(thud_world *w, int more);
+/* Edits that wait for the next step end it, or the joint. */
+bool td_contact_is_ending(const thud_world *w, const td_constraint *constraint);
 /* A touching contact touches no more: it gives its lane back, and its end is told. */
 void td_contact_part(thud_world *w, int contact);
 

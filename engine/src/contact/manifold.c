@@ -5,7 +5,6 @@
 #include "contact/contact.h"
 #include "state/handles.h"
 #include "constraint/lanes.h"
-#include "api/step.h"
 
 thud_manifold td_manifold_of(const thud_world *w, const td_contact *contact) {
     const td_pose *pose = td_pose_at(w, contact->body[1]);
@@ -58,12 +57,10 @@ thud_result thud_body_contacts(thud_world *w, thud_body_id id, thud_manifold *ou
     if (w->locked) {
         return td_refuse(w, THUD_ERROR_LOCKED, "body contacts: not inside a callback");
     }
-    if (!td_changes_apply(w)) {
-        return td_refuse(w, THUD_ERROR_MEMORY, "body contacts: out of memory");
-    }
     for (int e = td_body_at(w, index)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *contact = td_constraint_at(w, e / 2);
-        if (!td_is_contact(contact) || contact->state != TD_TOUCHING || contact->child == TD_NONE) {
+        if (!td_is_contact(contact) || contact->state != TD_TOUCHING ||
+            td_contact_is_ending(w, contact)) {
             continue;
         }
         if (n < capacity) {

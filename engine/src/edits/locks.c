@@ -35,12 +35,16 @@ static int find_anchor(const thud_world *w, td_position near) {
     return TD_NONE;
 }
 
+/* It stands exactly at `near`: a def's position is in double precision, which keeps fewer bits of a
+ * place the farther out it is. */
 static thud_result make_anchor(thud_world *w, td_position near, thud_body_id *id) {
     thud_body_def def = thud_default_body_def();
     def.position = td_place_to(w, near);
     thud_result result = thud_body_create(w, &def, id);
     if (result == THUD_OK) {
-        td_body_at(w, (td_body_index){(int32_t)id->index1 - 1})->flags |= TD_BODY_ANCHOR;
+        td_body_index index = {(int32_t)id->index1 - 1};
+        td_body_at(w, index)->flags |= TD_BODY_ANCHOR;
+        td_pose_at(w, index)->center = near;
     }
     return result;
 }

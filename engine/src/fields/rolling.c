@@ -1,8 +1,8 @@
 /* rolling.c: what slows a ball that rolls. */
 #include "fields/fields.h"
 
-#include "api/step.h"
 #include "constraint/constraint.h"
+#include "contact/contact.h"
 #include "contact/manifold.h"
 #include "state/body.h"
 #include "state/handles.h"
@@ -15,7 +15,8 @@ typedef struct rolling {
 
 static void add_contact(const thud_world *w, td_body_index body, int edge, rolling *sum) {
     const td_constraint *contact = td_constraint_at(w, edge / 2);
-    if (!td_is_contact(contact) || contact->state != TD_TOUCHING || contact->child == TD_NONE) {
+    if (!td_is_contact(contact) || contact->state != TD_TOUCHING ||
+        td_contact_is_ending(w, contact)) {
         return;
     }
     bool second = td_same_body(contact->body[1], body);
@@ -42,9 +43,6 @@ thud_result thud_body_apply_rolling_resistance(thud_world *w, thud_body_id id, f
     }
     if (!td_within(coefficient, 0.0f, THUD_DRAG_MAX)) {
         return td_refuse(w, THUD_ERROR_INVALID, "apply rolling resistance: out of range");
-    }
-    if (!td_changes_apply(w)) {
-        return td_refuse(w, THUD_ERROR_MEMORY, "apply rolling resistance: out of memory");
     }
     const td_body *body = td_body_at(w, a.index);
     rolling sum = {0};

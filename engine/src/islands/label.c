@@ -23,20 +23,21 @@ static bool moves(const thud_world *w, td_awake_slot slot) {
     return v[0] != 0.0f || v[1] != 0.0f || v[2] != 0.0f;
 }
 
-/* A lane ties two dynamic bodies together; a moving kinematic body keeps its neighbour awake. */
-static void tie(thud_world *w, td_awake_slot *parents, td_awake_slot a, td_awake_slot b) {
+/* A lane ties two dynamic bodies together; a moving kinematic body `keeps` its neighbour awake. */
+static void tie(thud_world *w, td_awake_slot *parents, td_awake_slot a, td_awake_slot b,
+                bool keeps) {
     if (a.at == 0 || b.at == 0) {
         return;
     }
     bool dynamic_a = is_dynamic(w, a), dynamic_b = is_dynamic(w, b);
     if (dynamic_a && dynamic_b) {
         join(parents, a, b);
-    } else if (moves(w, dynamic_a ? b : a)) {
+    } else if (keeps && moves(w, dynamic_a ? b : a)) {
         *td_row(&w->idle, dynamic_a ? a : b) = 0.0f;
     }
 }
 
-bool td_islands_label(thud_world *w) {
+bool td_islands_label(thud_world *w, bool keep_awake) {
     td_array *parents = &w->scratch.parents;
     if (!td_array_reserve(&w->memory, parents, w->body_of.count)) {
         return false;
@@ -51,7 +52,7 @@ bool td_islands_label(thud_world *w) {
             constraint->live) {
             td_lane at = td_lane_of(w, constraint);
             tie(w, parent, td_slot_of_side(at.block->a[at.lane]),
-                td_slot_of_side(at.block->b[at.lane]));
+                td_slot_of_side(at.block->b[at.lane]), keep_awake);
         }
     }
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {

@@ -15,7 +15,8 @@ static inline td_awake_slot td_root_of(td_awake_slot *parents, td_awake_slot i) 
 }
 
 /* scratch.parents gets the island of each awake slot, named by its lowest slot; false when memory
- * is short. Whom a moving kinematic body touches is not at rest: his idle time starts over. */
-bool td_islands_label(thud_world *w);
+ * is short. `keep_awake`: what a moving kinematic body touches is not at rest, and its idle time
+ * starts over. */
+bool td_islands_label(thud_world *w, bool keep_awake);
 
 #endif

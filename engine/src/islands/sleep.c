@@ -74,19 +74,32 @@ bool td_sleep_reserve(thud_world *w) {
             td_array_reserve(&w->memory, &w->scratch.parents, w->body_of.count));
 }
 
+/* Gaps of joints and overlaps are closed by motion that velocity knows nothing of, and idle time
+ * with it: whether a body still moved in this step. */
+static bool is_mended(const thud_world *w, td_awake_slot slot) {
+    const float *delta = td_row(&w->delta, slot);
+    double most = (double)(TD_SLEEP_SPEED * w->unit) * w->def.time_step;
+    double x = (double)delta[0], y = (double)delta[1];
+    double turn = (double)delta[2] * (double)td_row(&w->reach, slot)[1];
+    return x * x + y * y >= most * most || turn * turn >= most * most;
+}
+
+/* The idle time of a body as its island counts it: 0 of what is not to sleep now. */
+static float idle_time(const thud_world *w, td_awake_slot slot) {
+    const td_body *body = td_body_at(w, td_body_of(w, slot));
+    bool restless = body->flags & TD_BODY_RESTLESS || body->kind != THUD_DYNAMIC;
+    return restless || is_mended(w, slot) ? 0.0f : *td_row(&w->idle, slot);
+}
+
 void td_sleep(thud_world *w) {
-    if (!is_due(w, w->idle_bodies) || !td_islands_label(w)) {
+    if (!is_due(w, w->idle_bodies) || !td_islands_label(w, true)) {
         return;
     }
     const td_awake_slot *root = w->scratch.parents.data;
     /* The least idle time of an island, kept at its root's slot; a restless body keeps it up. */
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
-        const td_body *body = td_body_at(w, td_body_of(w, slot));
         float *least = td_row(&w->idle, root[slot.at]);
-        float own = body->flags & TD_BODY_RESTLESS || body->kind != THUD_DYNAMIC
-                        ? 0.0f
-                        : *td_row(&w->idle, slot);
-        *least = td_min_float(*least, own);
+        *least = td_min_float(*least, idle_time(w, slot));
     }
     w->scratch.bodies.count = 0;
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {

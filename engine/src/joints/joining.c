@@ -117,7 +117,8 @@ bool td_joints_engage(thud_world *w) {
     w->scratch.rings.count = 0;
     if (!td_array_reserve(&w->memory, &w->broken, w->breakable) ||
         !td_array_reserve(&w->memory, &w->scratch.parents, bodies) ||
-        !td_array_reserve(&w->memory, &w->scratch.rings, bodies)) {
+        !td_array_reserve(&w->memory, &w->scratch.rings, bodies) ||
+        !td_array_reserve(&w->memory, &w->scratch.powers, bodies)) {
         return false;
     }
     end_idle_gears(w);

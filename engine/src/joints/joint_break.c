@@ -43,10 +43,11 @@ void td_joints_break_up(thud_world *w) {
 }
 
 const thud_joint_event *thud_world_joint_events(const thud_world *w, int *count) {
+    const td_array *told = !w ? NULL : w->gathers ? &w->gathered.broken : &w->broken;
     if (count) {
-        *count = w ? w->broken.count : 0;
+        *count = told ? told->count : 0;
     }
-    return w && w->broken.count ? td_at(&w->broken, 0) : NULL;
+    return told && told->count ? td_at(told, 0) : NULL;
 }
 
 thud_result thud_joint_set_breaking(thud_world *w, thud_joint_id id, float force, float torque,

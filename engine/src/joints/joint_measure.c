@@ -102,21 +102,31 @@ td_joint_load td_joint_load_of(const thud_world *w, const td_joint *joint) {
                            as_force(rate * impulse[2])};
 }
 
-bool td_joint_acts(const thud_world *w, const td_joint *joint) {
-    bool awake = false;
+/* How many of its parts have lanes, asleep or not; of them, how many are awake. */
+static int count_lanes(const thud_world *w, const td_joint *joint, int *awake) {
+    int lanes = 0;
+    *awake = 0;
     for (int i = 0; i < TD_JOINT_PARTS; i++) {
         const td_constraint *part =
             joint->part[i] == TD_NONE ? NULL : td_constraint_at(w, joint->part[i]);
-        awake |= part && part->state == TD_TOUCHING && part->bin != TD_SLEEPING;
+        bool has_lane = part && part->state == TD_TOUCHING;
+        lanes += has_lane;
+        *awake += has_lane && part->bin != TD_SLEEPING;
     }
-    return awake;
+    return lanes;
+}
+
+bool td_joint_acts(const thud_world *w, const td_joint *joint) {
+    int awake;
+    count_lanes(w, joint, &awake);
+    return awake > 0;
 }
 
 void td_joints_measure(const thud_world *w, td_joint_gaps *gaps) {
-    int count = 0;
+    int count = 0, awake;
     for (int i = 0; i < w->joints.count; i++) {
         const td_joint *joint = td_joint_at(w, i);
-        if (joint->live && td_joint_acts(w, joint)) {
+        if (joint->live && count_lanes(w, joint, &awake) > 0) {
             td_joint_reading r = td_joint_read(w, joint);
             gaps->worst = td_max_double(gaps->worst, r.gap);
             gaps->angle = td_max_double(gaps->angle, r.angle_gap);

@@ -83,7 +83,7 @@ TD_INLINE void motor(td_block *block, const td_drive_rows *r, const td_solve_con
 /* What keeps a direction from `limit`: a contact with it, or, where both limits are the same, a
  * lock. */
 TD_INLINE void stop(td_block *block, const td_drive_rows *r, const td_solve_context *c,
-                    const direction8 *n, bool fixed, bool soft, sides *v) {
+                    const direction8 *n, bool fixed, bool soft, f8 most, sides *v) {
     td_point *p = &block->point[0];
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), inv_h = f8_all(c->inv_h);
     i8 locked = r->locked > zero, some = (r->limit_side > zero) | (r->limit_side < zero);
@@ -93,7 +93,7 @@ TD_INLINE void stop(td_block *block, const td_drive_rows *r, const td_solve_cont
         return;
     }
     i8 apart = (gap > zero) & ~locked;
-    f8 most = f8_all(HASTE * c->push_speed), bias = zero, scale = one, keep = zero;
+    f8 bias = zero, scale = one, keep = zero;
     if (soft) {
         bias = f8_clamp(gap * f8_all(PULL * c->inv_h), -most, most);
         scale = f8_pick(apart, one, f8_all(1.0f - LOST));
@@ -120,7 +120,8 @@ TD_INLINE void drive(td_block *const *blocks, int count, const td_solve_context 
         }
         spring(block, r, c, &n, fixed, &v);
         motor(block, r, c, &n, fixed, &v);
-        stop(block, r, c, &n, fixed, soft, &v);
+        stop(block, r, c, &n, fixed, soft,
+             f8_all(TD_JOINT_HASTE * (which == TURN ? TD_JOINT_CLOSING : c->joint_closing)), &v);
         write_sides(c, block, fixed, &v);
     }
 }
@@ -155,7 +156,8 @@ static void rest(td_block *const *blocks, int count, const td_solve_context *c) 
         td_solve_drive_##name) = {{warm_start_##name, warm_start_fixed_##name}, \
                                   {solve_##name, solve_fixed_##name},           \
                                   {relax_##name, relax_fixed_##name},           \
-                                  rest};
+                                  rest,                                         \
+                                  {NULL, NULL}};
 
 WAY(line, LINE)
 WAY(axis, AXIS)

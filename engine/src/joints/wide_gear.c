@@ -29,7 +29,7 @@ TD_INLINE void mesh(td_block *const *blocks, int count, const td_solve_context *
         p->separation = f8_keep(p->normal_mass > zero, p->base + along_row(block, &d));
         f8 bias = zero, scale = f8_all(1.0f), keep = zero;
         if (soft) {
-            f8 most = f8_all(HASTE * c->push_speed);
+            f8 most = f8_all(TD_JOINT_HASTE * c->joint_closing);
             bias = f8_clamp(p->separation * f8_all(PULL * c->inv_h), -most, most);
             scale = f8_all(1.0f - LOST);
             keep = f8_all(LOST);
@@ -68,7 +68,5 @@ static void rest(td_block *const *blocks, int count, const td_solve_context *c) 
 
 /* Neither side of a gear is ever static. */
 extern const td_solve_ops TD_WIDE(td_solve_gear);
-const td_solve_ops TD_WIDE(td_solve_gear) = {{warm_start, warm_start},
-                                             {pull, pull},
-                                             {ease, ease},
-                                             rest};
+const td_solve_ops TD_WIDE(td_solve_gear) = {
+    {warm_start, warm_start}, {pull, pull}, {ease, ease}, rest, {NULL, NULL}};

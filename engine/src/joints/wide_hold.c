@@ -1,83 +1,107 @@
-/* wide_hold.c: solver passes for the locked directions of joints: `turn` first, then `along` and
- * `across` together. */
+/* wide_hold.c: solver passes for the locked directions of joints, all three together. */
 #include "joints/wide_joint.h"
 
 /* What a pass does with the gaps. */
 typedef struct softness {
-    f8 bias_rate, mass_scale, impulse_scale, most, turn_most;
+    f8 bias_rate, mass_scale, impulse_scale, closing;
 } softness;
-
-/* The same of its turn, rad/s. */
-#define TURN_MOST 300.0f
 
 TD_INLINE softness soft_of(const td_solve_context *c) {
     return (softness){f8_all(PULL * c->inv_h), f8_all(1.0f - LOST), f8_all(LOST),
-                      f8_all(HASTE * c->push_speed), f8_all(TURN_MOST)};
+                      f8_all(c->joint_closing)};
 }
 
 TD_INLINE softness rigid(void) {
     f8 zero = f8_all(0.0f);
-    return (softness){zero, f8_all(1.0f), zero, zero, zero};
+    return (softness){zero, f8_all(1.0f), zero, zero};
 }
 
 TD_INLINE f8 bias_of(f8 gap, const softness *s, f8 most) {
     return f8_clamp(gap * s->bias_rate, -most, most);
 }
 
-/* The change of the impulse about `turn`. */
-TD_INLINE f8 hold_turn(td_block *block, const softness *s, bool fixed, const sides *v, f8 turn_sign,
-                       f8 gap) {
-    f8 speed = turn_sign * (fixed ? v->b.z : v->b.z - v->a.z);
-    f8 old = block->tangent_impulse;
-    f8 now = old - s->mass_scale * block->tangent_mass * (speed + bias_of(gap, s, s->turn_most)) -
-             s->impulse_scale * old;
-    now = f8_keep(block->tangent_mass > f8_all(0.0f), now);
-    block->tangent_impulse = now;
-    return now - old;
+/* K = J M^-1 J' of a lane's rows, by which impulses change their speeds, with turn eliminated. */
+typedef struct hold8 {
+    i8 has_u, has_v, has_turn;
+    f8 turn, lever_u, lever_v; /* K of turn; of u or v with turn, over that */
+    f8 uu, uv, vv, det;        /* of u and v where turn answers as well */
+} hold8;
+
+/* All rows of a lane are solved at once: one after the other they would take forever where arms are
+ * long, that is, m arm^2 is large beside the inertia. With i = 1/I of either side, a and b the arms
+ * and d = b - a, turn is eliminated by hand, since single precision would cancel all that counts:
+ *     K_uu - K_ut^2 / K_tt = m + i_a i_b / (i_a + i_b) d_u^2
+ *     det = m^2 + m i_a i_b / (i_a + i_b) |d|^2, and where turn is free
+ *     det = m^2 + m (i_a |a|^2 + i_b |b|^2) + i_a i_b (a x b)^2
+ * Rows that are not there are decoupled, and have 1 on the diagonal. */
+TD_INLINE hold8 hold_of(const td_block *block, const sides *v, bool fixed, const frame8 *f) {
+    f8 zero = f8_all(0.0f), one = f8_all(1.0f);
+    hold8 k = {.has_u = block->point[0].normal_mass > zero,
+               .has_v = block->point[1].normal_mass > zero,
+               .has_turn = block->tangent_mass > zero};
+    f8 m = fixed ? v->b.w : v->a.w + v->b.w, i_b = block->inv_inertia_b;
+    f8 i_a = fixed ? zero : block->inv_inertia_a;
+    k.turn = f8_pick(k.has_turn, i_a + i_b, one);
+    f8 per_turn = f8_keep(k.has_turn, one / k.turn);
+    k.lever_u = per_turn * (i_a * f->a_u + i_b * f->b_u);
+    k.lever_v = per_turn * (i_a * f->a_v + i_b * f->b_v);
+    f8 d_u = f->b_u - f->a_u, d_v = f->b_v - f->a_v, both = i_a * i_b, pair = both * per_turn;
+    f8 cross = f->a_u * f->b_v - f->a_v * f->b_u;
+    f8 uu = f8_pick(k.has_turn, pair * d_u * d_u, i_a * f->a_u * f->a_u + i_b * f->b_u * f->b_u);
+    f8 vv = f8_pick(k.has_turn, pair * d_v * d_v, i_a * f->a_v * f->a_v + i_b * f->b_v * f->b_v);
+    f8 uv = f8_pick(k.has_turn, pair * d_u * d_v, i_a * f->a_u * f->a_v + i_b * f->b_u * f->b_v);
+    f8 det = m * (m + uu + vv) + f8_pick(k.has_turn, zero, both * cross * cross);
+    i8 point = k.has_u & k.has_v;
+    k.uu = f8_pick(k.has_u, m + uu, one);
+    k.vv = f8_pick(k.has_v, m + vv, one);
+    k.uv = f8_keep(point, uv);
+    k.det = f8_pick(point, det, k.uu * k.vv);
+    return k;
 }
 
 TD_INLINE void hold_block(td_block *block, const softness *s, const td_solve_context *c, bool fixed,
                           bool anew) {
     td_point *p = &block->point[0], *q = &block->point[1];
     td_hold_rows *h = td_hold_rows_of(block);
-    f8 zero = f8_all(0.0f), one = f8_all(1.0f);
     sides v = read_sides(c->velocity, block, fixed), d = read_sides(c->delta, block, fixed);
     frame8 f = frame_now(block, &d, fixed, p->base, q->base, h->frame);
+    hold8 k = hold_of(block, &v, fixed, &f);
     h->turn_apart = h->turn_base + h->turn_sign * (fixed ? d.b.z : d.b.z - d.a.z);
-    i8 has_u = p->normal_mass > zero, has_v = q->normal_mass > zero;
-    p->separation = f8_keep(has_u, f.gap_u);
-    q->separation = f8_keep(has_v, f.gap_v);
+    p->separation = f8_keep(k.has_u, f.gap_u);
+    q->separation = f8_keep(k.has_v, f.gap_v);
+    f8 old_u = p->normal_impulse, old_v = q->normal_impulse;
+    f8 old_turn = h->turn_sign * block->tangent_impulse;
 
     if (anew) {
-        f8 u = p->normal_impulse, w = q->normal_impulse;
-        f8 turn = h->turn_sign * block->tangent_impulse;
-        give_anew(block, fixed, &v, &h->given, f.x * u - f.y * w, f.y * u + f.x * w,
-                  turn + f.a_u * u + f.a_v * w, turn + f.b_u * u + f.b_v * w);
+        give_anew(block, fixed, &v, &h->given, f.x * old_u - f.y * old_v, f.y * old_u + f.x * old_v,
+                  old_turn + f.a_u * old_u + f.a_v * old_v,
+                  old_turn + f.b_u * old_u + f.b_v * old_v);
     }
-    f8 moment = h->turn_sign * hold_turn(block, s, fixed, &v, h->turn_sign, h->turn_apart);
-    give(block, fixed, &v, &h->given, zero, zero, moment, moment);
-
     f8 speed_u = speed_now(&v, fixed, f.x, f.y, f.a_u, f.b_u);
     f8 speed_v = speed_now(&v, fixed, -f.y, f.x, f.a_v, f.b_v);
-    f8 k_uu = yield(block, &v, fixed, one, f.a_u, f.b_u, f.a_u, f.b_u);
-    f8 k_vv = yield(block, &v, fixed, one, f.a_v, f.b_v, f.a_v, f.b_v);
-    f8 k_uv = f8_keep(has_u & has_v, yield(block, &v, fixed, zero, f.a_u, f.b_u, f.a_v, f.b_v));
-    f8 want_u = f8_keep(has_u, speed_u + bias_of(p->separation, s, s->most));
-    f8 want_v = f8_keep(has_v, speed_v + bias_of(q->separation, s, s->most));
-    f8 scale = s->mass_scale * inverse_or_zero(k_uu * k_vv - k_uv * k_uv);
-    f8 old_u = p->normal_impulse, old_v = q->normal_impulse;
-    f8 change_u =
-        f8_keep(has_u, scale * (k_uv * want_v - k_vv * want_u) - s->impulse_scale * old_u);
-    f8 change_v =
-        f8_keep(has_v, scale * (k_uv * want_u - k_uu * want_v) - s->impulse_scale * old_v);
+    f8 spin = fixed ? v.b.z : v.b.z - v.a.z;
+    f8 most = h->haste * s->closing, turn_most = h->haste * f8_all(TD_JOINT_CLOSING);
+    f8 turn = f8_keep(k.has_turn, spin + h->turn_sign * bias_of(h->turn_apart, s, turn_most));
+    f8 want_u = speed_u + bias_of(p->separation, s, most) - k.lever_u * turn;
+    f8 want_v = speed_v + bias_of(q->separation, s, most) - k.lever_v * turn;
+    want_u = f8_keep(k.has_u, want_u);
+    want_v = f8_keep(k.has_v, want_v);
+    f8 per_det = inverse_or_zero(k.det);
+    f8 x_u = per_det * (k.uv * want_v - k.vv * want_u);
+    f8 x_v = per_det * (k.uv * want_u - k.uu * want_v);
+    f8 x_turn = f8_keep(k.has_turn, -turn / k.turn - k.lever_u * x_u - k.lever_v * x_v);
+    f8 change_u = s->mass_scale * x_u - s->impulse_scale * old_u;
+    f8 change_v = s->mass_scale * x_v - s->impulse_scale * old_v;
+    f8 change_turn = s->mass_scale * x_turn - s->impulse_scale * old_turn;
     p->normal_impulse = old_u + change_u;
     q->normal_impulse = old_v + change_v;
+    block->tangent_impulse = h->turn_sign * (old_turn + change_turn);
     give(block, fixed, &v, &h->given, f.x * change_u - f.y * change_v,
-         f.y * change_u + f.x * change_v, f.a_u * change_u + f.a_v * change_v,
-         f.b_u * change_u + f.b_v * change_v);
+         f.y * change_u + f.x * change_v, change_turn + f.a_u * change_u + f.a_v * change_v,
+         change_turn + f.b_u * change_u + f.b_v * change_v);
     write_sides(c, block, fixed, &v);
     if (c->last) {
-        f8 slowest = f8_min(f8_keep(has_u, -f8_abs(speed_u)), f8_keep(has_v, -f8_abs(speed_v)));
+        f8 slowest = f8_min(f8_keep(k.has_u, -f8_abs(speed_u)), f8_keep(k.has_v, -f8_abs(speed_v)));
         c->tally->slowest = f8_min(slowest, c->tally->slowest);
     }
 }
@@ -94,6 +118,9 @@ TD_INLINE void warm_start(td_block *const *blocks, int count, const td_solve_con
         td_given *given = &td_hold_rows_of(block)->given;
         f8 a_u = p->cross_a - turns * q->base, a_v = q->cross_a + turns * p->base;
         sides s = read_sides(c->velocity, block, fixed);
+        f8 gap = f8_max(f8_abs(p->separation), f8_abs(q->separation)), zero = f8_all(0.0f);
+        look_for_tears(c, gap,
+                       f8_keep(block->tangent_mass > zero, td_hold_rows_of(block)->turn_base));
         forget_given(given);
         give(block, fixed, &s, given, x * u - y * v, y * u + x * v, moment + a_u * u + a_v * v,
              moment + p->cross_b * u + q->cross_b * v);
@@ -115,6 +142,23 @@ TD_INLINE void ease(td_block *const *blocks, int count, const td_solve_context *
     }
 }
 
+TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context *c, bool fixed) {
+    for (int i = 0; i < count; i++) {
+        td_block *block = blocks[i];
+        td_point *p = &block->point[0], *q = &block->point[1];
+        td_hold_rows *h = td_hold_rows_of(block);
+        sides v = read_sides(c->velocity, block, fixed), d = read_sides(c->delta, block, fixed);
+        frame8 f = frame_now(block, &d, fixed, p->base, q->base, h->frame);
+        f8 kept = c->brace == TD_BRACE_KEEP ? p->separation : f8_all(1.0f);
+        f8 u = p->normal_impulse = kept * p->normal_impulse;
+        f8 w = q->normal_impulse = kept * q->normal_impulse;
+        block->tangent_impulse = kept * block->tangent_impulse;
+        f8 turn = h->turn_sign * block->tangent_impulse;
+        brace_lane(block, c, fixed, &v, &h->given, f.x * u - f.y * w, f.y * u + f.x * w,
+                   turn + f.a_u * u + f.a_v * w, turn + f.b_u * u + f.b_v * w);
+    }
+}
+
 /* Nothing bounces off a joint. */
 static void rest(td_block *const *blocks, int count, const td_solve_context *c) {
     (void)blocks, (void)count, (void)c;
@@ -126,9 +170,12 @@ TD_PASS(pull_moving, pull, false)
 TD_PASS(pull_fixed, pull, true)
 TD_PASS(ease_moving, ease, false)
 TD_PASS(ease_fixed, ease, true)
+TD_PASS(brace_moving, brace, false)
+TD_PASS(brace_fixed, brace, true)
 
 extern const td_solve_ops TD_WIDE(td_solve_hold);
 const td_solve_ops TD_WIDE(td_solve_hold) = {{warm_start_moving, warm_start_fixed},
                                              {pull_moving, pull_fixed},
                                              {ease_moving, ease_fixed},
-                                             rest};
+                                             rest,
+                                             {brace_moving, brace_fixed}};

@@ -16,10 +16,6 @@
     (1.0f / (1.0f + ANGLE * (2.0f + ANGLE))) /* part of its impulse that it loses in one \
                                               */
 
-/* What was torn open closes at up to so many times the world's push_speed. With less of it a joint
- * would bear no more than so much: what it is open by is what it pulls with. */
-#define HASTE 30.0f
-
 /* Adding and taking away 1.5 * 2^23 rounds to whole numbers. */
 #define WHOLE 12582912.0f
 #define WILD 1e5f /* rad in a step: whoever turns so much is anywhere */
@@ -138,17 +134,47 @@ TD_INLINE void give_anew(const td_block *block, bool fixed, sides *v, td_given *
          moment_b - given->moment_b);
 }
 
-TD_INLINE void forget_given(td_given *given) {
-    f8 zero = f8_all(0.0f);
-    *given = (td_given){zero, zero, zero, zero};
-}
-
 TD_INLINE void write_sides(const td_solve_context *c, const td_block *block, bool fixed,
                            const sides *v) {
     if (!fixed) {
         td_scatter(c->velocity, block->a, v->a);
     }
     td_scatter(c->velocity, block->b, v->b);
+}
+
+/* A pass of bracing, for a lane that would give this; where it measures, the first point's
+ * separation gets the power before, the second one's that after. */
+TD_INLINE void brace_lane(td_block *block, const td_solve_context *c, bool fixed, sides *v,
+                          td_given *given, f8 x, f8 y, f8 moment_a, f8 moment_b) {
+    f8 zero = f8_all(0.0f);
+    if (c->brace == TD_BRACE_TAKE) {
+        give_anew(block, fixed, v, given, zero, zero, zero, zero);
+    } else if (c->brace == TD_BRACE_BEFORE || c->brace == TD_BRACE_AFTER) {
+        f8 power = x * v->b.x + y * v->b.y + moment_b * v->b.z;
+        if (!fixed) {
+            power -= x * v->a.x + y * v->a.y + moment_a * v->a.z;
+        }
+        block->point[c->brace == TD_BRACE_AFTER].separation = power;
+        return;
+    } else {
+        give_anew(block, fixed, v, given, x, y, moment_a, moment_b);
+    }
+    write_sides(c, block, fixed, v);
+}
+
+/* Tells whether gaps at the start of the step are beyond what a bias may close. */
+TD_INLINE void look_for_tears(const td_solve_context *c, f8 gap, f8 turn) {
+    f8 rate = f8_all(PULL * c->inv_h);
+    i8 torn = (f8_abs(gap) * rate > f8_all(c->joint_closing)) |
+              (f8_abs(turn) * rate > f8_all(TD_JOINT_CLOSING));
+    if (i8_bits(torn)) {
+        atomic_store_explicit(c->torn, true, memory_order_relaxed);
+    }
+}
+
+TD_INLINE void forget_given(td_given *given) {
+    f8 zero = f8_all(0.0f);
+    *given = (td_given){zero, zero, zero, zero};
 }
 
 /* 1 / x, and 0 for 0. */

@@ -126,6 +126,7 @@ TD_INLINE i8 holds(i8 locked, int direction) {
 TD_INLINE void place_hold(const thud_world *w, td_block *block) {
     td_hold_rows *rows = td_hold_rows_of(block);
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), mass = masses_of(w, block);
+    rows->haste = f8_all(TD_JOINT_HASTE);
     place8 p = place_of(w, &rows->anchor, lanes_of(block));
     i8 stays = holds(rows->locked, THUD_ALONG) & holds(rows->locked, THUD_ACROSS);
     f8 x = f8_pick(stays, one, p.axis_x), y = f8_pick(stays, zero, p.axis_y);
@@ -148,8 +149,9 @@ TD_INLINE void place_hold(const thud_world *w, td_block *block) {
 }
 
 TD_INLINE void place_rod(const thud_world *w, td_block *block) {
-    const td_hold_rows *rows = td_hold_rows_of(block);
+    td_hold_rows *rows = td_hold_rows_of(block);
     td_point *q = &block->point[0];
+    rows->haste = f8_all(TD_JOINT_HASTE);
     f8 x, y, mass = masses_of(w, block);
     i8 used = lanes_of(block);
     place8 p = place_of(w, &rows->anchor, used);

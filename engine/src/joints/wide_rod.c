@@ -17,7 +17,7 @@ TD_INLINE void pull_block(td_block *block, const td_solve_context *c, bool fixed
     f8 mass = inverse_or_zero(yield(block, &v, fixed, one, f.a_u, f.b_u, f.a_u, f.b_u));
     f8 bias = zero, scale = one, keep = zero;
     if (soft) {
-        f8 most = f8_all(HASTE * c->push_speed);
+        f8 most = td_hold_rows_of(block)->haste * f8_all(c->joint_closing);
         bias = f8_clamp(p->separation * f8_all(PULL * c->inv_h), -most, most);
         scale = f8_all(1.0f - LOST);
         keep = f8_all(LOST);
@@ -41,6 +41,7 @@ TD_INLINE void warm_start(td_block *const *blocks, int count, const td_solve_con
         f8 impulse = p->normal_impulse;
         td_given *given = &td_hold_rows_of(block)->given;
         sides v = read_sides(c->velocity, block, fixed);
+        look_for_tears(c, p->separation, f8_all(0.0f));
         forget_given(given);
         give(block, fixed, &v, given, block->nx * impulse, block->ny * impulse,
              p->cross_a * impulse, p->cross_b * impulse);
@@ -55,6 +56,20 @@ TD_INLINE void pull(td_block *const *blocks, int count, const td_solve_context *
     }
 }
 
+TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context *c, bool fixed) {
+    for (int i = 0; i < count; i++) {
+        td_block *block = blocks[i];
+        td_point *p = &block->point[0];
+        td_hold_rows *h = td_hold_rows_of(block);
+        f8 length;
+        sides v = read_sides(c->velocity, block, fixed), d = read_sides(c->delta, block, fixed);
+        frame8 f = line_now(block, &d, fixed, p->base + h->turn_base, f8_all(0.0f), &length);
+        f8 kept = c->brace == TD_BRACE_KEEP ? p->separation : f8_all(1.0f);
+        f8 u = p->normal_impulse = kept * p->normal_impulse;
+        brace_lane(block, c, fixed, &v, &h->given, f.x * u, f.y * u, f.a_u * u, f.b_u * u);
+    }
+}
+
 /* Nothing bounces off a joint. */
 static void rest(td_block *const *blocks, int count, const td_solve_context *c) {
     (void)blocks, (void)count, (void)c;
@@ -66,9 +81,12 @@ TD_PASS(pull_moving, pull, false, true)
 TD_PASS(pull_fixed, pull, true, true)
 TD_PASS(ease_moving, pull, false, false)
 TD_PASS(ease_fixed, pull, true, false)
+TD_PASS(brace_moving, brace, false)
+TD_PASS(brace_fixed, brace, true)
 
 extern const td_solve_ops TD_WIDE(td_solve_rod);
 const td_solve_ops TD_WIDE(td_solve_rod) = {{warm_start_moving, warm_start_fixed},
                                             {pull_moving, pull_fixed},
                                             {ease_moving, ease_fixed},
-                                            rest};
+                                            rest,
+                                            {brace_moving, brace_fixed}};

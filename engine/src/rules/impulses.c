@@ -50,8 +50,11 @@ void td_rules_tell(thud_world *w) {
 }
 
 const thud_impulse_event *thud_world_impulses(const thud_world *w, int *count) {
+    const td_array *told = !w || !w->rules ? NULL
+                           : w->gathers    ? &w->gathered.impulses
+                                           : &w->rules->impulses;
     if (count) {
-        *count = w && w->rules ? w->rules->impulses.count : 0;
+        *count = told ? told->count : 0;
     }
-    return w && w->rules ? w->rules->impulses.data : NULL;
+    return told ? told->data : NULL;
 }

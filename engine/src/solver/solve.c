@@ -5,6 +5,7 @@
 #include "state/jobs.h"
 #include "solver/error.h"
 #include "state/kinds.h"
+#include "constraint/joining.h"
 #include "constraint/lanes.h"
 #include "api/step.h"
 
@@ -36,6 +37,7 @@ static td_solve_context solve_context(const thud_world *w, float h) {
         .substeps = (float)w->substeps,
         .time_step = time,
         .push_speed = w->def.push_speed * w->unit,
+        .joint_closing = TD_JOINT_CLOSING * w->unit,
         .bounce_speed = -w->def.restitution_threshold * w->unit,
         .fall = gained * time,
     };
@@ -80,7 +82,7 @@ static void refresh_push(thud_world *w, float h) {
 
 /* ---- the passes ---- */
 
-typedef enum pass { WARM_START, SOLVE, RELAX, BOUNCE } pass;
+typedef enum pass { WARM_START, BRACE, SOLVE, RELAX, BOUNCE } pass;
 
 /* What all workers share; and, in each worker's copy, where it is. */
 typedef struct solving {
@@ -141,9 +143,13 @@ static void solve_chunk(void *work, int index) {
     const td_solve_ops *ops = run->armed ? pair->solve : pair->solve_unarmed;
     td_block *const *blocks = (td_block **)w->scratch.blocks.data + chunk->first;
     td_solve_fn *const *fns = s->which == WARM_START ? ops->warm_start
+                              : s->which == BRACE    ? ops->brace
                               : s->which == SOLVE    ? ops->solve
                                                      : ops->relax;
     td_solve_fn *solve = s->which == BOUNCE ? ops->bounce : fns[run->fixed];
+    if (!solve) {
+        return;
+    }
     if (s->which == RELAX && s->contacts.last && run->kind < TD_PAIR_COUNT) {
         solve_and_tally(s, run, solve, blocks, chunk->count);
     } else {
@@ -230,6 +236,23 @@ static bool bounce(solving *s) {
     return passes > 1;
 }
 
+static void weigh(void *work, int chunk) {
+    const solving *s = work;
+    (void)chunk;
+    s->w->joining->weigh(s->w);
+}
+
+/* Keeps the warm start of joints that are torn from adding energy. */
+static void brace(solving *s) {
+    for (int stage = 0; stage < TD_BRACE_STAGES; stage++) {
+        s->contacts.brace = (td_brace)stage;
+        if (stage == TD_BRACE_KEEP) {
+            td_worker_walk(&s->worker, 1, weigh, s);
+        }
+        walk(s, BRACE);
+    }
+}
+
 /* One worker's way through all substeps. */
 static void substeps(void *argument) {
     solving own = *(const solving *)argument, *s = &own;
@@ -243,6 +266,9 @@ static void substeps(void *argument) {
         td_worker_walk(&s->worker, bodies, i ? velocities : first_velocities, s);
         if (i == 0) {
             walk(s, WARM_START);
+        }
+        if (atomic_load_explicit(s->contacts.torn, memory_order_relaxed)) {
+            brace(s);
         }
         walk(s, SOLVE);
         td_worker_walk(&s->worker, bodies, positions, s);
@@ -259,7 +285,7 @@ static void substeps(void *argument) {
 
 void td_solve(thud_world *w) {
     td_tally tallies[THUD_WORKERS_MAX];
-    atomic_bool bounced[TD_BOUNCE_PASSES + 1] = {false};
+    atomic_bool bounced[TD_BOUNCE_PASSES + 1] = {false}, torn = false;
     atomic_flag dummy = ATOMIC_FLAG_INIT;
     float h = (float)(w->def.time_step / w->substeps);
     refresh_push(w, h);
@@ -281,6 +307,7 @@ void td_solve(thud_world *w) {
         .bounced = bounced,
         .dummy = &dummy,
     };
+    s.contacts.torn = &torn;
     memset(tallies, 0, (size_t)task.workers * sizeof *tallies);
     td_error_begin(w);
     td_job_run(w, &task, substeps, &s);

@@ -13,7 +13,8 @@ extern const td_solve_ops TD_WIDE(td_solve_one);
 const td_solve_ops TD_WIDE(td_solve_one) = {{warm_start_moving, warm_start_fixed},
                                             {solve_moving, solve_fixed},
                                             {relax_moving, relax_fixed},
-                                            bounce};
+                                            bounce,
+                                            {NULL, NULL}};
 
 /* Centred circles: what pushes them apart does not turn them. */
 TD_PASS(solve_centres_moving, solve_blocks, 1, ARMS_NONE, false)
@@ -25,7 +26,8 @@ extern const td_solve_ops TD_WIDE(td_solve_round);
 const td_solve_ops TD_WIDE(td_solve_round) = {{warm_start_moving, warm_start_fixed},
                                               {solve_centres_moving, solve_centres_fixed},
                                               {relax_round_moving, relax_round_fixed},
-                                              bounce};
+                                              bounce,
+                                              {NULL, NULL}};
 
 /* Axis-aligned boxes: nothing turns at all. */
 TD_PASS(relax_flat_moving, relax_blocks, 1, ARMS_NONE, false)
@@ -35,4 +37,5 @@ extern const td_solve_ops TD_WIDE(td_solve_flat);
 const td_solve_ops TD_WIDE(td_solve_flat) = {{warm_start_moving, warm_start_fixed},
                                              {solve_centres_moving, solve_centres_fixed},
                                              {relax_flat_moving, relax_flat_fixed},
-                                             bounce};
+                                             bounce,
+                                             {NULL, NULL}};

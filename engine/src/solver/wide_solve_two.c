@@ -13,4 +13,5 @@ extern const td_solve_ops TD_WIDE(td_solve_two);
 const td_solve_ops TD_WIDE(td_solve_two) = {{warm_start_moving, warm_start_fixed},
                                             {solve_moving, solve_fixed},
                                             {relax_moving, relax_fixed},
-                                            bounce};
+                                            bounce,
+                                            {NULL, NULL}};

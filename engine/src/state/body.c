@@ -107,6 +107,7 @@ void td_body_mark(thud_world *w, td_body_index index, td_change_kind change) {
         td_push_body(&w->changed, index);
     }
     body->changes |= (uint8_t)change;
+    w->preview.stale = true;
     w->kinetic_stale = true; /* its velocity may have been edited */
 }
 

@@ -79,14 +79,23 @@ static void act(thud_world *w, td_body_index index, td_deferred_kind what, const
 }
 
 void td_deferred_apply(thud_world *w) {
+    int kept = 0;
     for (int i = 0; i < w->deferred.count; i++) {
-        const td_deferred_edit *edit = TD_AT(td_deferred_edit, &w->deferred, i);
-        const td_body *body = td_body_at(w, edit->body);
-        if ((body->flags & TD_BODY_LIVE) && body->generation == edit->generation) {
-            act(w, edit->body, (td_deferred_kind)edit->what, edit->value);
+        td_deferred_edit edit = *TD_AT(td_deferred_edit, &w->deferred, i);
+        const td_body *body = td_body_at(w, edit.body);
+        if (!(body->flags & TD_BODY_LIVE) || body->generation != edit.generation) {
+            continue;
+        }
+        /* Outside a step it would count among the forces that are applied between two calls of
+         * thud_world_advance, which act for another time. */
+        if (edit.what == TD_PUT_FORCE && !w->locked) {
+            act(w, edit.body, TD_PUT_AWAKE, (double[4]){1.0});
+            *TD_AT(td_deferred_edit, &w->deferred, kept++) = edit;
+        } else {
+            act(w, edit.body, (td_deferred_kind)edit.what, edit.value);
         }
     }
-    w->deferred.count = 0;
+    w->deferred.count = kept;
 }
 
 bool td_deferred_reserve(thud_world *w, int count) {

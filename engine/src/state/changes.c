@@ -244,6 +244,8 @@ static bool engage(thud_world *w) {
 
 bool td_changes_apply(thud_world *w) {
     td_deferred_apply(w);
+    w->preview.shape.count = 0;
+    w->preview.stale = true;
     if (w->changed.count == 0) {
         return engage(w);
     }

@@ -211,6 +211,21 @@ typedef struct td_event_lists {
 } td_event_lists;
 enum { TD_EVENT_LIST_COUNT = sizeof(td_event_lists) / sizeof(td_array) };
 
+/* Everything that several steps told. */
+typedef struct td_gathered {
+    td_event_lists lists;
+    td_array broken;   /* thud_joint_event */
+    td_array impulses; /* thud_impulse_event */
+} td_gathered;
+
+/* Forces on a body for steps that thud_world_advance has yet to make: x, y, torque. */
+typedef struct td_pull {
+    uint32_t generation; /* of the body; all zero for another one */
+    float mean[3];       /* over the time that waits to be stepped */
+    float now[3];        /* over the time of the present call */
+    float due[3];        /* through the next step alone, and all of it */
+} td_pull;
+
 typedef enum td_change_kind {
     TD_CHANGE_ENTER = 1,  /* created: takes its awake slot and enters the broadphase */
     TD_CHANGE_LEAVE = 2,  /* destroyed */

@@ -85,6 +85,7 @@ static thud_result finish(thud_world *w, td_body_index body_index, const thud_sh
     made.flags = (uint8_t)(TD_SHAPE_LIVE | (def->sensor ? TD_SHAPE_SENSOR : 0) |
                            (def->events ? 0 : TD_SHAPE_SILENT) | (w->locked ? TD_SHAPE_WAITS : 0));
     *td_marks_at(w, index) = TD_MARK_FRESH;
+    *td_shape_proxy_at(w, index) = (td_shape_proxy){.margin = 0}; /* it has no place yet */
     made.body = body_index;
     made.next = body->first_shape;
     made.density = def->density;

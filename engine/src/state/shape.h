@@ -27,6 +27,10 @@ void td_shape_settle(thud_world *w, int shape);
  * fat ones. Terrain keeps its place and has no bounds. */
 void td_shape_place(thud_world *w, int shape);
 
+/* The proxy that td_shape_settle and td_shape_place would give it, with tight bounds for fat ones;
+ * nothing changes. */
+td_shape_proxy td_shape_placed(const thud_world *w, int shape);
+
 /* Makes the fat bounds reach as far as the shape is expected to move in the next step. */
 void td_shape_expect(thud_world *w, int shape, float dx, float dy);
 
@@ -50,6 +54,9 @@ void td_shape_mark_moved(thud_world *w, int shape);
 
 /* A shape in its place, relative to `origin`; of a terrain, only where its origin stands. */
 thud_shape_instance td_shape_instance(const thud_world *w, int shape, td_position origin);
+/* The same where a proxy of it says. */
+thud_shape_instance td_shape_instance_of(const thud_world *w, int shape,
+                                         const td_shape_proxy *proxy, td_position origin);
 
 /* What is asked of a line; plugged into a world with the first one, see kinds.h. */
 typedef struct td_ground_ops {

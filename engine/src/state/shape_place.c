@@ -11,10 +11,9 @@ static int32_t margin_of(const thud_world *w, float half_x, float half_y) {
     return (int32_t)((double)(TD_MARGIN * w->unit + more) * w->to_coarse) + 1;
 }
 
-void td_shape_settle(thud_world *w, int index) {
-    td_shape *shape = td_shape_at(w, index);
+/* What of a shape and its proxy follows from the body's centre of mass and the shape's size. */
+static void settle(const thud_world *w, td_shape *shape, td_shape_proxy *proxy) {
     const td_body *body = td_body_at(w, shape->body);
-    td_shape_proxy *proxy = td_shape_proxy_at(w, index);
     shape->arm_x = shape->x - body->center_x;
     shape->arm_y = shape->y - body->center_y;
     shape->plain = shape->arm_x == 0.0f && shape->arm_y == 0.0f && !shape->angle &&
@@ -24,6 +23,10 @@ void td_shape_settle(thud_world *w, int index) {
         (float)td_kind_half_y(shape->kind, (double)shape->half_x, (double)shape->half_y);
     proxy->turns = td_kind_turns(shape->kind) ? 1.0f : 0.0f;
     proxy->margin = margin_of(w, proxy->half_x, proxy->half_y);
+}
+
+void td_shape_settle(thud_world *w, int index) {
+    settle(w, td_shape_at(w, index), td_shape_proxy_at(w, index));
 }
 
 float td_thinnest(thud_world *w) {
@@ -56,7 +59,7 @@ static int32_t coarse_extent(const thud_world *w, float length) {
     return (int32_t)(length * (float)w->to_coarse) + 2;
 }
 
-static void bound(thud_world *w, int index, td_shape_proxy *proxy) {
+static td_bounds tight_bounds(const thud_world *w, const td_shape_proxy *proxy) {
     float hx = proxy->half_x, hy = proxy->half_y;
     if (proxy->turns != 0.0f) {
         float c = proxy->c < 0.0f ? -proxy->c : proxy->c;
@@ -65,7 +68,11 @@ static void bound(thud_world *w, int index, td_shape_proxy *proxy) {
         hy = s * hx + c * hy;
         hx = x;
     }
-    td_bounds tight = td_bounds_about(proxy->center, coarse_extent(w, hx), coarse_extent(w, hy));
+    return td_bounds_about(proxy->center, coarse_extent(w, hx), coarse_extent(w, hy));
+}
+
+static void bound(thud_world *w, int index, td_shape_proxy *proxy) {
+    td_bounds tight = tight_bounds(w, proxy);
     if ((*td_marks_at(w, index) & TD_MARK_FRESH) || !td_bounds_contain(&proxy->fat, &tight)) {
         td_shape_mark_moved(w, index);
         proxy->fat = td_bounds_grown(tight, proxy->margin);
@@ -102,10 +109,9 @@ void td_shape_expect(thud_world *w, int index, float dx, float dy) {
     }
 }
 
-void td_shape_place(thud_world *w, int index) {
-    const td_shape *shape = td_shape_at(w, index);
+/* Where the pose of its body puts a shape that is settled. */
+static void stand(const thud_world *w, const td_shape *shape, td_shape_proxy *proxy) {
     const td_pose *pose = td_pose_at(w, shape->body);
-    td_shape_proxy *proxy = td_shape_proxy_at(w, index);
     proxy->center = pose->center;
     proxy->x = proxy->y = proxy->s = 0.0f;
     proxy->c = 1.0f;
@@ -119,11 +125,26 @@ void td_shape_place(thud_world *w, int index) {
         proxy->c = pose->c * shape->angle_c - pose->s * shape->angle_s;
         proxy->s = pose->s * shape->angle_c + pose->c * shape->angle_s;
     }
+}
+
+void td_shape_place(thud_world *w, int index) {
+    const td_shape *shape = td_shape_at(w, index);
+    td_shape_proxy *proxy = td_shape_proxy_at(w, index);
+    stand(w, shape, proxy);
     if (td_kind_is_line(shape->kind)) {
         td_shape_mark_moved(w, index);
     } else {
         bound(w, index, proxy);
     }
+}
+
+td_shape_proxy td_shape_placed(const thud_world *w, int index) {
+    td_shape shape = *td_shape_at(w, index);
+    td_shape_proxy proxy = {.margin = 0};
+    settle(w, &shape, &proxy);
+    stand(w, &shape, &proxy);
+    proxy.fat = tight_bounds(w, &proxy);
+    return proxy;
 }
 
 void td_body_place_shapes(thud_world *w, td_body_index body) {
@@ -134,9 +155,9 @@ void td_body_place_shapes(thud_world *w, td_body_index body) {
     }
 }
 
-thud_shape_instance td_shape_instance(const thud_world *w, int index, td_position origin) {
+thud_shape_instance td_shape_instance_of(const thud_world *w, int index,
+                                         const td_shape_proxy *proxy, td_position origin) {
     const td_shape *shape = td_shape_at(w, index);
-    const td_shape_proxy *proxy = td_shape_proxy_at(w, index);
     return (thud_shape_instance){.kind = (thud_shape_kind)shape->kind,
                                  .x = (double)(proxy->center.x - origin.x) / w->to_fixed,
                                  .y = (double)(proxy->center.y - origin.y) / w->to_fixed,
@@ -144,6 +165,10 @@ thud_shape_instance td_shape_instance(const thud_world *w, int index, td_positio
                                  .s = (double)proxy->s,
                                  .hx = (double)shape->half_x,
                                  .hy = (double)shape->half_y};
+}
+
+thud_shape_instance td_shape_instance(const thud_world *w, int index, td_position origin) {
+    return td_shape_instance_of(w, index, td_shape_proxy_at(w, index), origin);
 }
 
 /* ---- terrain ---- */

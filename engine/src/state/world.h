@@ -17,6 +17,14 @@
 #include "state/scratch.h"
 #include "thud/thud.h"
 
+/* Copies of the shapes that edits place which are still to take effect: preview.h. */
+typedef struct td_preview {
+    td_array shape;  /* int */
+    td_array proxy;  /* td_shape_proxy, as `shape`; the fat bounds are tight */
+    td_array number; /* int, by shape: its index in the two, if it is in them */
+    bool stale;      /* edits have been made since */
+} td_preview;
+
 struct thud_world {
     /* Configuration: not part of a snapshot. */
     thud_world_def def;
@@ -35,18 +43,23 @@ struct thud_world {
     bool asks, tells;                                  /* there is a prologue; an epilogue */
     bool wide;                                         /* AVX2 kernels may run */
     bool locked;                                       /* in a step, or inside a callback */
-    float unit;                                        /* L in the caller's unit */
-    float quantum;                                     /* caller's unit a position quantum */
-    double to_fixed;                                   /* position quanta a caller's unit */
-    double to_coarse;                                  /* bounds quanta a caller's unit */
-    thud_quality quality;                              /* with what the def itself named */
+    bool advancing;                                    /* in thud_world_advance */
+    /* Null but in its second step and those after: see advance.c. */
+    bool (*gather)(struct thud_world *w);
+    float unit;           /* L in the caller's unit */
+    float quantum;        /* caller's unit a position quantum */
+    double to_fixed;      /* position quanta a caller's unit */
+    double to_coarse;     /* bounds quanta a caller's unit */
+    thud_quality quality; /* with what the def itself named */
     int substeps;
     const thud_detection *detections[TD_RANK_COUNT]; /* those that the world or a body ever chose */
     float skin;                                      /* at which contacts rest */
 
     /* State. */
     uint64_t steps;
-    double spare_time;   /* of thud_world_advance */
+    double spare_time;   /* of thud_world_advance, as the next two are */
+    uint64_t begun;      /* the step that it failed in; 0: none */
+    td_array pulls;      /* td_pull, by body; empty where there is no force */
     uint32_t rest_epoch; /* rises whenever a resting shape enters or moves */
     td_slots bodies, shapes, constraints, joints, terrains;
     td_array pose;  /* td_pose, by body */
@@ -87,12 +100,15 @@ struct thud_world {
     td_event_lists events;    /* since the last whole step */
     td_event_lists published; /* of the last whole step: what callers read */
     td_array broken;          /* thud_joint_event, of the last whole step */
+    td_gathered gathered;     /* of all steps of the last thud_world_advance: what callers read, */
+    bool gathers;             /* ... if it made another number of steps than one */
     int breakable;            /* joints that may break */
 
     /* Rebuilt by every step. */
     td_scratch scratch;
     td_islands islands; /* the direct ones */
     td_array poses;     /* thud_pose */
+    td_preview preview;
 
     /* Statistics. */
     td_errors errors;

@@ -16,7 +16,7 @@ import tempfile
 import catalogue_page
 import catalogue_picture
 import measured  # found through catalogue_page
-import readme
+import sources
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 
@@ -69,7 +69,7 @@ def main(words):
         write(os.path.join(arguments.out, "catalogue.md"), page)
         for name, picture in catalogue_picture.draw(results).items():
             write(os.path.join(pictures, f"catalogue-{name}.svg"), picture)
-        readme.refresh(arguments.out)
+        sources.refresh(arguments.out)
     except (OSError, ValueError, subprocess.CalledProcessError) as error:
         print(f"catalogue.py: {error}", file=sys.stderr)
         return 1

@@ -17,7 +17,7 @@ import sys
 import performance_page
 import performance_picture
 import measured  # found through performance_page
-import readme
+import sources
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(HERE)))
@@ -138,7 +138,7 @@ def main(words):
     with open(os.path.join(arguments.out, "performance.md"), "w", encoding="utf-8") as file:
         file.write(page)
     performance_picture.draw(results, os.path.join(arguments.out, "pictures", "performance.svg"))
-    readme.refresh(arguments.out)
+    sources.refresh(arguments.out)
     print("wrote " + os.path.join(arguments.out, "performance.md"))
     return 0
 

@@ -47,13 +47,14 @@ RESULTS = {
     "about": {"date": "today", "commit": "abc", "processor": "p", "processors": 2, "system": "s",
               "compiler": "c"},
     "quick": False,
-    "growth": [priced(10, 40, 30, 20), priced(100, 20, 30, 80), priced(1000, 20, 60, None)],
+    "growth": [priced(10, 40, 30, 20), priced(100, 20, 30, 80), priced(1000, 20, 60, None),
+               priced(100000, 25, 90, None)],
     "coherence": [priced(100, 2, 1, 3)],
     "sizes": [priced(100, 2, 1, 3, overlaps=50)],
     "gathering": [priced(100, 2, 1, 3, overlaps=50), priced(100, 20, 10, 30, overlaps=5000)],
     "detections": [{"scene": s, "size": 100, "steps": 200,
                     "ways": {w: way(10 ** i) for i, w in enumerate(figures.WAYS)}}
-                   for s in ("gas", "smash")],
+                   for s in ("gas", "bullets", "circle_pit", "smash")],
     "walls": [wall(kind, detection, shares) for kind in ("static", "dynamic")
               for detection, shares in (("overlap", (0.125, 1)), ("continuous", (0, 0)),
                                         ("bisect", (0, 1)), ("swept", (0, 0)))],
@@ -97,7 +98,7 @@ class Figures(unittest.TestCase):
 
     def test_reigns_hand_over_at_crossings(self):
         (first, _, end), (last, start, upto) = figures.reigns(RESULTS["growth"])
-        self.assertEqual((first, last, upto), ("all pairs", "grid", 1000))
+        self.assertEqual((first, last, upto), ("all pairs", "grid", 100000))
         # 40 to 20 against 20 to 80: they meet where the ratio, 2 to 1/4, is 1, a third of the way.
         self.assertAlmostEqual(end, 10 * 10 ** (1 / 3))
         self.assertEqual(start, end)
@@ -196,7 +197,7 @@ class Pictures(unittest.TestCase):
         self.assertIn(">continuous and swept</text>", drawn["walls-static"])
 
     def test_who_dropped_out_has_no_point(self):
-        self.assertEqual(picture.broadphases(RESULTS).count("<circle"), 8)
+        self.assertEqual(picture.broadphases(RESULTS).count("<circle"), 10)
 
 
 class Program(unittest.TestCase):

@@ -160,6 +160,7 @@ static void axes_of_a_plane_sweep_are_bars_in_rows_at_the_lower_edge(void **stat
     (void)state;
     thud_world *world = world_with(&thud_broadphase_sweep);
     add_four(world);
+    run(world, 1);
     seen k = draw(world, THUD_DRAW_AXES);
     assert_int_equal(k.lines[THUD_DRAW_INTERVAL_OVERLAPPING], 2);
     assert_int_equal(k.lines[THUD_DRAW_INTERVAL], 1);
@@ -179,6 +180,7 @@ static void axes_of_resting_shapes_stand_above_those_of_awake_ones(void **state)
     add_ball(world, 0, 0, 0.5f);
     thud_body_id wall = add_body(world, THUD_STATIC, 8, 0, 0);
     add_shape(world, wall, 0.5f, 3, true, NULL);
+    run(world, 1);
     seen k = draw(world, THUD_DRAW_AXES);
     assert_int_equal(k.lines[THUD_DRAW_INTERVAL], 2);
     assert_true(k.from[1].y > k.from[0].y && k.from[1].x > 7);
@@ -210,6 +212,7 @@ static void cells_of_scattered_shapes_are_drawn_each(void **state) {
         double x = (i % 20 - 10) * 1.9, y = (i / 20 - 5) * 1.9; /* none shares a cell */
         add_ball(world, x + random_in(&seed, 0, 0.1), y, 0.02f);
     }
+    run(world, 1);
     seen k = draw(world, THUD_DRAW_CELLS);
     assert_int_equal(k.boxes[THUD_DRAW_CELL], 200);
     thud_world_destroy(world);

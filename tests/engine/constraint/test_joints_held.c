@@ -73,6 +73,54 @@ static void springs_hold_nobody_back(void **state) {
     thud_world_destroy(world);
 }
 
+enum { LINKS = 120 };
+
+/* Two rows of balls, hinged to each other, fly at a wall that the first ball of each row reaches in
+ * this very step, while one at the row's other end, or the loner made last, is no number any more.
+ * What it was tied to is held without it, and whoever got its awake slot is held with its own row. */
+static void body_that_is_no_number_leaves_the_others_that_are_held(void **state) {
+    (void)state;
+    for (int i = 0; i < 3 * QUALITIES * 3; i++) {
+        thud_world_def def = def_of(qualities[i % QUALITIES]);
+        def.detection = detections[i / QUALITIES % 3];
+        def.gravity = middle;
+        def.log = NULL;
+        thud_world *world = make_world(def);
+        thud_body_id wall = add_body(world, THUD_STATIC, 10, 0, 0), row[2][LINKS];
+        add_shape(world, wall, 0.1f, 5, false, NULL);
+        bool last_first = i / QUALITIES / 3 == 1;
+        for (int n = 0; n < 2 * LINKS; n++) {
+            int r = n / LINKS, k = last_first ? LINKS - 1 - n % LINKS : n % LINKS;
+            thud_body_id ball = row[r][k] = add_ball(world, 9.65 - 0.5 * k, 3 * r, 0.2f);
+            OK(thud_body_set_velocity(world, ball, (thud_vec2){9, 0}, 0));
+        }
+        thud_body_id loner = add_ball(world, 0, -4, 0.2f);
+        OK(thud_body_set_velocity(world, loner, (thud_vec2){1, 0}, 0));
+        for (int n = 0; n < 2 * LINKS; n++) {
+            int r = n / LINKS, k = n % LINKS;
+            if (k > 0) {
+                make(world, between(THUD_HINGE, row[r][k - 1], row[r][k], (thud_vec2){-0.25f, 0},
+                                    (thud_vec2){0.25f, 0}));
+            }
+        }
+        thud_body_id doomed = i / QUALITIES / 3 == 2 ? loner : row[0][LINKS - 1];
+        for (int twice = 0; twice < 2; twice++) { /* more than a float can hold */
+            OK(thud_body_apply_force(world, doomed, (thud_vec2){3e38f, 3e38f}, 0));
+        }
+        run(world, 1);
+        assert_true(state_of(world, doomed).quarantined);
+        thud_stats stats = thud_world_stats(world);
+        int gone = thud_world_events(world).quarantined_count;
+        assert_in_range(stats.held_bodies, LINKS, 2 * LINKS - gone + 1);
+        for (int k = 0; k < LINKS; k++) {
+            assert_true(state_of(world, row[1][k]).position.x < 9.75 - 0.5 * k);
+        }
+        near_to(state_of(world, loner).position.x, doomed.index1 == loner.index1 ? 0 : STEP, 1e-6);
+        run(world, 30);
+        thud_world_destroy(world);
+    }
+}
+
 enum { BARS = 6 };
 
 /* Five light bars that swing from a hook, and a sixth that hangs from the last one by a spring. */
@@ -125,6 +173,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(joints_stay_closed_where_a_body_is_stopped),
         cmocka_unit_test(springs_hold_nobody_back),
+        cmocka_unit_test(body_that_is_no_number_leaves_the_others_that_are_held),
         cmocka_unit_test(detections_that_stop_nobody_leave_what_swings_alone),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

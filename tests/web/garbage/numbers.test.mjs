@@ -15,12 +15,18 @@ test("number_of_a_handle_is_safe_and_turns_back_into_it", () => {
     const number = numberOf(id);
     assert.ok(Number.isSafeInteger(number) && number > 0);
     assert.deepEqual(handleOf(number, id.kind), id);
+    assert.deepEqual(handleOf(number), id);
+    assert.equal(numberAt([id.index + 1, id.generation], 0, id.kind), number);
   }
-  const last = { kind: "body", index: 0x1ffffe, generation: 0xffffffff };
+  const last = { kind: "joint", index: 0x7fffe, generation: 0xffffffff };
   assert.equal(numberOf(last), Number.MAX_SAFE_INTEGER);
-  assert.deepEqual(handleOf(numberOf(last), "body"), last);
-  assert.throws(() => numberOf({ ...last, index: 0x1fffff }), { code: "invalid" });
-  assert.equal(numberAt([0, 0], 0), 0);
+  for (const kind of ["body", "shape", "joint"]) {
+    const one = { ...last, kind };
+    assert.deepEqual(handleOf(numberOf(one), kind), one);
+    assert.throws(() => numberOf({ ...one, index: 0x7ffff }), { code: "invalid" });
+    assert.equal(numberAt([0, 0], 0, kind), 0);
+  }
+  assert.throws(() => numberAt([1, 1], 0), /a kind is "body", "shape" or "joint": undefined/);
   world.close();
 });
 
@@ -78,8 +84,7 @@ test("number_that_is_stale_foreign_or_none_is_refused", () => {
   const other = engine.createWorld();
   const number = world.spawn({ kind: "dynamic", shapes: [circle] });
   assert.throws(() => other.applyForce(number, [1, 0]), { code: "stale" });
-  assert.throws(() => world.destroy(number), /of a number say whose it is/);
-  world.destroy(number, "body");
+  world.destroy(number);
   for (const none of [number, 0, -1, 0.5, NaN, Infinity, 2 ** 60])
     assert.throws(() => world.applyForce(none, [1, 0]), { code: "stale" }, String(none));
   for (const none of [undefined, null, "ball"])

@@ -101,7 +101,7 @@ test("every_name_of_the_list_has_a_form_and_a_comment", () => {
 test("forms_come_from_examples_or_else_from_signatures_and_defaults", () => {
   const formOf = (group, wanted) => entriesOf(group).find(({ name }) => name === wanted)?.form;
   assert.equal(formOf("A world:", "setVelocity"), "world.setVelocity(ball, [3, 0])");
-  assert.equal(formOf("A world:", "advance"), "world.advance(elapsed, maxSteps?)");
+  assert.equal(formOf("A world:", "advance"), "world.advance(elapsed, maxSteps?, calls?)");
   assert.equal(formOf("Options of shapes", "friction"), "friction: 0.6");
   assert.equal(formOf("Options of shapes", "sensor"), "sensor: true");
   assert.equal(formOf("Options of createWorld", "sleeping"), "sleeping: false");

@@ -116,7 +116,7 @@ test("events_of_a_shape_are_told_as_its_options_and_setEvents_say", () => {
     const { begin, hit } = world.events();
     assert.equal(begin.length + hit.length, 0);
   }
-  assert.throws(() => world.setEvents({ index1: 99, generation: 1 }, true), { code: "stale" });
+  assert.throws(() => world.setEvents({ kind: "shape", index: 99, generation: 1 }, true), { code: "stale" });
 });
 
 test("sensor_that_a_shape_becomes_stops_nothing", () => {

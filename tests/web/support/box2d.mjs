@@ -10,7 +10,7 @@ const require = createRequire(createRequire(`${root}web/package.json`).resolve("
 /** The sources' exports. They import Box2D by paths that are right in a folder of web/ only. */
 export async function importRival(folder) {
   const bundle = `${folder}/rival-${process.pid}.mjs`;
-  const sources = ["load", "ruler", "world"].map((name) => `box2d/${name}`);
+  const sources = ["follow", "load", "ruler", "world"].map((name) => `box2d/${name}`);
   sources.push(...["hands", "hold", "stage", "watch"].map((name) => `worker/${name}`));
   await require("esbuild").build({
     stdin: {

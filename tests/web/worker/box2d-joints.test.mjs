@@ -134,10 +134,10 @@ test("gears_are_left_out_and_told", () => {
   withRival({}, build, (world, rival, gear, known) => {
     known.forwardTo(rival);
     step(world, rival, 1);
-    assert.equal(rival.gears, 1);
+    assert.deepEqual(rival.misses, ["gears"]);
     world.destroy(gear);
     step(world, rival, 1);
-    assert.equal(rival.gears, 0);
+    assert.deepEqual(rival.misses, []);
   });
 });
 

@@ -25,17 +25,36 @@ test("texture_goes_along_the_line_by_the_engine_s_weights", () => {
   world.close();
 });
 
+/** What the page writes below the ground, and where. */
+function signsOf(scene) {
+  return scene.paint().marks.flatMap(({ x, y, text }) => {
+    const [, name, friction] = text?.match(/^(\w+), friction ([\d.]+)$/) ?? [];
+    return name ? [{ x, y, name, friction: Number(friction) }] : [];
+  });
+}
+
+test("ground_has_the_friction_that_is_written_below_it", async () => {
+  const { scene } = await buildScene(engine, "textured");
+  const signs = signsOf(scene);
+  assert.deepEqual(new Set(signs.map(({ name }) => name)), new Set(TEXTURE.map(({ name }) => name)));
+  for (const { x, y, name, friction } of signs) {
+    const ground = scene.world.castRayAll([x, y + 3], [0, -6]).at(-1); // a walker stands above
+    assert.equal(scene.world.shapeState(ground.shape).friction, Math.fround(friction), name);
+  }
+  scene.world.close();
+});
+
 test("prints_are_long_on_ice_and_short_on_rock", async () => {
   const { scene } = await buildScene(engine, "textured");
   const slid = new Map();
+  const signs = signsOf(scene);
+  const nameAt = (x) =>
+    signs.reduce((a, b) => (Math.abs(b.x - x) < Math.abs(a.x - x) ? b : a)).name;
   for (let step = 0; step < 1200; step += 10) {
     runScene(scene, 10, step);
     for (const { from, to } of scene.state.prints) {
-      const [shape] = scene.world.overlap({ kind: "circle", center: from, radius: 0.02 });
-      const friction = shape && scene.world.shapeState(shape).friction;
-      const name = TEXTURE.find((row) => Math.fround(row.friction) === friction)?.name;
-      const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
-      if (name) slid.set(name, Math.max(slid.get(name) ?? 0, length));
+      const name = nameAt(from[0]);
+      slid.set(name, Math.max(slid.get(name) ?? 0, Math.hypot(to[0] - from[0], to[1] - from[1])));
     }
   }
   assert.ok(slid.get("Ice") > 0.3, `${slid.get("Ice")} m on ice`);

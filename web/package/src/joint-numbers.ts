@@ -21,7 +21,7 @@ import {
   type Numbered,
 } from "./joint-types.js";
 import { bodyAt, fill, indexOf, jointAt, numbersOf, vecAt } from "./numbers.js";
-import { generationOf, index1Of } from "./plain/handles.js";
+import { generationOf, index1Of, Kind } from "./plain/handles.js";
 import type { BodyRef, JointRef, Vec2 } from "./types.js";
 
 const PAIR = ["kind", "bodyA", "bodyB"];
@@ -70,11 +70,12 @@ export function writeJoint(engine: Engine, options: AnyJointOptions | Numbered<A
   engine.exports.api_joint_defaults(kind);
   const s = engine.slots;
   fill(s, numbers);
-  const what = given.kind === "gear" ? "joint" : "body";
+  const isGear = given.kind === "gear";
+  const [what, wanted] = isGear ? (["joint", Kind.joint] as const) : (["body", Kind.body] as const);
   [`${what}A` as const, `${what}B` as const].forEach((name, side) => {
     const id = given[name];
     if (typeof id !== "number" && id?.kind !== what) refuse(given.kind, `${name} must be a ${what}`);
-    s.set([index1Of(id), generationOf(id) >>> 0], JointOptionsAt.pairA + 2 * side);
+    s.set([index1Of(id, wanted), generationOf(id) >>> 0], JointOptionsAt.pairA + 2 * side);
   });
   (["frameA", "frameB"] as const).forEach((name, side) => {
     const frame = numbersOf(`${given.kind}, ${name}`, given[name] ?? {}, FRAME_OPTIONS);

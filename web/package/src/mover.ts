@@ -28,7 +28,7 @@ import {
   vecAt,
   view,
 } from "./numbers.js";
-import { generationOf, index1Of } from "./plain/handles.js";
+import { generationOf, index1Of, Kind } from "./plain/handles.js";
 import type { MoverHit, MoverOptions, MoverReport, Walk } from "./query-types.js";
 import type { BodyId, ShapeId, Vec2 } from "./types.js";
 import type { World } from "./world.js";
@@ -75,7 +75,7 @@ export class Mover {
     exports.api_mover_defaults(kind, hx, hy, angle);
     fill(slots, numbers);
     fill(slots, filtered, MoverOptionsAt.filter);
-    const [index1, generation] = body ? [index1Of(body), generationOf(body)] : [0, 0];
+    const [index1, generation] = body ? [index1Of(body, Kind.body), generationOf(body)] : [0, 0];
     this.#world = world;
     this.#up = [up[0], up[1]];
     this.#gravityScale = gravityScale;

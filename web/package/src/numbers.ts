@@ -3,7 +3,7 @@ import { ThudError } from "./error.js";
 import { FILTER_OPTIONS, ListAt, QUALITY_OPTIONS } from "./generated/slots.js";
 import { checkNames } from "./checks/names.js";
 import { COVERS } from "./fields/field-types.js";
-import { generationOf, index1Of } from "./plain/handles.js";
+import { generationOf, index1Of, Kind } from "./plain/handles.js";
 import { MEETINGS } from "./rules/rule-types.js";
 import type { QueryFilter, SolidShape } from "./query-types.js";
 import {
@@ -185,7 +185,7 @@ export function filterNumbers(filter: QueryFilter): number[] {
   const numbers = numbersOf("filter", filter, FILTER_OPTIONS, ["ignore"]);
   const [category = 0xffffffff, mask = 0xffffffff, sensors = 0, group = 0] = numbers;
   const { ignore } = filter;
-  const handle = ignore ? [index1Of(ignore), generationOf(ignore) >>> 0] : [0, 0];
+  const handle = ignore ? [index1Of(ignore, Kind.body), generationOf(ignore) >>> 0] : [0, 0];
   return [category, mask, sensors, group, ...handle];
 }
 

@@ -51,11 +51,12 @@ export const QUALITIES = ["draft", "default", "high", "exact"] as const;
 /**
  * The knob between speed and accuracy; docs/tradeoff.md has what each costs and gets wrong.
  *
- * - "draft": 2 substeps. 0.6 to 0.7 of the default's time; sinks four times as deep under load.
+ * - "draft": 2 substeps. A pyramid takes 0.6 times the default's time, and a column of 30 sinks
+ *   4 times as deep.
  * - "default": 4 substeps; islands that the soft solver cannot hold are solved directly, all their
  *   contacts at once, if that is not too dear.
- * - "high": 8 substeps, and every island solved directly that is not too dear. A still column costs
- *   8 times the default's time, a pyramid 30 times, and they do not sink.
+ * - "high": 8 substeps, and every island solved directly that is not too dear. A column of 30 at
+ *   rest takes 7 times the default's time, a pyramid 15 times, and they do not sink.
  * - "exact": 16 substeps, every island solved directly whatever it takes, and bodies swept from
  *   impact to impact. Nothing bounds its time.
  */
@@ -128,6 +129,17 @@ export interface WorldOptions {
    * on and for as long as they do. Default 0, none.
    */
   maxError?: number;
+}
+
+/** What `World.advance` calls around each step that it makes. */
+export interface StepCalls {
+  /**
+   * Before each step: forces that are applied here act in that step alone. For what depends on where
+   * bodies are and how they move: wind, water, tyres, steering.
+   */
+  before?: () => void;
+  /** After each step; `events` are then those of this step alone. */
+  after?: () => void;
 }
 
 export interface BodyOptions {

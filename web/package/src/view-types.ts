@@ -44,7 +44,7 @@ export interface HitEvent extends ContactEvent {
   speed: number;
 }
 
-/** Events of the last step, in a deterministic order. */
+/** Events of the last step, or of all steps of the last `advance`, in a deterministic order. */
 export interface Events {
   begin: ContactEvent[];
   end: ContactEvent[];
@@ -179,7 +179,7 @@ export interface StepError {
    * have taken it; 0 where none of `Stats.heldBodies` was.
    */
   shortfall: number;
-  /** Lengths: by how much joints of awake bodies are open at the end; see JointState.gap. */
+  /** Lengths: by how much joints are open at the end, asleep or awake; see JointState.gap. */
   jointGapMax: number;
   jointGapMean: number;
   /** Likewise of turns, radians. */

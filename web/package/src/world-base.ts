@@ -5,9 +5,9 @@ import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
 import { AdvanceAt, HandleAt, ListAt, WORLD_OPTIONS, WorldOptionsAt } from "./generated/slots.js";
 import { fill, numbersOf, qualityNumbers, rowsOf, shapeAt } from "./numbers.js";
-import { generationOf, index1Of } from "./plain/handles.js";
+import { generationOf, index1Of, type Kind } from "./plain/handles.js";
 import { restoreSnapshot, takeSnapshot } from "./snapshot.js";
-import type { BodyRef, JointRef, Quality, QualityOptions, ShapeId, ShapeRef, Vec2, WorldOptions } from "./types.js";
+import type { BodyRef, JointRef, Quality, QualityOptions, ShapeId, ShapeRef, StepCalls, Vec2, WorldOptions } from "./types.js";
 
 type AnyRef = BodyRef | ShapeRef | JointRef;
 
@@ -135,14 +135,23 @@ export class WorldBase {
   }
 
   /**
-   * Runs as many whole steps as the elapsed seconds allow, at most `maxSteps`. `alpha` tells how
-   * far the present lies between the last step and the next, for `poses`. Where a step runs out of
-   * memory this throws; the steps before it stand, `stats().steps` counts them, and the time that is
-   * left waits for the next call.
+   * Runs as many whole steps as the elapsed seconds allow, at most `maxSteps`; call it once a
+   * picture. `alpha` tells how far the present lies between the last step and the next, for `poses`.
+   * What happens does not depend on how often it is called: `events`, `meetings`, `impulses` and
+   * `jointEvents` are of all steps that it made, none where it made none; forces that were applied
+   * since the last call act for all of the elapsed time. What shall act in one step alone is done in
+   * `calls.before`. There and in `calls.after` the world may be changed, but not stepped, restored or
+   * closed; what they throw is thrown when the steps are made.
+   *
+   * Where a step runs out of memory this throws; the steps before it stand, `stats().steps` counts
+   * them, and the time that is left waits for the next call.
    */
-  advance(elapsed: number, maxSteps = 4): { steps: number; alpha: number } {
+  advance(elapsed: number, maxSteps = 4, calls: StepCalls = {}): { steps: number; alpha: number } {
     const { engine } = this;
-    this.onWorld("api_world_advance", elapsed, maxSteps);
+    const { before, after } = calls;
+    const called = Number(before !== undefined) + 2 * Number(after !== undefined);
+    if (called) engine.callbacks.set(this.address, { before, after });
+    this.onWorld("api_world_advance", elapsed, maxSteps, called);
     return { steps: engine.slots[AdvanceAt.steps], alpha: engine.slots[AdvanceAt.alpha] };
   }
 
@@ -193,8 +202,12 @@ export class WorldBase {
     }
   }
 
-  /** A list of arguments would be an object; what the module does not take of them it passes over. */
+  /**
+   * Calls what is for handles of one kind. A list of arguments would be an object; what the module
+   * does not take of them it passes over.
+   */
   protected on(
+    kind: Kind,
     name: string,
     id: AnyRef,
     a?: number,
@@ -205,14 +218,15 @@ export class WorldBase {
     f?: number,
   ): void {
     const call = this.engine.exports[name];
-    const result = call(this.address, index1Of(id), generationOf(id), a!, b!, c!, d!, e!, f!);
+    const index1 = index1Of(id, kind);
+    const result = call(this.address, index1, generationOf(id), a!, b!, c!, d!, e!, f!);
     if (result !== 0 || this.engine.callbacks.hasThrown)
       this.refuse(result, name, [a, b, c, d, e, f]);
   }
 
   /** As `on`, of the world itself. */
-  protected onWorld(name: string, a?: number, b?: number): void {
-    const result = this.engine.exports[name](this.address, a!, b!);
+  protected onWorld(name: string, a?: number, b?: number, c?: number): void {
+    const result = this.engine.exports[name](this.address, a!, b!, c!);
     if (result !== 0 || this.engine.callbacks.hasThrown) this.refuse(result, name, [a, b]);
   }
 

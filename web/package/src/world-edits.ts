@@ -4,7 +4,7 @@
  * throws, and nothing has changed then; thud_edits.h has the details.
  */
 import { checkNames } from "./checks/names.js";
-import { kindOf } from "./plain/handles.js";
+import { Kind, kindOf } from "./plain/handles.js";
 import { indexOf, numbersOf, userData } from "./numbers.js";
 import {
   BODY_KINDS,
@@ -34,9 +34,10 @@ export class WorldEdits extends WorldJoints {
    */
   setFilter(shape: ShapeRef, filter: Filter): void {
     const [category, mask, group] = numbersOf("setFilter", filter, FILTER);
-    this.on("api_shape_get", shape);
+    this.on(Kind.shape, "api_shape_get", shape);
     const s = this.engine.slots;
     this.on(
+      Kind.shape,
       "api_shape_set_filter",
       shape,
       category ?? s[ShapeStateAt.category],
@@ -50,12 +51,12 @@ export class WorldEdits extends WorldJoints {
    * @example world.setFriction(ice, 0)
    */
   setFriction(shape: ShapeRef, friction: number): void {
-    this.on("api_shape_set_friction", shape, friction);
+    this.on(Kind.shape, "api_shape_set_friction", shape, friction);
   }
 
   /** How much it bounces, [0, 1]. */
   setRestitution(shape: ShapeRef, restitution: number): void {
-    this.on("api_shape_set_restitution", shape, restitution);
+    this.on(Kind.shape, "api_shape_set_restitution", shape, restitution);
   }
 
   /**
@@ -63,17 +64,17 @@ export class WorldEdits extends WorldJoints {
    * @example world.setSurfaceSpeed(belt, -2)
    */
   setSurfaceSpeed(shape: ShapeRef, speed: number): void {
-    this.on("api_shape_set_surface_speed", shape, speed);
+    this.on(Kind.shape, "api_shape_set_surface_speed", shape, speed);
   }
 
   /** Mass per area, 0 or more. Its body is weighed anew at once, and its centre of mass moves. */
   setDensity(shape: ShapeRef, density: number): void {
-    this.on("api_shape_set_density", shape, density);
+    this.on(Kind.shape, "api_shape_set_density", shape, density);
   }
 
   /** Whether it notes what is there and stops nothing. Its contacts end, and begin anew. */
   setSensor(shape: ShapeRef, sensor: boolean): void {
-    this.on("api_shape_set_sensor", shape, Number(sensor));
+    this.on(Kind.shape, "api_shape_set_sensor", shape, Number(sensor));
     this.shapesRevision++;
   }
 
@@ -83,7 +84,7 @@ export class WorldEdits extends WorldJoints {
    * @example world.setEvents(debris, false)
    */
   setEvents(shape: ShapeRef, events: boolean): void {
-    this.on("api_shape_set_events", shape, Number(events));
+    this.on(Kind.shape, "api_shape_set_events", shape, Number(events));
   }
 
   /**
@@ -91,26 +92,26 @@ export class WorldEdits extends WorldJoints {
    * @example world.setRadius(balloon, 0.8)
    */
   setRadius(shape: ShapeRef, radius: number): void {
-    this.on("api_shape_set_radius", shape, radius);
+    this.on(Kind.shape, "api_shape_set_radius", shape, radius);
     this.shapesRevision++;
   }
 
   /** Of a box, about the same centre; as `setRadius`. */
   setHalfExtents(shape: ShapeRef, halfWidth: number, halfHeight: number): void {
-    this.on("api_shape_set_half_extents", shape, halfWidth, halfHeight);
+    this.on(Kind.shape, "api_shape_set_half_extents", shape, halfWidth, halfHeight);
     this.shapesRevision++;
   }
 
   // ---- bodies ----
 
   /**
-   * Keeps a number for your own use with a body or a shape: whole, from 0 to 2⁵³ - 1. Where `id` is a
-   * number say whose it is.
+   * Keeps a number for your own use with a body or a shape: whole, from 0 to 2⁵³ - 1. Where a kind is
+   * told another is refused.
    */
   setUserData(id: BodyRef | ShapeRef, data: number, kind?: "body" | "shape"): void {
     const number = userData(data) ?? 0;
-    if (kindOf(id, kind) === "shape") this.on("api_shape_set_user_data", id, number);
-    else this.on("api_body_set_user_data", id, number);
+    if (kindOf(id, kind) === Kind.shape) this.on(Kind.shape, "api_shape_set_user_data", id, number);
+    else this.on(Kind.body, "api_body_set_user_data", id, number);
   }
 
   /**
@@ -119,22 +120,22 @@ export class WorldEdits extends WorldJoints {
    * @example world.setKind(platform, "dynamic")
    */
   setKind(body: BodyRef, kind: BodyKind): void {
-    this.on("api_body_set_kind", body, indexOf(BODY_KINDS, kind, "kind"));
+    this.on(Kind.body, "api_body_set_kind", body, indexOf(BODY_KINDS, kind, "kind"));
   }
 
   /** What slows its motion and its turning, 1/s, 0 or more. */
   setDamping(body: BodyRef, linear: number, angular: number): void {
-    this.on("api_body_set_damping", body, linear, angular);
+    this.on(Kind.body, "api_body_set_damping", body, linear, angular);
   }
 
   /** What it feels of the world's gravity: 0 floats. */
   setGravityScale(body: BodyRef, scale: number): void {
-    this.on("api_body_set_gravity_scale", body, scale);
+    this.on(Kind.body, "api_body_set_gravity_scale", body, scale);
   }
 
   /** True stops its turning at once. */
   setFixedRotation(body: BodyRef, fixed: boolean): void {
-    this.on("api_body_set_fixed_rotation", body, Number(fixed));
+    this.on(Kind.body, "api_body_set_fixed_rotation", body, Number(fixed));
   }
 
   /**
@@ -144,12 +145,12 @@ export class WorldEdits extends WorldJoints {
    */
   setLocks(body: BodyRef, locks: Locks): void {
     const [x, y] = numbersOf("setLocks", locks, LOCKS);
-    this.on("api_body_set_locks", body, x ?? 0, y ?? 0);
+    this.on(Kind.body, "api_body_set_locks", body, x ?? 0, y ?? 0);
   }
 
   /** The axes that it does not move along. */
   locksOf(body: BodyRef): { x: boolean; y: boolean } {
-    this.on("api_body_locks", body);
+    this.on(Kind.body, "api_body_locks", body);
     const locked = this.engine.slots[NumberAt.value];
     return { x: (locked & 1) !== 0, y: locked > 1 };
   }
@@ -157,12 +158,12 @@ export class WorldEdits extends WorldJoints {
   /** How its motion is tested; null: as the world's. */
   setDetection(body: BodyRef, detection: Detection | null): void {
     const number = detection === null ? -1 : indexOf(DETECTIONS, detection, "detection");
-    this.on("api_body_set_detection", body, number);
+    this.on(Kind.body, "api_body_set_detection", body, number);
   }
 
   /** Whether it may sleep once it is at rest. */
   setMaySleep(body: BodyRef, maySleep: boolean): void {
-    this.on("api_body_set_may_sleep", body, Number(maySleep));
+    this.on(Kind.body, "api_body_set_may_sleep", body, Number(maySleep));
   }
 
   /**
@@ -172,11 +173,11 @@ export class WorldEdits extends WorldJoints {
    */
   setMass(body: BodyRef, mass: Mass | null): void {
     if (mass === null) {
-      this.on("api_body_weigh", body);
+      this.on(Kind.body, "api_body_weigh", body);
       return;
     }
     checkNames("setMass", mass, MASS);
     const { center = [0, 0] } = mass;
-    this.on("api_body_set_mass", body, mass.mass, mass.inertia, center?.[0], center?.[1]);
+    this.on(Kind.body, "api_body_set_mass", body, mass.mass, mass.inertia, center?.[0], center?.[1]);
   }
 }

@@ -12,6 +12,7 @@ import {
 import { checkNames } from "./checks/names.js";
 import { explained } from "./checks/hook.js";
 import { fill, filterNumbers, numbersOf, writeOptions } from "./numbers.js";
+import { Kind } from "./plain/handles.js";
 import type { Explosion, Tyre, Water, Wind } from "./fields/field-types.js";
 import type { BodyRef, Vec2 } from "./types.js";
 import { WorldForces } from "./world-forces.js";
@@ -46,7 +47,7 @@ export class WorldFields extends WorldForces {
   applyWind(body: BodyRef, velocity: Vec2, wind: Wind = {}): void {
     checkNames("applyWind", wind, WIND);
     const { density = 1, drag = 1, lift = 1 } = wind;
-    this.on("api_body_apply_wind", body, velocity?.[0], velocity?.[1], density, drag, lift);
+    this.on(Kind.body, "api_body_apply_wind", body, velocity?.[0], velocity?.[1], density, drag, lift);
   }
 
   /**
@@ -59,7 +60,7 @@ export class WorldFields extends WorldForces {
     exports.api_water_defaults();
     fill(slots, numbers);
     try {
-      this.on("api_body_apply_buoyancy", body);
+      this.on(Kind.body, "api_body_apply_buoyancy", body);
     } catch (refused) {
       throw explained(refused, "applyBuoyancy", water, this.lengthScale);
     }
@@ -67,7 +68,7 @@ export class WorldFields extends WorldForces {
 
   /** Brakes a ball that rolls as on a slope of `coefficient`, through the next step. */
   applyRollingResistance(body: BodyRef, coefficient: number): void {
-    this.on("api_body_apply_rolling", body, coefficient);
+    this.on(Kind.body, "api_body_apply_rolling", body, coefficient);
   }
 
   /**
@@ -76,7 +77,7 @@ export class WorldFields extends WorldForces {
    */
   applyGrip(body: BodyRef, point: Vec2, axis: Vec2, speed: number, most: number): void {
     const [x, y, alongX, alongY] = [point?.[0], point?.[1], axis?.[0], axis?.[1]];
-    this.on("api_body_apply_grip", body, x, y, alongX, alongY, speed, most);
+    this.on(Kind.body, "api_body_apply_grip", body, x, y, alongX, alongY, speed, most);
   }
 
   /**
@@ -90,7 +91,7 @@ export class WorldFields extends WorldForces {
     slots.set(TYRE);
     writeOptions("applyTyre", slots, tyre, TYRE_OPTIONS, NO_OTHERS);
     try {
-      this.on("api_body_apply_tyre", body);
+      this.on(Kind.body, "api_body_apply_tyre", body);
     } catch (refused) {
       throw explained(refused, "applyTyre", tyre);
     }

@@ -13,7 +13,7 @@ import {
 } from "./generated/slots.js";
 import { bodyAt, vecAt } from "./numbers.js";
 import { type BodyId, type BodyRef, DETECTIONS, QUALITIES, type ShapeRef, type Vec2, type Into } from "./types.js";
-import { kindOf } from "./plain/handles.js";
+import { Kind, kindOf } from "./plain/handles.js";
 import type { StepSettings } from "./view-types.js";
 import { WorldEdits } from "./world-edits.js";
 
@@ -25,7 +25,7 @@ export class WorldForces extends WorldEdits {
    * @example world.applyForceAt(rocket, [0, 20], nozzle)
    */
   applyForceAt(body: BodyRef, force: Vec2, point: Vec2): void {
-    this.on("api_body_apply_force_at", body, force?.[0], force?.[1], point?.[0], point?.[1]);
+    this.on(Kind.body, "api_body_apply_force_at", body, force?.[0], force?.[1], point?.[0], point?.[1]);
   }
 
   /**
@@ -33,12 +33,12 @@ export class WorldForces extends WorldEdits {
    * @example world.applyCenterImpulse(ball, [0, 5])
    */
   applyCenterImpulse(body: BodyRef, impulse: Vec2): void {
-    this.on("api_body_apply_center_impulse", body, impulse?.[0], impulse?.[1]);
+    this.on(Kind.body, "api_body_apply_center_impulse", body, impulse?.[0], impulse?.[1]);
   }
 
   /** Turns at once: mass times length²/s. */
   applyAngularImpulse(body: BodyRef, impulse: number): void {
-    this.on("api_body_apply_angular_impulse", body, impulse);
+    this.on(Kind.body, "api_body_apply_angular_impulse", body, impulse);
   }
 
   /**
@@ -47,7 +47,7 @@ export class WorldForces extends WorldEdits {
    * @example world.setTarget(lift, [0, 3 + Math.sin(time)])
    */
   setTarget(body: BodyRef, position: Vec2, angle = 0): void {
-    this.on("api_body_set_target", body, position?.[0], position?.[1], angle);
+    this.on(Kind.body, "api_body_set_target", body, position?.[0], position?.[1], angle);
   }
 
   // ---- points; all write into a list of yours where one is given, and return it ----
@@ -87,20 +87,20 @@ export class WorldForces extends WorldEdits {
    * @example const [x, y] = world.positionOf(ball)
    */
   positionOf(body: BodyRef, into?: Into): Vec2 {
-    this.on("api_body_position", body);
+    this.on(Kind.body, "api_body_position", body);
     return this.#pair(PlaceAt.at, into);
   }
 
   /** How far it is turned: radians in (-π, π], and their cosine and sine. */
   rotationOf(body: BodyRef): { angle: number; cosine: number; sine: number } {
-    this.on("api_body_rotation", body);
+    this.on(Kind.body, "api_body_rotation", body);
     const s = this.engine.slots;
     return { angle: s[RotationAt.angle], cosine: s[RotationAt.cosine], sine: s[RotationAt.sine] };
   }
 
   /** Of its centre of mass, length/s, and radians/s. */
   velocityOf(body: BodyRef): { velocity: Vec2; angularVelocity: number } {
-    this.on("api_body_velocity", body);
+    this.on(Kind.body, "api_body_velocity", body);
     const s = this.engine.slots;
     return { velocity: vecAt(s, MotionAt.velocity), angularVelocity: s[MotionAt.angularVelocity] };
   }
@@ -111,25 +111,25 @@ export class WorldForces extends WorldEdits {
    */
   readMotion(body: BodyRef, into: Into): void {
     this.positionOf(body, into);
-    this.on("api_body_rotation", body);
+    this.on(Kind.body, "api_body_rotation", body);
     const s = this.engine.slots;
     into[2] = s[RotationAt.angle];
-    this.on("api_body_velocity", body);
+    this.on(Kind.body, "api_body_velocity", body);
     into[3] = s[MotionAt.velocity];
     into[4] = s[MotionAt.velocity + 1];
     into[5] = s[MotionAt.angularVelocity];
   }
 
-  /** What `setUserData` or the options gave. Of a number say whose it is. */
+  /** What `setUserData` or the options gave. Where a kind is told another is refused. */
   userDataOf(id: BodyRef | ShapeRef, kind?: "body" | "shape"): number {
-    if (kindOf(id, kind) === "shape") this.on("api_shape_user_data", id);
-    else this.on("api_body_user_data", id);
+    if (kindOf(id, kind) === Kind.shape) this.on(Kind.shape, "api_shape_user_data", id);
+    else this.on(Kind.body, "api_body_user_data", id);
     return this.engine.slots[NumberAt.value];
   }
 
   /** The body that a shape is of. */
   bodyOf(shape: ShapeRef): BodyId {
-    this.on("api_shape_body", shape);
+    this.on(Kind.shape, "api_shape_body", shape);
     return bodyAt(this.engine.slots, HandleAt.index1);
   }
 
@@ -156,7 +156,7 @@ export class WorldForces extends WorldEdits {
   }
 
   #place(name: string, body: BodyRef, point: Vec2, into?: Into): Vec2 {
-    this.on(name, body, point?.[0], point?.[1]);
+    this.on(Kind.body, name, body, point?.[0], point?.[1]);
     return this.#pair(PlaceAt.at, into);
   }
 

@@ -27,6 +27,7 @@ import {
   type Numbered,
 } from "./joint-types.js";
 import { bodyAt, fill, indexOf, jointAt, numbersOf, rowsOf, userData, vecAt, view } from "./numbers.js";
+import { Kind } from "./plain/handles.js";
 import type { BodyRef, JointId, JointRef } from "./types.js";
 import { WorldViews } from "./world-views.js";
 
@@ -56,7 +57,7 @@ export class WorldJoints extends WorldViews {
    * @example world.jointState(joint).force
    */
   jointState(joint: JointRef): JointState {
-    this.on("api_joint_get", joint);
+    this.on(Kind.joint, "api_joint_get", joint);
     const s = this.engine.slots;
     const [along, across, turn] = s.subarray(JointStateAt.value);
     return {
@@ -75,7 +76,7 @@ export class WorldJoints extends WorldViews {
 
   /** What another like it can be made with, as it is now: with its frames in both bodies. */
   jointOptions(joint: JointRef): AnyJointOptions {
-    this.on("api_joint_options", joint);
+    this.on(Kind.joint, "api_joint_options", joint);
     return readJoint(this.engine.slots);
   }
 
@@ -86,16 +87,16 @@ export class WorldJoints extends WorldViews {
    */
   setDrive(joint: JointRef, direction: Direction, drive: Drive): void {
     const i = indexOf(DIRECTIONS, direction, "direction");
-    this.on("api_joint_options", joint);
+    this.on(Kind.joint, "api_joint_options", joint);
     writeDrive(this.engine.slots, i, drive, direction);
     named("setDrive", { [direction]: drive }, this.#furthest, () =>
-      this.on("api_joint_set_drive", joint, i, this.#furthest),
+      this.on(Kind.joint, "api_joint_set_drive", joint, i, this.#furthest),
     );
   }
 
   /** Sets how long a rod is. Wakes its bodies. */
   setJointLength(joint: JointRef, length: number): void {
-    this.on("api_joint_set_length", joint, length);
+    this.on(Kind.joint, "api_joint_set_length", joint, length);
   }
 
   /**
@@ -105,10 +106,10 @@ export class WorldJoints extends WorldViews {
   setJointFrame(joint: JointRef, side: "a" | "b", frame: JointFrame): void {
     const i = indexOf(SIDES, side, "side");
     const numbers = numbersOf("frame", frame, FRAME_OPTIONS);
-    this.on("api_joint_options", joint);
+    this.on(Kind.joint, "api_joint_options", joint);
     fill(this.engine.slots, numbers, JointOptionsAt.frameA + FrameOptionsAt.length * i);
     named("setJointFrame", { [`frame${side.toUpperCase()}`]: frame }, this.#furthest, () =>
-      this.on("api_joint_set_frame", joint, i),
+      this.on(Kind.joint, "api_joint_set_frame", joint, i),
     );
   }
 
@@ -121,21 +122,21 @@ export class WorldJoints extends WorldViews {
     options: Pick<JointOptions, "breakForce" | "breakTorque" | "onlyReports">,
   ): void {
     const numbers = numbersOf("setJointBreaking", options, BREAKING);
-    this.on("api_joint_options", joint);
+    this.on(Kind.joint, "api_joint_options", joint);
     fill(this.engine.slots, numbers, JointOptionsAt.breakForce);
     named("setJointBreaking", options, this.#furthest, () =>
-      this.on("api_joint_set_breaking", joint),
+      this.on(Kind.joint, "api_joint_set_breaking", joint),
     );
   }
 
   /** False lets go of both bodies, until true. Wakes them. */
   setJointEnabled(joint: JointRef, enabled: boolean): void {
-    this.on("api_joint_set_enabled", joint, Number(enabled));
+    this.on(Kind.joint, "api_joint_set_enabled", joint, Number(enabled));
   }
 
   /** Keeps a number for your own use: whole, from 0 to 2⁵³ - 1. */
   setJointUserData(joint: JointRef, data: number): void {
-    this.on("api_joint_set_user_data", joint, userData(data) ?? 0);
+    this.on(Kind.joint, "api_joint_set_user_data", joint, userData(data) ?? 0);
   }
 
   /** Every joint of the world. */
@@ -146,7 +147,7 @@ export class WorldJoints extends WorldViews {
 
   /** The joints of a body. */
   jointsOf(body: BodyRef): JointId[] {
-    this.on("api_body_joints", body);
+    this.on(Kind.body, "api_body_joints", body);
     return this.#jointIds();
   }
 

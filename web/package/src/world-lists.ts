@@ -2,6 +2,7 @@
 import { ThudError } from "./error.js";
 import { HandleAt, ListAt, PairAt, PairSideAt, ShapeStateAt } from "./generated/slots.js";
 import { bodyAt, rowsOf, shapeAt } from "./numbers.js";
+import { index1Of, Kind } from "./plain/handles.js";
 import { WorldRules } from "./rules/world-rules.js";
 import type { BodyId, ShapeId, ShapeRef } from "./types.js";
 import type { ContactEvent, Events, Meeting, Pair, PairSide } from "./view-types.js";
@@ -67,7 +68,7 @@ export class WorldLists extends WorldRules {
    * @example if (world.overlapsOf(goal).length > 0) score()
    */
   overlapsOf(sensor: ShapeRef): ShapeId[] {
-    this.on("api_sensor_overlaps", sensor);
+    this.on(Kind.shape, "api_sensor_overlaps", sensor);
     return this.shapeIds();
   }
 
@@ -78,10 +79,9 @@ export class WorldLists extends WorldRules {
    */
   pairOf({ a, b }: Pick<ContactEvent, "a" | "b">): Pair {
     const { exports, slots: s } = this.engine;
+    const [index1A, index1B] = [index1Of(a, Kind.shape), index1Of(b, Kind.shape)];
     const call = exports.api_pair_get;
-    this.engine.check(
-      call(this.address, a.index + 1, a.generation, b.index + 1, b.generation),
-    );
+    this.engine.check(call(this.address, index1A, a.generation, index1B, b.generation));
     return { a: readSide(s, PairAt.a), b: readSide(s, PairAt.b) };
   }
 
@@ -116,7 +116,7 @@ export class WorldLists extends WorldRules {
   }
 
   #categoryOf(shape: ShapeId): number {
-    this.on("api_shape_get", shape);
+    this.on(Kind.shape, "api_shape_get", shape);
     return this.engine.slots[ShapeStateAt.category];
   }
 

@@ -27,7 +27,7 @@ import type {
   RayHit,
   SolidShape,
 } from "./query-types.js";
-import { numberAt } from "./plain/handles.js";
+import { Kind, numberOfPair } from "./plain/handles.js";
 import type { ShapeId, ShapeRef, Vec2, Into } from "./types.js";
 import { WorldBase } from "./world-base.js";
 
@@ -63,7 +63,8 @@ export class WorldQueries extends WorldBase {
     if (result !== 0) this.refuse(result, "castRayInto", { origin, translation });
     const s = this.engine.slots;
     if (s[FirstHitAt.found] === 0) return false;
-    into[0] = numberAt(s, FirstHitAt.hit + RayHitAt.shape);
+    const shape = FirstHitAt.hit + RayHitAt.shape;
+    into[0] = numberOfPair(s[shape], s[shape + 1], Kind.shape);
     into[1] = s[FirstHitAt.hit + RayHitAt.point];
     into[2] = s[FirstHitAt.hit + RayHitAt.point + 1];
     into[3] = s[FirstHitAt.hit + RayHitAt.normal];
@@ -193,7 +194,7 @@ export class WorldQueries extends WorldBase {
   /** Where a ray first meets this shape, or null. */
   castRayAt(shape: ShapeRef, origin: Vec2, translation: Vec2): RayHit | null {
     const [x, y, dx, dy] = [origin?.[0], origin?.[1], translation?.[0], translation?.[1]];
-    this.on("api_shape_meets_ray", shape, x, y, dx, dy);
+    this.on(Kind.shape, "api_shape_meets_ray", shape, x, y, dx, dy);
     return readFirst(this.engine.slots);
   }
 
@@ -202,19 +203,19 @@ export class WorldQueries extends WorldBase {
    * @example if (world.containsPoint(shape, [x, y])) pick(shape)
    */
   containsPoint(shape: ShapeRef, point: Vec2): boolean {
-    this.on("api_shape_contains_point", shape, point?.[0], point?.[1]);
+    this.on(Kind.shape, "api_shape_contains_point", shape, point?.[0], point?.[1]);
     return this.engine.slots[NumberAt.value] !== 0;
   }
 
   /** The closest point of a shape's surface, however far. */
   closestPointOf(shape: ShapeRef, point: Vec2): ClosestHit {
-    this.on("api_shape_closest_point", shape, point?.[0], point?.[1]);
+    this.on(Kind.shape, "api_shape_closest_point", shape, point?.[0], point?.[1]);
     return readClosest(this.engine.slots);
   }
 
   /** The least box around a shape as it stands; a flat terrain has none. */
   boundsOf(shape: ShapeRef): Bounds {
-    this.on("api_shape_bounds", shape);
+    this.on(Kind.shape, "api_shape_bounds", shape);
     const s = this.engine.slots;
     return { lower: vecAt(s, BoundsAt.lower), upper: vecAt(s, BoundsAt.upper) };
   }

@@ -11,7 +11,7 @@ import {
   TerrainAt,
 } from "./generated/slots.js";
 import { bodyAt, FORMS, indexOf, rowsOf, shapeAt, vecAt, writeOptions } from "./numbers.js";
-import { generationOf, index1Of } from "./plain/handles.js";
+import { generationOf, index1Of, Kind } from "./plain/handles.js";
 import {
   type BodyRef,
   type BoxOptions,
@@ -111,7 +111,7 @@ export class WorldShapes extends WorldLists {
       if ((options.kind ?? "terrain") !== "terrain")
         throw new ThudError("invalid", `createTerrain: its kind is "${options.kind}"`);
       try {
-        this.on("api_terrain_create", body, kind, slope, x0, spacing, points, count);
+        this.on(Kind.body, "api_terrain_create", body, kind, slope, x0, spacing, points, count);
       } catch (refused) {
         throw explained(refused, "createTerrain", { ...options, terrain }, this.lengthScale);
       }
@@ -138,7 +138,7 @@ export class WorldShapes extends WorldLists {
 
   /** What a shape was made with, and its body. */
   shapeState(shape: ShapeRef): ShapeState {
-    this.on("api_shape_get", shape);
+    this.on(Kind.shape, "api_shape_get", shape);
     const s = this.engine.slots;
     const kind = SHAPE_KINDS[s[ShapeStateAt.kind]];
     const material = {
@@ -164,7 +164,7 @@ export class WorldShapes extends WorldLists {
 
   /** A copy of a terrain as the world has it. */
   terrain(shape: ShapeRef): Terrain {
-    this.on("api_shape_terrain", shape);
+    this.on(Kind.shape, "api_shape_terrain", shape);
     const { buffer, slots: s } = this.engine;
     const kind = TERRAIN_KINDS[s[TerrainAt.kind]];
     if (kind === "flat") return { kind, slope: s[TerrainAt.slope] };
@@ -182,7 +182,7 @@ export class WorldShapes extends WorldLists {
     this.engine.withDoubles(
       heights.length,
       (doubles) => doubles.set(heights),
-      (address) => this.on("api_shape_set_heights", shape, first, address, heights.length),
+      (address) => this.on(Kind.shape, "api_shape_set_heights", shape, first, address, heights.length),
     );
     this.terrainsRevision++;
   }
@@ -193,13 +193,13 @@ export class WorldShapes extends WorldLists {
    * @example world.dig(shape, [x, y], 2)
    */
   dig(shape: ShapeRef, center: Vec2, radius: number): void {
-    this.on("api_shape_dig", shape, center?.[0], center?.[1], radius);
+    this.on(Kind.shape, "api_shape_dig", shape, center?.[0], center?.[1], radius);
     this.terrainsRevision++;
   }
 
   /** Raises a smooth mound about x; a negative height makes a hollow. Otherwise as `dig`. */
   raise(shape: ShapeRef, x: number, radius: number, height: number): void {
-    this.on("api_shape_raise", shape, x, radius, height);
+    this.on(Kind.shape, "api_shape_raise", shape, x, radius, height);
     this.terrainsRevision++;
   }
 
@@ -213,14 +213,14 @@ export class WorldShapes extends WorldLists {
       for (let i = 0; i < length; i++) doubles.set(points[i], 2 * i);
     };
     this.engine.withDoubles(2 * length, fillPoints, (address) =>
-      this.on("api_shape_replace_range", shape, x0, x1, address, length),
+      this.on(Kind.shape, "api_shape_replace_range", shape, x0, x1, address, length),
     );
     this.terrainsRevision++;
   }
 
   /** The ground of a terrain at x, a place in the world; throws beyond its ends. */
   groundAt(shape: ShapeRef, x: number): Ground {
-    this.on("api_ground_at", shape, x);
+    this.on(Kind.shape, "api_ground_at", shape, x);
     const s = this.engine.slots;
     return {
       height: s[GroundAt.height],
@@ -232,7 +232,7 @@ export class WorldShapes extends WorldLists {
 
   /** Puts a level sole of the given width onto a terrain, with its middle at x. */
   placeFoot(shape: ShapeRef, x: number, width: number): Foot {
-    this.on("api_place_foot", shape, x, width);
+    this.on(Kind.shape, "api_place_foot", shape, x, width);
     const s = this.engine.slots;
     return { height: s[FootAt.height], x: s[FootAt.x], normal: vecAt(s, FootAt.normal) };
   }
@@ -246,7 +246,7 @@ export class WorldShapes extends WorldLists {
   }
 
   #createSolid(kind: SolidKind, body: BodyRef, options: Omit<SolidOptions, "kind">): ShapeId {
-    this.#makeShape(kind, index1Of(body), generationOf(body), options);
+    this.#makeShape(kind, index1Of(body, Kind.body), generationOf(body), options);
     return shapeAt(this.engine.slots, HandleAt.index1);
   }
 

@@ -24,6 +24,7 @@ import {
   StepErrorAt,
 } from "./generated/slots.js";
 import { bodyAt, numbersOf, rowsOf, shapeAt, vecAt, view } from "./numbers.js";
+import { Kind } from "./plain/handles.js";
 import type { BodyRef } from "./types.js";
 import type {
   Contact,
@@ -90,7 +91,8 @@ export class WorldViews extends WorldQueries {
   }
 
   /**
-   * What touched, parted and hit in the last step; copied, so that it may be kept.
+   * What touched, parted and hit in the last step, or in all steps of the last `advance`; copied, so
+   * that it may be kept.
    * @example world.events().hit
    */
   events(): Events {
@@ -126,7 +128,7 @@ export class WorldViews extends WorldQueries {
 
   /** What a body touches, without copies: rows as CONTACT_ROW has them, valid until the next call. */
   contactView(body: BodyRef): Float64Array {
-    this.on("api_body_contacts", body);
+    this.on(Kind.body, "api_body_contacts", body);
     const { buffer, slots } = this.engine;
     this.#contacts = again(this.#contacts, buffer, slots, ListAt.address, ContactRowAt.length);
     return this.#contacts;
@@ -134,7 +136,7 @@ export class WorldViews extends WorldQueries {
 
   /** What a body touches, as the last step left it; the latest to touch first. Copied. */
   contactsOf(body: BodyRef): Contact[] {
-    this.on("api_body_contacts", body);
+    this.on(Kind.body, "api_body_contacts", body);
     const { buffer, slots } = this.engine;
     return rowsOf(Float64Array, buffer, slots, ListAt.address, ContactRowAt.length, readContact);
   }
@@ -224,15 +226,7 @@ export class WorldViews extends WorldQueries {
   /** Every shape of the world, to be read once after shapes came or went, not in every frame. */
   shapeTable(): ShapeTable {
     const { engine } = this;
-    engine.check(
-      engine.exports.api_shape_table(
-        this.address,
-        -this.reach,
-        -this.reach,
-        this.reach,
-        this.reach,
-      ),
-    );
+    engine.check(engine.exports.api_shape_table(this.address));
     const { buffer, slots: s } = engine;
     const count = s[ShapeTableAt.count];
     return {

@@ -21,15 +21,13 @@ import {
   type SolidOptions,
   type Vec2,
 } from "./types.js";
-import { generationOf, index1Of, kindOf, numberOfPair } from "./plain/handles.js";
+import { generationOf, index1Of, Kind, kindOf, numberOfPair } from "./plain/handles.js";
 import { WorldShapes } from "./world-shapes.js";
 
 const BODY_OTHERS = ["shapes", "locks"];
-const DESTROY = {
-  body: "api_body_destroy",
-  shape: "api_shape_destroy",
-  joint: "api_joint_destroy",
-};
+/** By kind. */
+const DESTROY = ["", "api_body_destroy", "api_shape_destroy", "api_joint_destroy"];
+const IS_VALID = ["", "api_body_is_valid", "api_shape_is_valid", "api_joint_is_valid"];
 
 export class World extends WorldShapes {
   // ---- bodies ----
@@ -51,7 +49,12 @@ export class World extends WorldShapes {
    */
   spawn(options: BodyOptions): number {
     const index1 = this.#make(options);
-    return numberOfPair(index1, this.#generation);
+    try {
+      return numberOfPair(index1, this.#generation, Kind.body);
+    } catch (refused) {
+      this.destroy(bodyId(index1, this.#generation));
+      throw refused;
+    }
   }
 
   /**
@@ -113,20 +116,21 @@ export class World extends WorldShapes {
   }
 
   /**
-   * Removes a body with its shapes and joints, or one shape, or one joint. Of a number say whose it
-   * is.
+   * Removes a body with its shapes and joints, or one shape, or one joint. Where a kind is told
+   * another is refused.
    * @example world.destroy(ball)
    */
   destroy(id: BodyRef | ShapeRef | JointRef, kind?: "body" | "shape" | "joint"): void {
-    const whose = kindOf(id, kind);
-    this.on(DESTROY[whose], id);
-    if (whose !== "joint") this.shapesRevision++;
+    const its = kindOf(id, kind);
+    this.on(its, DESTROY[its], id);
+    if (its !== Kind.joint) this.shapesRevision++;
   }
 
-  /** False once it was destroyed, or broke. Of a number say whose it is. */
+  /** False once it was destroyed, or broke. Where a kind is told another is refused. */
   isValid(id: BodyRef | ShapeRef | JointRef, kind?: "body" | "shape" | "joint"): boolean {
-    const isValid = this.engine.exports[`api_${kindOf(id, kind)}_is_valid`];
-    return isValid(this.address, index1Of(id), generationOf(id)) !== 0;
+    const its = kindOf(id, kind);
+    const isValid = this.engine.exports[IS_VALID[its]];
+    return isValid(this.address, index1Of(id, its), generationOf(id)) !== 0;
   }
 
   /**
@@ -134,7 +138,7 @@ export class World extends WorldShapes {
    * @example world.bodyState(ball).position
    */
   bodyState(body: BodyRef): BodyState {
-    this.on("api_body_get", body);
+    this.on(Kind.body, "api_body_get", body);
     const s = this.engine.slots;
     return {
       kind: BODY_KINDS[s[BodyStateAt.kind]],
@@ -159,7 +163,7 @@ export class World extends WorldShapes {
    * @example world.setTransform(ball, [0, 5], 0)
    */
   setTransform(body: BodyRef, position: Vec2, angle = 0): void {
-    this.on("api_body_set_transform", body, position?.[0], position?.[1], angle);
+    this.on(Kind.body, "api_body_set_transform", body, position?.[0], position?.[1], angle);
   }
 
   /**
@@ -167,7 +171,7 @@ export class World extends WorldShapes {
    * @example world.setVelocity(ball, [3, 0])
    */
   setVelocity(body: BodyRef, velocity: Vec2, angularVelocity = 0): void {
-    this.on("api_body_set_velocity", body, velocity?.[0], velocity?.[1], angularVelocity);
+    this.on(Kind.body, "api_body_set_velocity", body, velocity?.[0], velocity?.[1], angularVelocity);
   }
 
   /**
@@ -175,7 +179,7 @@ export class World extends WorldShapes {
    * @example world.applyImpulse(ball, [0, 5], point)
    */
   applyImpulse(body: BodyRef, impulse: Vec2, point: Vec2): void {
-    this.on("api_body_apply_impulse", body, impulse?.[0], impulse?.[1], point?.[0], point?.[1]);
+    this.on(Kind.body, "api_body_apply_impulse", body, impulse?.[0], impulse?.[1], point?.[0], point?.[1]);
   }
 
   /**
@@ -183,12 +187,12 @@ export class World extends WorldShapes {
    * @example world.applyForce(ball, [10, 0])
    */
   applyForce(body: BodyRef, force: Vec2, torque = 0): void {
-    this.on("api_body_apply_force", body, force?.[0], force?.[1], torque);
+    this.on(Kind.body, "api_body_apply_force", body, force?.[0], force?.[1], torque);
   }
 
   /** Wakes a body. False: it counts as at rest, and sleeps as soon as its whole island does. */
   setAwake(body: BodyRef, awake: boolean): void {
-    this.on("api_body_set_awake", body, Number(awake));
+    this.on(Kind.body, "api_body_set_awake", body, Number(awake));
   }
 
   /**
@@ -196,13 +200,13 @@ export class World extends WorldShapes {
    * brings it back, where it is and at the velocity it had.
    */
   setEnabled(body: BodyRef, enabled: boolean): void {
-    this.on("api_body_set_enabled", body, Number(enabled));
+    this.on(Kind.body, "api_body_set_enabled", body, Number(enabled));
     this.shapesRevision++;
   }
 
   /** The shapes of a body, the last made first. */
   shapesOf(body: BodyRef): ShapeId[] {
-    this.on("api_body_shapes", body);
+    this.on(Kind.body, "api_body_shapes", body);
     return this.shapeIds();
   }
 }

@@ -36,7 +36,7 @@ export default function ({ createWorld, grid, size: rows }) {
 
   return {
     world,
-    view: { x: 0.4 * width, y: 0.6 * height, height: 1.7 * height, width: 1.25 * width },
+    view: { x: 0.4 * width, y: 0.6 * height, height: 1.7 * height, width: 0.85 * width },
     spawn: [0.5 * width, height + 6],
   };
 }

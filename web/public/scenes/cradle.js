@@ -1,8 +1,8 @@
 // Newton's cradle without threads or gravity: as many balls leave on one side as arrive on the
 // other, at the same speed. They come back from the wall, and so on for ever.
 
-export const title = "Newton's cradle";
-export const about = "As many balls leave on one side as arrive on the other, at the same speed.";
+export const title = "Cradle without strings";
+export const about = "Newton's cradle in three rows: as many balls leave as arrive, at the same speed.";
 export const menu = { group: "In motion", place: 480 };
 export const size = { means: "balls in a row", usual: 5, least: 4, most: 100 };
 

@@ -49,9 +49,9 @@ const CONTROLS = [
   check("sum", "Minkowski sum",
     "One shape and one point: the point is in the sum while the two overlap, and two ways are one " +
       "segment that enters it."),
-  check("circle", "Bounding circle", "The cheapest to test, and the same however the shape turns; it fits loosely."),
+  check("circle", "Bounding circle", "One distance to compare, the same however the shape turns; it fits loosely."),
   check("aabb", "Bounding AABB", "Two intervals to compare; it grows and shrinks as the shape turns."),
-  check("obb", "Bounding OBB", "It turns with the shape and fits best; the dearest of the three."),
+  check("obb", "Bounding OBB", "It turns with the shape and fits best."),
   ...slidersOf("A"),
   ...slidersOf("B"),
 ];

@@ -4,8 +4,8 @@ import { DROP, Figure, WALK } from "./platformer_game/figure.js";
 import { grassOn } from "./platformer_game/grass.js";
 import { findLifts, turnLifts } from "./platformer_game/lifts.js";
 
-export const title = "Platforms";
-export const about = "Walk on stairs, planks and lifts, among crates and balls.";
+export const title = "Stairs, planks and lifts";
+export const about = "Walk among crates and balls through a level drawn in Tiled.";
 export const menu = { group: "Levels from Tiled", place: 220 };
 
 export default async function (setting) {

@@ -1,7 +1,7 @@
 // Upright boxes run and fall over storeys of separate tiles. Every fourth has no friction and
 // glides over the seams between the tiles at full speed, until it meets a wall or a gap.
 
-export const title = "Platformer tiles";
+export const title = "Boxes over tile floors";
 export const about = "Boxes slide over floors of separate tiles and are never caught between two.";
 export const menu = { group: "Crowds and extremes", place: 730 };
 export const size = {

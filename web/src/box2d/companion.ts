@@ -71,15 +71,13 @@ export class Box2DCompanion implements Companion {
       const { session, known } = this;
       const { world, lengthScale } = session;
       const box2dWorld = new Box2DWorld(this.box2d, world, {
-        options: known.options,
-        bodyOptions: known.bodyOptions,
-        changes: known.changes,
+        ...known,
         substeps: this.request.substeps,
         contactHertz: CONTACT_HERTZ,
       });
       this.#pair = {
         box2dWorld,
-        ruler: new Ruler(world, lengthScale),
+        ruler: new Ruler(world, lengthScale, known),
         origin: middleOf(world),
         since: session.step,
         nextComparison: session.step,
@@ -108,9 +106,8 @@ export class Box2DCompanion implements Companion {
       const { box2dWorld, since } = pair;
       const milliseconds = box2dWorld.step();
       const { awakeBodies: awake, origin } = box2dWorld;
-      const { gears } = box2dWorld;
-      const fields = [...this.known.fields];
-      const sample: Box2DSample = { milliseconds, awake, since, origin, gears, fields };
+      const { misses } = box2dWorld;
+      const sample: Box2DSample = { milliseconds, awake, since, origin, misses };
       const { step } = this.session;
       if (step < pair.nextComparison) return sample;
       const start = performance.now();

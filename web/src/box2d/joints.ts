@@ -10,6 +10,7 @@ import type {
 } from "../../node_modules/box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe";
 import { gapOf, type Gap } from "./joint-gap";
 import type { Common } from "./make";
+import { heeding } from "./heeding";
 import { frameOfA, makeJoint, setFrame, type Tie } from "./make-joint";
 
 interface Made {
@@ -28,8 +29,8 @@ export class Joints {
   readonly #touched = new Map<string, JointId>();
   /** Of those that Box2D may break, by the index of its own. */
   readonly #brittle = new Map<number, string>();
-  /** Gears that Box2D was not given. */
-  readonly gears = new Set<string>();
+  /** Of those that Box2D has not or not wholly, what it lacks. */
+  readonly #lacks = new Map<string, readonly string[]>();
 
   /** `bodyOf` makes a body that has no shapes; null if the thud world has it switched off. */
   constructor(
@@ -44,8 +45,15 @@ export class Joints {
     this.#touched.set(nameOf(joint), joint);
   }
 
+  /** Also those that are gone there. */
   touchAll(): void {
+    for (const name of this.#made.keys()) this.touch(idOf(name));
     for (const joint of this.source.joints()) this.touch(joint);
+  }
+
+  /** What Box2D was not given of joints, in a few words each. */
+  get misses(): Set<string> {
+    return new Set([...this.#lacks.values()].flat());
   }
 
   /** Does after its bodies what was done to those that were touched. */
@@ -89,16 +97,17 @@ export class Joints {
   #follow(name: string, joint: JointId): void {
     const { source } = this;
     const options = source.isValid(joint) ? source.jointOptions(joint) : null;
-    this.gears.delete(name);
     if (!options?.enabled) return this.#remove(name);
-    if (options.kind === "gear") return void this.gears.add(name);
+    if (options.kind === "gear") return void this.#lacks.set(name, ["gears"]);
     const rest = textOf(options);
     const known = this.#made.get(name);
     if (known?.rest === rest) return this.#place(known, options);
     this.#remove(name);
     const [a, b] = [this.bodyOf(options.bodyA), this.bodyOf(options.bodyB)];
     if (!a || !b) return;
-    const made = makeJoint(this.common, this.world, [a, b], options);
+    const heeded = heeding(options);
+    const made = makeJoint(this.common, this.world, [a, b], heeded.tie);
+    this.#lacks.set(name, heeded.lacks());
     this.#made.set(name, { tie: options, joint: made, rest });
     this.#bear(name, made, options);
   }
@@ -127,6 +136,7 @@ export class Joints {
   }
 
   #remove(name: string): void {
+    this.#lacks.delete(name);
     const made = this.#made.get(name);
     if (!made) return;
     this.#made.delete(name);

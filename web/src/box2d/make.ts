@@ -16,7 +16,9 @@ import type { BodyOptions, BodyState, ShapeState, Terrain, Vec2, WorldOptions } 
 import type {
   b2BodyId,
   b2ChainId,
+  b2Circle,
   b2Filter,
+  b2Polygon,
   b2ShapeDef,
   b2ShapeId,
   b2SurfaceMaterial,
@@ -89,6 +91,67 @@ export function makeBody(
   return body;
 }
 
+/** A body that is there is given what its making gave it, but for where it is and how it moves. */
+export function setBody(
+  { box2d }: Common,
+  body: b2BodyId,
+  state: BodyState,
+  options: BodyOptions,
+): void {
+  const { b2_staticBody, b2_kinematicBody, b2_dynamicBody } = box2d.b2BodyType;
+  box2d.b2Body_SetType(
+    body,
+    { static: b2_staticBody, kinematic: b2_kinematicBody, dynamic: b2_dynamicBody }[state.kind],
+  );
+  box2d.b2Body_SetGravityScale(body, state.gravityScale);
+  box2d.b2Body_SetLinearDamping(body, options.linearDamping ?? 0);
+  box2d.b2Body_SetAngularDamping(body, options.angularDamping ?? 0);
+  const locks = new box2d.b2MotionLocks();
+  locks.linearX = locks.linearY = false;
+  locks.angularZ = state.kind === "dynamic" && state.inertia === 0;
+  box2d.b2Body_SetMotionLocks(body, locks);
+  locks.delete();
+  box2d.b2Body_EnableSleep(body, options.maySleep ?? true);
+  box2d.b2Body_SetBullet(body, options.detection === "swept");
+  if (state.kind === "dynamic") box2d.b2Body_SetAwake(body, true);
+}
+
+/** `center` is in the body's frame. */
+export function setMass(
+  { box2d, unit }: Common,
+  body: b2BodyId,
+  { mass, inertia, center }: { mass: number; inertia: number; center: Vec2 },
+): void {
+  const data = new box2d.b2MassData();
+  data.mass = mass;
+  data.rotationalInertia = inertia / unit ** 2;
+  const at = new box2d.b2Vec2(center[0] / unit, center[1] / unit);
+  data.center = at;
+  box2d.b2Body_SetMassData(body, data);
+  at.delete();
+  data.delete();
+}
+
+/** A shape that is there is given what its making gave it; whether it is a sensor stays. */
+export function setShape(common: Common, made: b2ShapeId, shape: SolidState): void {
+  const { box2d, unit } = common;
+  const filter = box2d.b2Shape_GetFilter(made);
+  setFilter(filter, shape);
+  box2d.b2Shape_SetFilter(made, filter);
+  filter.delete();
+  const material = box2d.b2Shape_GetSurfaceMaterial(made);
+  setMaterial(material, shape, unit);
+  box2d.b2Shape_SetSurfaceMaterial(made, material);
+  material.delete();
+  withGeometry(
+    common,
+    shape,
+    (circle) => box2d.b2Shape_SetCircle(made, circle),
+    (box) => box2d.b2Shape_SetPolygon(made, box),
+  );
+  box2d.b2Shape_SetDensity(made, shape.density * unit * unit, true);
+}
+
 export function makeShape(common: Common, body: b2BodyId, shape: SolidState): b2ShapeId {
   const { box2d, unit, events } = common;
   const def: b2ShapeDef = box2d.b2DefaultShapeDef();
@@ -99,13 +162,30 @@ export function makeShape(common: Common, body: b2BodyId, shape: SolidState): b2
   def.enableSensorEvents = events;
   setMaterial(def.material, shape, unit);
   setFilter(def.filter, shape);
+  const made = withGeometry(
+    common,
+    shape,
+    (circle) => box2d.b2CreateCircleShape(body, def, circle),
+    (box) => box2d.b2CreatePolygonShape(body, def, box),
+  );
+  def.delete();
+  return made;
+}
+
+/** Calls one of the two, with what is freed afterwards. */
+function withGeometry<T>(
+  { box2d, unit }: Common,
+  shape: SolidState,
+  asCircle: (circle: b2Circle) => T,
+  asBox: (box: b2Polygon) => T,
+): T {
   const offset = new box2d.b2Vec2(shape.offset[0] / unit, shape.offset[1] / unit);
-  let made: b2ShapeId;
+  let result: T;
   if (shape.kind === "circle") {
     const circle = new box2d.b2Circle();
     circle.center = offset;
     circle.radius = shape.radius / unit;
-    made = box2d.b2CreateCircleShape(body, def, circle);
+    result = asCircle(circle);
     circle.delete();
   } else {
     const turn = new box2d.b2Rot();
@@ -115,13 +195,12 @@ export function makeShape(common: Common, body: b2BodyId, shape: SolidState): b2
     turn.s = Math.sin(angle);
     const [hx, hy] = [shape.halfWidth / unit, shape.halfHeight / unit];
     const box = box2d.b2MakeOffsetBox(hx, hy, offset, turn);
-    made = box2d.b2CreatePolygonShape(body, def, box);
+    result = asBox(box);
     box.delete();
     turn.delete();
   }
   offset.delete();
-  def.delete();
-  return made;
+  return result;
 }
 
 export function makeChain(

@@ -3,13 +3,17 @@
  * copy is made of, its `Twin` knows.
  */
 import type { BodyId, BodyState, ShapeId, ShapeState, Terrain, World } from "thud";
-import { bodyAt, shapeAt } from "../scene/shape-table";
+import { BODY, bodyAt, ROW, shapeAt } from "../scene/shape-table";
 
 export interface Twin {
   addBody(id: BodyId, state: BodyState): void;
   addShape(body: BodyId, id: ShapeId, state: ShapeState, terrain: Terrain | null): void;
   /** After the shapes of a new body. */
   finishBody(id: BodyId, state: BodyState): void;
+  /** Another size, or a sensor now, or none any more. */
+  changeShape(id: ShapeId): void;
+  /** Moved by something else now. */
+  changeBody(id: BodyId): void;
   removeShape(body: BodyId, id: ShapeId): void;
   /** With its shapes. */
   removeBody(id: BodyId): void;
@@ -31,6 +35,8 @@ export class Mirror {
   readonly #world: World;
   readonly #twin: Twin;
   #handles = new Uint32Array(0);
+  /** As the table has them, without slots: what a shape and its body are like. */
+  #rows = new Float32Array(0);
   /** By slot. */
   #members = new Map<number, Member>();
   /** By index of the shape. */
@@ -43,12 +49,42 @@ export class Mirror {
 
   /** A body without shapes is left out. */
   sync(): void {
-    const { handles } = this.#world.shapeTable();
-    if (!equal(handles, this.#handles)) {
+    const { handles, rows, count } = this.#world.shapeTable();
+    const sameShapes = equal(handles, this.#handles);
+    if (!sameShapes || !equal(rows, this.#rows)) {
+      const changed = this.#changed(handles, rows, count);
       this.#handles = handles.slice();
-      this.#follow(membersOf(this.#handles));
+      this.#rows = rows.slice();
+      if (!sameShapes) this.#follow(membersOf(this.#handles));
+      for (const { body, shape, kind } of changed)
+        if (kind) this.#twin.changeBody(body);
+        else this.#twin.changeShape(shape);
     }
     for (const ground of this.#grounds.values()) this.#followGround(ground);
+  }
+
+  /** Of the shapes that were there before. */
+  #changed(
+    handles: Uint32Array,
+    rows: Float32Array,
+    count: number,
+  ): { shape: ShapeId; body: BodyId; kind: boolean }[] {
+    const before = new Map<number, number>();
+    for (let row = 0; 4 * row < this.#handles.length; row++)
+      before.set(this.#handles[4 * row], row);
+    const changed = [];
+    for (let row = 0; row < count; row++) {
+      const was = before.get(handles[4 * row]);
+      if (was === undefined || this.#handles[4 * was + 1] !== handles[4 * row + 1]) continue;
+      const [old, now] = [
+        this.#rows.subarray(was * ROW, (was + 1) * ROW),
+        rows.subarray(row * ROW, (row + 1) * ROW),
+      ];
+      if (equal(old, now)) continue;
+      const kind = old[BODY] !== now[BODY];
+      changed.push({ shape: shapeAt(handles, row), body: bodyAt(handles, row), kind });
+    }
+    return changed;
   }
 
   #follow(members: Map<number, Member>): void {

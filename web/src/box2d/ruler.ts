@@ -2,8 +2,24 @@
  * Measures how deep bodies overlap, whichever engine has moved them, with the same geometry: a thud
  * world of its own holds copies of the bodies, is given their poses, and runs a step of a
  * nanosecond without gravity, in which contacts are found and nothing moves.
+ *
+ * Pairs that the measured world lets through do not count, in neither engine: those that a rule or
+ * the scene's own filter keeps apart are none here either, and what a one-way rule or a listener
+ * lets pass at the moment is a contact without points there.
  */
-import type { BodyId, BodyState, ShapeId, ShapeState, Terrain, World } from "thud";
+import {
+  type BodyId,
+  type BodyState,
+  CONTACT_ROW,
+  type Listener,
+  LISTENED_ROW,
+  type PairFilter,
+  type ShapeId,
+  type ShapeState,
+  type Terrain,
+  type World,
+} from "thud";
+import type { Known } from "../worker/watch";
 import { Mirror, type Twin } from "./mirror";
 
 /** Seconds; overlap is pushed apart at 3 length scales a second. */
@@ -20,13 +36,27 @@ interface Copy {
 }
 
 export class Ruler implements Twin {
+  readonly #source: World;
   readonly #world: World;
   readonly #mirror: Mirror;
   /** By the slot of the body that it copies. */
   readonly #copies = new Map<number, Copy>();
+  /** By the index of a copied shape, the original. */
+  readonly #originals = new Map<number, ShapeId>();
+  /** Bits of `category` that shapes have had. */
+  #categories = 0;
+  /** As the measured world has it; what it answers may change with it alone. */
+  #filter: PairFilter | undefined;
+  /** Pairs that are let through at present, by `keyOf`. */
+  #passing = new Set<number>();
 
-  /** `lengthScale` is the one of the world that it measures. */
-  constructor(world: World, lengthScale = 1) {
+  /** `lengthScale` is the one of the world that it measures; `known` spares it looks. */
+  constructor(
+    world: World,
+    lengthScale = 1,
+    private readonly known?: Pick<Known, "called">,
+  ) {
+    this.#source = world;
     this.#world = world.engine.createWorld({
       gravity: [0, 0],
       timeStep: INSTANT,
@@ -52,6 +82,15 @@ export class Ruler implements Twin {
   /** Follows bodies that came or went and ground that was dug. */
   sync(): void {
     this.#mirror.sync();
+    if (this.known?.called.has("setFilter") === false) return;
+    for (const { shapes } of this.#copies.values())
+      for (const made of shapes.values()) {
+        const { category, mask, group } = this.#source.shapeState(this.#original(made));
+        const own = this.#world.shapeState(made);
+        if (category === own.category && mask === own.mask && group === own.group) continue;
+        this.#world.setFilter(made, { category, mask, group });
+        this.#categories |= category;
+      }
   }
 
   /** The deepest of `overlap`. */
@@ -70,10 +109,66 @@ export class Ruler implements Twin {
       if (!(Number.isFinite(x) && Number.isFinite(y))) continue;
       this.#put(copy, originX + x, originY + y, cosine, sine);
     }
+    this.#leaveOut();
     this.#world.step();
     const { penetrationMax, penetrationMean } = this.#world.error();
     // Separation is a negative depth, and touching may be a negative zero.
     return { worst: Math.max(0, penetrationMax), mean: Math.max(0, penetrationMean) };
+  }
+
+  /** What the measured world lets through. */
+  #leaveOut(): void {
+    const { filter, prologue } = this.#source.engine.callbacks.of(this.#source.address);
+    if (filter !== this.#filter) {
+      this.#filter = filter;
+      this.#world.setPairFilter(
+        filter ? (a, b) => filter(this.#original(a), this.#original(b)) : null,
+      );
+    }
+    const asked = this.#copyRules() || prologue !== undefined;
+    const before = this.#passing.size > 0;
+    this.#passing = asked ? this.#findPassing() : new Set();
+    const some = this.#passing.size > 0;
+    if (some !== before) this.#world.setListeners(some ? { prologue: this.#veto } : null);
+  }
+
+  /** Of two kinds that ignore each other. Returns whether there are rules by which some pass. */
+  #copyRules(): boolean {
+    const kinds = bitsOf(this.#categories);
+    let oneWay = false;
+    for (const [i, first] of kinds.entries())
+      for (const second of kinds.slice(i)) {
+        const meeting = this.#source.rule(first, second)?.meeting;
+        const ignored = this.#world.rule(first, second) !== null;
+        if (ignored !== (meeting === "ignore"))
+          this.#world.setRule(first, second, ignored ? null : { meeting: "ignore" });
+        oneWay ||= meeting === "oneWay";
+      }
+    return oneWay;
+  }
+
+  #findPassing(): Set<number> {
+    const passing = new Set<number>();
+    const { length, pointCount, shapeA, shapeB } = CONTACT_ROW;
+    for (const body of this.#source.bodies()) {
+      const rows = this.#source.contactView(body);
+      for (let at = 0; at < rows.length; at += length)
+        if (rows[at + pointCount] === 0)
+          passing.add(keyOf(rows[at + shapeA] - 1, rows[at + shapeB] - 1));
+    }
+    return passing;
+  }
+
+  readonly #veto: Listener = (rows, count) => {
+    const { length, shapeA, shapeB, collide } = LISTENED_ROW;
+    for (let at = 0; at < count * length; at += length) {
+      const [a, b] = [shapeA, shapeB].map((side) => this.#originals.get(rows[at + side] - 1)!);
+      if (this.#passing.has(keyOf(a.index, b.index))) rows[at + collide] = 0;
+    }
+  };
+
+  #original(copy: ShapeId): ShapeId {
+    return this.#originals.get(copy.index)!;
   }
 
   #put(copy: Copy, x: number, y: number, cosine: number, sine: number): void {
@@ -89,9 +184,12 @@ export class Ruler implements Twin {
     this.#copies.set(index, { id, shapes: new Map(), x: NaN, y: NaN, cosine: 1, sine: 0 });
   }
 
-  addShape(body: BodyId, { index }: ShapeId, state: ShapeState, terrain: Terrain | null): void {
+  addShape(body: BodyId, id: ShapeId, state: ShapeState, terrain: Terrain | null): void {
     const copy = this.#copy(body);
-    copy.shapes.set(index, this.#createShape(copy.id, state, terrain));
+    const made = this.#createShape(copy.id, state, terrain);
+    copy.shapes.set(id.index, made);
+    this.#originals.set(made.index, id);
+    this.#categories |= state.category;
   }
 
   #createShape(body: BodyId, state: ShapeState, terrain: Terrain | null): ShapeId {
@@ -103,6 +201,17 @@ export class Ruler implements Twin {
   }
 
   finishBody(): void {}
+
+  changeShape(id: ShapeId): void {
+    const state = this.#source.shapeState(id);
+    if (state.kind === "terrain") return;
+    this.removeShape(state.body, id);
+    this.addShape(state.body, id, state, null);
+  }
+
+  changeBody(id: BodyId): void {
+    this.#world.setKind(this.#copy(id).id, this.#source.bodyState(id).kind);
+  }
 
   removeShape(body: BodyId, { index }: ShapeId): void {
     const { shapes } = this.#copy(body);
@@ -121,4 +230,15 @@ export class Ruler implements Twin {
     if (!copy) throw new Error(`the ruler has no body in slot ${index}`);
     return copy;
   }
+}
+
+/** Of two shapes, whichever comes first. */
+function keyOf(a: number, b: number): number {
+  return Math.min(a, b) * 2 ** 26 + Math.max(a, b);
+}
+
+function bitsOf(bits: number): number[] {
+  const found: number[] = [];
+  for (let i = 0; i < 32; i++) if (bits & (1 << i)) found.push((1 << i) >>> 0);
+  return found;
 }

@@ -16,14 +16,20 @@ import type {
   Vec2,
   World,
 } from "thud";
-import type { b2BodyId, b2Vec2, b2WorldId } from "../../node_modules/box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe";
-import type { Hands, Held } from "../worker/hands";
-import type { Known } from "../worker/watch";
+import type {
+  b2BodyId,
+  b2ShapeId,
+  b2Vec2,
+  b2WorldId,
+} from "../../node_modules/box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe";
+import { type Held, inFrame } from "../worker/hands";
+import type { Follower, Known } from "../worker/watch";
 import { type Entry, weigh } from "./entry";
+import { follow, missesOf } from "./follow";
 import type { Gap } from "./joint-gap";
 import { Joints } from "./joints";
 import type { Box2D } from "./load";
-import { type Common, createWorld, makeBody, makeChain, makeShape } from "./make";
+import { type Common, createWorld, makeBody, makeChain, makeShape, setBody, setMass, setShape } from "./make";
 import { Mirror, type Twin } from "./mirror";
 import { Moves } from "./moves";
 import { originFor, Places } from "./places";
@@ -32,7 +38,10 @@ import { Ruler } from "./ruler";
 /** Metres. A kinematic body this far from where thud has it was put there, and is put there too. */
 const STRAY = 0.002;
 
-/** What is not known is taken to be the default, and `sync` looks through everything. */
+/** Parts of a mass or an inertia, and length scales of a centre, by which thud's may differ. */
+const ROUNDING = 1e-4;
+
+/** What is not known is taken to be the default. */
 export interface Box2DOptions extends Partial<Known> {
   /** A step. Default 4, as Box2D's manual recommends. */
   substeps?: number;
@@ -40,7 +49,7 @@ export interface Box2DOptions extends Partial<Known> {
   contactHertz?: number;
 }
 
-export class Box2DWorld implements Hands, Twin {
+export class Box2DWorld implements Follower, Twin {
   readonly #source: World;
   readonly #settings: Box2DOptions;
   readonly #common: Common;
@@ -61,8 +70,9 @@ export class Box2DWorld implements Hands, Twin {
   substeps: number;
   #gravity: Vec2;
   #timeStep: number;
-  /** As of `Known`, when it last looked. */
-  #changes: number | undefined;
+  /** Hears of what is done to the thud world, so that it need not look through all before a step. */
+  #heeds = false;
+  #stale = false;
   #ruler: Ruler | null = null;
 
   constructor(box2d: Box2D, source: World, settings: Box2DOptions = {}) {
@@ -84,7 +94,6 @@ export class Box2DWorld implements Hands, Twin {
     this.#moves = new Moves(box2d);
     this.#mirror = new Mirror(source, this);
     this.#joints = new Joints(this.#common, source, this.#world, (id) => this.#bodyOf(id));
-    this.#changes = settings.changes?.();
     this.#follow();
   }
 
@@ -93,6 +102,11 @@ export class Box2DWorld implements Hands, Twin {
     this.#ruler?.close();
     this.#box2d.b2DestroyWorld(this.#world);
     this.#entries.clear();
+  }
+
+  get #known(): Pick<Known, "called"> | undefined {
+    const { called } = this.#settings;
+    return called && { called };
   }
 
   get #box2d(): Box2D {
@@ -111,9 +125,8 @@ export class Box2DWorld implements Hands, Twin {
    * bodies move. Just before the step of either. A body that is switched off is gone meanwhile.
    */
   sync(): void {
-    const changes = this.#settings.changes?.();
-    if (changes === undefined || changes !== this.#changes) this.#follow();
-    this.#changes = changes;
+    if (this.#stale || !this.#heeds) this.#follow();
+    this.#stale = false;
     for (const entry of this.#entries.values()) if (entry.kind === "kinematic") this.#steer(entry);
   }
 
@@ -121,8 +134,23 @@ export class Box2DWorld implements Hands, Twin {
     this.#cameBody = false;
     this.#mirror.sync();
     for (const id of this.#bare.values()) if (!this.#source.isValid(id)) this.removeBody(id);
+    for (const entry of this.#entries.values()) if (!entry.weight) this.#balance(entry);
     if (this.#cameBody) this.#joints.touchAll();
     this.#joints.follow();
+  }
+
+  /** A body weighs what it does in thud, where that may be set, whatever its shapes weigh. */
+  #balance(entry: Entry): void {
+    entry.weight = weigh(this.#common, entry);
+    if (entry.kind !== "dynamic") return;
+    const state = this.#source.bodyState(entry.id);
+    const { mass, inertia, center } = entry.weight;
+    const [x, y] = inFrame(state, state.center);
+    const far = Math.hypot(x - center[0], y - center[1]) / this.#common.unit;
+    const apart = (a: number, b: number) => Math.abs(a - b) > ROUNDING * a;
+    if (!apart(state.mass, mass) && !apart(state.inertia, inertia) && far < ROUNDING) return;
+    setMass(this.#common, entry.body, { mass: state.mass, inertia: state.inertia, center: [x, y] });
+    entry.weight = weigh(this.#common, entry);
   }
 
   /** Null of one that is switched off. */
@@ -174,7 +202,7 @@ export class Box2DWorld implements Hands, Twin {
 
   /** Of the deepest overlap at present. Costs about as much as a step of thud at draft. */
   penetration(): number {
-    this.#ruler ??= new Ruler(this.#source, this.#common.unit);
+    this.#ruler ??= new Ruler(this.#source, this.#common.unit, this.#known);
     this.#ruler.sync();
     const [x, y] = this.origin;
     return this.#ruler.penetration(this.poses(1, x, y), x, y);
@@ -200,9 +228,9 @@ export class Box2DWorld implements Hands, Twin {
     return this.#joints.gaps([this.#source.poses(1, x, y).slice(), this.poses(1, x, y)]);
   }
 
-  /** Gears of the thud world, which Box2D does not have. */
-  get gears(): number {
-    return this.#joints.gears.size;
+  /** What the thud world has and Box2D is not given, in a few words each. */
+  get misses(): string[] {
+    return [...this.#joints.misses, ...missesOf(this.#settings.called ?? new Set())];
   }
 
   /** Bodies that Box2D has, but for those without shapes. */
@@ -293,8 +321,55 @@ export class Box2DWorld implements Hands, Twin {
     this.#box2d.b2World_EnableSleeping(this.#world, sleeping);
   }
 
+  // ---- Follower ----
+
+  heed(method: string, result: unknown, args: readonly unknown[]): void {
+    this.#heeds = true;
+    follow(this, method, result, args);
+  }
+
+  /** Bodies, shapes or ground may have changed. */
+  lookAgain(): void {
+    this.#stale = true;
+  }
+
   touchJoint(joint: JointId): void {
     this.#joints.touch(joint);
+  }
+
+  /** As it is in the thud world now. */
+  changeBody(body: BodyId): void {
+    const entry = this.#entry(body);
+    const state = this.#source.bodyState(body);
+    entry.kind = state.kind;
+    entry.turns = turns(state);
+    entry.gravityScale = state.gravityScale;
+    setBody(this.#common, entry.body, state, this.#settings.bodyOptions?.(body) ?? {});
+    this.#balance(entry);
+    // A lock is a joint.
+    this.#joints.touchAll();
+    this.lookAgain();
+  }
+
+  /** As it is in the thud world now. */
+  changeShape(shape: ShapeId): void {
+    const state = this.#source.shapeState(shape);
+    const entry = this.#entries.get(state.body.index);
+    const made = entry?.made.get(shape.index);
+    // What is not there yet is made as it is then.
+    if (!entry || !made) return;
+    if (state.kind !== "terrain" && "shape" in made && this.#isSensor(made.shape) === state.sensor) {
+      setShape(this.#common, made.shape, state);
+    } else {
+      const terrain = state.kind === "terrain" ? this.#source.terrain(shape) : null;
+      this.removeShape(state.body, shape);
+      this.addShape(state.body, shape, state, terrain);
+    }
+    this.#balance(entry);
+  }
+
+  #isSensor(shape: b2ShapeId): boolean {
+    return this.#box2d.b2Shape_IsSensor(shape);
   }
 
   #withMetres([x, y]: Vec2, use: (vector: b2Vec2) => void): void {
@@ -356,7 +431,7 @@ export class Box2DWorld implements Hands, Twin {
       id,
       body,
       kind: state.kind,
-      turns: state.kind !== "dynamic" || state.inertia > 0,
+      turns: turns(state),
       gravityScale: state.gravityScale,
       made: new Map(),
       weight: null,
@@ -397,4 +472,8 @@ export class Box2DWorld implements Hands, Twin {
     this.#entries.delete(body.index);
     this.#places.remove(body.index);
   }
+}
+
+function turns({ kind, inertia }: BodyState): boolean {
+  return kind !== "dynamic" || inertia > 0;
 }

@@ -39,6 +39,10 @@ const GAP = 12;
 /** Of two panes, in CSS pixels: kept free at the top of each for its name. */
 export const PANE_HEAD = 42;
 
+/** The part of the room that a tall window has to spare by which a scene stands lower than the middle:
+ * what is thrown goes up, and nobody looks at the ground. */
+const SKY = 0.4;
+
 export class Camera {
   x = 0;
   y = 0;
@@ -143,8 +147,14 @@ export class Camera {
 
   goHome(): void {
     this.x = this.#home.x;
-    this.y = this.#home.y;
     this.scale = this.#homeScale();
+    this.y = this.#home.y + SKY * this.#spareHeight();
+  }
+
+  /** How much more than the remembered view a tall window shows, upwards. */
+  #spareHeight(): number {
+    const freeHeight = 2 * (this.middleY - this.insets.top);
+    return this.#split ? 0 : Math.max(0, freeHeight / this.scale - this.#home.height);
   }
 
   #homeScale(): number {

@@ -56,6 +56,8 @@ export class App {
     claim: null,
   };
   scene: RunningScene | null = null;
+  /** It stands still because less motion is wanted, and for no other reason. */
+  waitsForMotion = false;
   /** Of the running scene, as the last frame with shapes had them. */
   shapes: Shapes | null = null;
   /** By scene. They come after the first picture. */
@@ -184,8 +186,11 @@ export class App {
     await this.load(this.wasm);
   }
 
+  /** Of what runs: a visitor's code is told from the scene that it was. */
   get title(): string {
-    return findScene(this.state.scene)?.title ?? this.state.level?.name ?? "";
+    const { code, level } = this.state;
+    const title = findScene(this.state.scene)?.title ?? level?.name ?? "";
+    return code === null ? title : `${this.scene?.title ?? title}, edited`;
   }
 
   /** What to look at; "" also as long as `abouts` are not there. */
@@ -212,6 +217,7 @@ export class App {
     this.state.speed = this.player.speed = speed ?? 1;
     // Whoever asked for less motion starts it deliberately.
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    this.waitsForMotion = still && paused === undefined;
     this.state.paused = this.player.paused = paused ?? still;
   }
 

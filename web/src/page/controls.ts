@@ -46,6 +46,7 @@ export function addControls(app: App, stage: Stage, dock: Dock): void {
   byId("step").addEventListener("click", () => app.stepOnce());
   byId("restart").addEventListener("click", () => void app.restart());
   byId("fit").addEventListener("click", () => stage.home());
+  addFullScreen(byId("full"));
   for (const tool of TOOLS)
     document
       .querySelector(`button[data-tool=${tool}]`)!
@@ -64,6 +65,20 @@ export function addControls(app: App, stage: Stage, dock: Dock): void {
     },
   });
   listenToKeys(keysOf(app, stage, dock, togglePause, setTool));
+}
+
+/** Not everywhere may a page fill the screen. */
+function addFullScreen(button: HTMLElement): void {
+  button.hidden = !document.fullscreenEnabled;
+  button.addEventListener("click", () => {
+    const done = document.fullscreenElement
+      ? document.exitFullscreen()
+      : document.documentElement.requestFullscreen();
+    done.catch(() => notice("The browser does not let this page fill the screen."));
+  });
+  document.addEventListener("fullscreenchange", () =>
+    button.setAttribute("aria-pressed", String(Boolean(document.fullscreenElement))),
+  );
 }
 
 /** The neighbour of a value in a list; the value itself at its ends. */

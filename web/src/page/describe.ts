@@ -37,11 +37,15 @@ function inWords(
   const awake = stats.awakeBodies === 0 ? "all asleep" : `${count(stats.awakeBodies)} awake`;
   const overlap =
     error.penetrationMax > 0 ? `deepest overlap ${length(error.penetrationMax)}` : "no overlap";
+  const begun = seconds > 0;
   const figures = (paint?.figures ?? []).map(({ label, value }) => `${label} ${value}`);
+  const bodies = `${count(stats.bodies)} ${stats.bodies === 1 ? "body" : "bodies"}`;
+  // Before its first step nothing is awake or overlaps yet.
   const parts = [
-    `${title}, ${paused ? "paused" : "running"} at ${seconds.toFixed(1)} s`,
-    `${count(stats.bodies)} ${stats.bodies === 1 ? "body" : "bodies"}, ${awake}`,
-    overlap,
+    begun || !paused
+      ? `${title}, ${paused ? "paused" : "running"} at ${seconds.toFixed(1)} s`
+      : `${title}, not begun: Space, or the button Pause, runs it`,
+    ...(begun ? [`${bodies}, ${awake}`, overlap] : [bodies]),
     ...(figures.length > 0 ? [figures.join(", ")] : []),
   ];
   return `${parts.join("; ")}.${paint?.message ? ` ${paint.message}` : ""}`;

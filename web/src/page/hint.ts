@@ -7,9 +7,10 @@ import { byId } from "./dom";
 import { notice } from "./messages";
 
 const KEY = "thud-hint-seen";
-const FIRST = "A physics engine at work: drag anything, and throw it.";
+const FIRST =
+  "Here you trade speed for accuracy, and see both measured, beside Box2D. Drag anything, and throw it.";
 const NEXT =
-  "Let go to throw it. Next, explode something, or open Versus to see the same in Box2D.";
+  "Let go to throw it. Next, open Trade to set how accurate it is, or Versus to see it in Box2D.";
 
 /** True while the hint is shown. */
 export function addHint(app: App): boolean {

@@ -72,10 +72,8 @@ export interface Box2DSample {
   since: number;
   /** Where in the world it has its own origin. */
   origin: Vec2;
-  /** Of the scene's joints, which it has not. */
-  gears: number;
-  /** What acts on thud's bodies and not on its own, in a word or two each. */
-  fields: readonly string[];
+  /** What thud's world has and it is not given, in a few words each: nothing is comparable then. */
+  misses: readonly string[];
   /** Both engines after this step, by the same code; every few steps where that takes long. */
   compared?: { thud: Compared; box2d: Compared };
 }

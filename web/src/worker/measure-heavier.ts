@@ -1,6 +1,8 @@
 /**
- * "Heavier": the largest size of a scene at which an engine still makes its steps in time. The size
- * is doubled until it does not, and then halved in between.
+ * "Heavier": between which sizes of a scene an engine stops making its steps in time. The size is
+ * doubled until it does not, and then halved in between. Whatever else the device does can only slow
+ * a try, so that a miss is tried again; and the size that was held must hold once more at the end,
+ * or a smaller one.
  */
 import { percentile } from "../shared/step-times";
 import type { Box2DSetting } from "./measure-settings";
@@ -16,12 +18,19 @@ export interface Load {
   milliseconds: number;
 }
 
-/** What an engine holds; null: not even the smallest size. */
+/** A range: what an engine holds lies from one to the other. */
 export interface Holding {
   engine: Load["engine"];
+  /** The largest that was held each time it was tried; null: not even the smallest size. */
   held: Load | null;
-  /** The smallest that was missed; null: none, the scene has no more. */
+  /** The smallest that was not held; null: none, the scene has no more. */
   missed: Load | null;
+}
+
+export interface Heaviest {
+  holdings: Holding[];
+  /** What Box2D is not given of the scene. */
+  misses: string[];
 }
 
 export interface HeavierProgress {
@@ -46,23 +55,43 @@ export async function findHoldings(
   sizes: SceneSize,
   hertz: number,
   report: (progress: HeavierProgress) => void,
-): Promise<Holding[]> {
+): Promise<Heaviest> {
   const first = Math.max(1, sizes.least, Math.floor(sizes.usual / 8));
   await warmUp(laboratory, { ...request, size: first }, WARM_UP);
   const holdings: Holding[] = [];
+  const misses = new Set<string>();
   for (const engine of laboratory.box2d ? (["thud", "box2d"] as const) : (["thud"] as const)) {
     const holding: Holding = { engine, held: null, missed: null };
     holdings.push(holding);
-    let size: number | null = first;
-    while (size !== null) {
-      const { load, held } = await tryLoad(laboratory, request, engine, size, hertz, (trying) =>
-        report({ trying, holdings: structuredClone(holdings) }),
-      );
-      holding[held ? "held" : "missed"] = load;
-      size = nextSize(holding, sizes);
+    const tell = (trying: Load) => report({ trying, holdings: structuredClone(holdings) });
+    const tryOnce = (size: number) => tryLoad(laboratory, request, engine, size, hertz, misses, tell);
+    /** Those that were held at least once, upwards. */
+    const held: Load[] = [];
+    for (let size: number | null = first; size !== null; size = nextSize(holding, sizes)) {
+      let tried = await tryOnce(size);
+      if (!tried.held) tried = await tryOnce(size);
+      holding[tried.held ? "held" : "missed"] = tried.load;
+      if (tried.held) held.push(tried.load);
     }
+    await confirm(holding, held, tryOnce);
   }
-  return holdings;
+  return { holdings, misses: [...misses] };
+}
+
+/** Down to a size that is held again. */
+async function confirm(
+  holding: Holding,
+  held: Load[],
+  tryOnce: (size: number) => Promise<{ load: Load; held: boolean }>,
+): Promise<void> {
+  while (held.length > 0) {
+    const { load, held: again } = await tryOnce(held.at(-1)!.size);
+    const milliseconds = Math.max(load.milliseconds, held.at(-1)!.milliseconds);
+    holding.held = again ? { ...load, milliseconds } : null;
+    if (again) return;
+    holding.missed ??= load;
+    held.pop();
+  }
 }
 
 /** Null when it is known well enough. */
@@ -86,6 +115,7 @@ async function tryLoad(
   engine: Load["engine"],
   size: number,
   hertz: number,
+  misses: Set<string>,
   report: (load: Load) => void,
 ): Promise<{ load: Load; held: boolean }> {
   const setting: Box2DSetting | undefined = engine === "box2d" ? { substeps: 4 } : undefined;
@@ -115,6 +145,7 @@ async function tryLoad(
     }
     return { load, held: true };
   } finally {
+    for (const miss of trial.misses) misses.add(miss);
     trial.close();
   }
 }

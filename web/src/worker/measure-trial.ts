@@ -81,6 +81,11 @@ export class Trial {
     return this.#session.size;
   }
 
+  /** What Box2D is not given; empty where it does not run. */
+  get misses(): string[] {
+    return this.#box2dWorld?.misses ?? [];
+  }
+
   get timeStep(): number {
     return this.#session.timeStep;
   }
@@ -101,7 +106,7 @@ export class Trial {
   overlap(): { worst: number; mean: number } {
     const { world, scene, lengthScale } = this.#session;
     const { x, y } = scene.view ?? { x: 0, y: 0 };
-    const ruler = (this.#ruler ??= new Ruler(world, lengthScale));
+    const ruler = (this.#ruler ??= new Ruler(world, lengthScale, this.#watched));
     ruler.sync();
     const poses = this.#measuresBox2D ? this.#box2dWorld!.poses(1, x, y) : world.poses(1, x, y);
     const { worst, mean } = ruler.overlap(poses, x, y);

@@ -30,6 +30,8 @@ export interface Series {
   /** That each setting was to make; a slow one makes fewer. */
   steps: number;
   rows: SeriesRow[];
+  /** What Box2D is not given of the scene: its rows are of another one then. */
+  misses: string[];
   /** Why Box2D is not among them; "" if it is. */
   withoutBox2D: string;
 }
@@ -77,6 +79,7 @@ export async function measure(
   await warmUp(laboratory, request, WARM_UP);
   const runs: Runs[] = [];
   const series = { timeStep: 0, bodies: 0, steps: 0 };
+  const misses = new Set<string>();
   const began = performance.now();
   for (const [i, setting] of settings.entries()) {
     const trial = await openFor(laboratory, request, setting);
@@ -89,6 +92,7 @@ export async function measure(
           tell((FIRST_PART * (i + part)) / settings.length, `Overlap of ${labelOf(setting)}`),
         ),
       );
+      for (const miss of trial.misses) misses.add(miss);
     } finally {
       trial.close();
     }
@@ -114,7 +118,7 @@ export async function measure(
     typical: typical(times),
     p99: percentile(times, 0.99),
   }));
-  return { ...series, rows, withoutBox2D };
+  return { ...series, rows, misses: [...misses], withoutBox2D };
 }
 
 /** Steps at the start whose times do not count; of a slow setting, which makes few, fewer. */

@@ -7,7 +7,7 @@ import type { KeyWords, SceneSize, View } from "../scene/scene";
 import type { Command } from "./commands";
 import type { BodyReport } from "./inspect";
 import type { Series, SeriesProgress } from "./measure";
-import type { HeavierProgress, Holding } from "./measure-heavier";
+import type { HeavierProgress, Heaviest } from "./measure-heavier";
 
 /** What the visitor has chosen for every world. */
 export interface Choices {
@@ -38,6 +38,8 @@ export interface SceneRequest {
 /** What the page knows of a scene that runs. */
 export interface RunningScene {
   run: number;
+  /** As its module says: a visitor's text may say another than the file's. */
+  title: string | null;
   size: number;
   sizes: SceneSize | null;
   view: View;
@@ -112,7 +114,7 @@ export interface Questions {
   measure: { ask: SceneRequest; answer: Series; progress: SeriesProgress };
   heavier: {
     ask: { scene: SceneRequest; sizes: SceneSize; hertz: number };
-    answer: { holdings: Holding[]; withoutBox2D: string };
+    answer: Heaviest & { withoutBox2D: string };
     progress: HeavierProgress;
   };
 }

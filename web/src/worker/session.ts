@@ -16,6 +16,7 @@ import { History, type Moment } from "./history";
 import { aimHold, holds, letGo, moveHold, type Pull, takeHold } from "./hold";
 import type { Choices, Rerun, StateHash } from "./protocol";
 import { SceneError } from "./trouble";
+import { unseen } from "./watch";
 
 type PointerCommand = Extract<Command, { kind: "pointer" }>;
 
@@ -71,6 +72,7 @@ export class Session {
     readonly sizes: SceneSize | null,
     readonly lengthScale: number,
     readonly timeStep: number,
+    readonly title: string | null,
     /** Whatever else the scene made and its world does not own. */
     readonly others: readonly { close(): void }[],
   ) {
@@ -276,7 +278,7 @@ export class Session {
     const rest = structuredClone(moment.rest) as { hands: Hands; state: object | null };
     const { state } = this.scene;
     if (state && rest.state) replace(state, rest.state);
-    this.world.restore(moment.world);
+    unseen(this.world, () => this.world.restore(moment.world));
     this.step = moment.step;
     Object.assign(this.#hands, rest.hands);
     this.scene.restored?.();

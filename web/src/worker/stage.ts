@@ -83,7 +83,8 @@ export async function setUp(
     scene.world.setMaxError(maxErrorOf(request.choices) * lengthScale);
     const others = [...movers, ...worlds.keys()].filter((other) => other !== scene.world);
     const sizes = module.size ?? null;
-    return new Session(run, scene, setting.size, sizes, lengthScale, timeStep, others);
+    const title = typeof module.title === "string" ? module.title : null;
+    return new Session(run, scene, setting.size, sizes, lengthScale, timeStep, title, others);
   } catch (error) {
     closeAll([...movers, ...worlds.keys()]);
     throw error;
@@ -91,10 +92,11 @@ export async function setUp(
 }
 
 export function describe(session: Session): RunningScene {
-  const { run, size, sizes, scene, lengthScale, timeStep } = session;
+  const { run, title, size, sizes, scene, lengthScale, timeStep } = session;
   const view = scene.view ?? fit(session);
   return {
     run,
+    title,
     size,
     sizes,
     view: view.width === undefined ? { ...view, width: widthOf(session, view) } : view,

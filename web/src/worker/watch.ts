@@ -1,7 +1,8 @@
 /**
- * Watches the worlds of an engine from their first body on, for what a world does not tell
- * afterwards: what it and its bodies were made with, whether bodies, shapes or ground have changed,
- * and what a scene's own code does to bodies, which goes to its follower too.
+ * Watches the worlds of an engine from their first body on: which of its methods a scene calls, what
+ * it and its bodies were made with, which a world does not tell afterwards, and what its follower,
+ * another engine's copy, is to do as well. Every call is seen, whatever it is: what becomes of it is
+ * the follower's to say, and what no follower knows of is missing there (box2d/follow.ts).
  *
  * A character (Mover) pushes bodies inside the engine. It is watched too, and pushes the
  * follower's by the same rule; its own body is kinematic, and the follower reads its pose.
@@ -9,16 +10,11 @@
 import {
   type BodyId,
   type BodyOptions,
-  type BodyRef,
   type Engine,
   handleOf,
-  type JointId,
-  type JointRef,
   type Mover,
   type MoverOptions,
   type MoverReport,
-  type ShapeId,
-  type ShapeRef,
   type Vec2,
   type World,
   type WorldOptions,
@@ -29,30 +25,24 @@ import { type Hands, inFrame, push, type Push } from "./hands";
 export interface Known {
   /** What it was made with, or has been set to since. */
   options: WorldOptions;
-  /** What its bodies were made with: their damping, sleep and detection count. */
+  /** What its bodies were made with, or set to since: their damping, sleep and detection count. */
   bodyOptions(body: BodyId): BodyOptions | undefined;
-  /** Whether there ever was a joint. */
-  readonly tied: boolean;
-  /** What has acted on bodies that another engine has no like of, in a word or two each. */
-  readonly fields: ReadonlySet<string>;
-  /** Another number whenever bodies, shapes or ground changed. */
-  changes(): number;
+  /** The names of all methods that were called, but for what was done apart. */
+  readonly called: ReadonlySet<string>;
 }
 
-/** Another engine's copy of a world, with the same methods. */
-export type Follower = Hands &
-  Pick<
-    World,
-    "setTransform" | "applyForce" | "setAwake" | "setGravity" | "setTimeStep" | "setSleeping"
-  > & {
-    /** A joint was made, set or destroyed. */
-    touchJoint(joint: JointId): void;
-  };
+/** Another engine's copy of a world. */
+export interface Follower extends Hands {
+  /** A method of the world was called and did not throw. */
+  heed(method: string, result: unknown, args: readonly unknown[]): void;
+}
 
 export interface Watched extends Known {
-  /** What is done to the thud world's bodies from now on is done to the follower's. Null ends it. */
+  /** Whether there ever was a joint. */
+  readonly tied: boolean;
+  /** It hears of every call from now on. Null ends it. */
   forwardTo(follower: Follower | null): void;
-  /** Runs `act` without forwarding: the follower gets a command of its own (`pull`, `explode`). */
+  /** Runs `act` unseen: the follower gets a command of its own (`explode`), or begins anew. */
   apart(act: () => void): void;
   /** A character of this world, as it is made. */
   watchMover(mover: Mover, options: MoverOptions): void;
@@ -75,77 +65,59 @@ export function knownOf(world: World): Watched | undefined {
   return worlds.get(world);
 }
 
+/** Does to a world what no scene does, and what its follower learns of in another way. */
+export function unseen(world: World, act: () => void): void {
+  const known = knownOf(world);
+  if (known) known.apart(act);
+  else act();
+}
+
 /** Of a new world. */
 export function watch(world: World, made: WorldOptions): Watched {
   const options = { ...made };
   const bodies = new Map<number, { body: BodyId; options: BodyOptions }>();
-  let changes = 0;
-  let tied = false;
-  const fields = new Set<string>();
+  const called = new Set<string>();
   let follower: Follower | null = null;
-  /** A refused call throws before `then`, and changes nothing. */
-  const after = <Name extends Watchable>(name: Name, then: Then<Name>) => {
-    const own = world[name].bind(world) as (...args: unknown[]) => unknown;
-    const watched = (...args: unknown[]) => {
-      const result = own(...args);
-      const [first, ...rest] = args;
-      const id = typeof first === "number" ? byNumber(name, first, rest[0]) : first;
-      (then as (...all: unknown[]) => void)(result, ...(args.length > 0 ? [id, ...rest] : []));
+  /** How many calls deep in what is done apart. */
+  let hidden = 0;
+  const apart = <T>(act: () => T): T => {
+    hidden++;
+    try {
+      return act();
+    } finally {
+      hidden--;
+    }
+  };
+  const heed = (method: string, result: unknown, args: readonly unknown[]) => {
+    called.add(method);
+    keep(method, result, args);
+    follower?.heed(method, result, args);
+  };
+  const keep = (method: string, result: unknown, [first, second, third]: readonly unknown[]) => {
+    if (method === "createBody" || method === "spawn") {
+      const body = bodyOf(result);
+      bodies.set(body.index, { body, options: { ...(first as BodyOptions) } });
+    } else if (method in WORLD_SETTERS) {
+      Object.assign(options, { [WORLD_SETTERS[method]]: first });
+    } else if (method in BODY_SETTERS) {
+      const [one, other] = BODY_SETTERS[method];
+      const known = bodies.get(bodyOf(first).index);
+      if (known) Object.assign(known.options, { [one]: second ?? undefined });
+      if (known && other) Object.assign(known.options, { [other]: third });
+    }
+  };
+  const methods = world as unknown as Record<string, (...args: unknown[]) => unknown>;
+  for (const method of methodsOf(world)) {
+    const own = methods[method];
+    methods[method] = (...args) => {
+      const act = () => own.apply(world, args);
+      // What is tried there is undone.
+      const result = method === "whatIf" ? apart(act) : act();
+      // A refused call has thrown, and changed nothing.
+      if (hidden === 0) heed(method, result, args);
       return result;
     };
-    world[name] = watched as World[Name];
-  };
-  /** A body that is not there yet is brought over by the next sync, with what was done to it. */
-  const onBody = (body: BodyId, act: (follower: Follower) => void) => {
-    if (follower?.isValid(body)) act(follower);
-  };
-
-  for (const name of CHANGES) after(name, () => void changes++);
-  for (const name of FIELDS) after(name, () => void fields.add(NAMES_OF_FIELDS[name]));
-  const keep = (body: BodyId, given: BodyOptions) => {
-    bodies.set(body.index, { body, options: given });
-    changes++;
-  };
-  after("createBody", (body, given = {}) => keep(body, given));
-  after("spawn", (number, given) => keep(handleOf(number, "body"), { ...given }));
-  after("createJoint", (joint) => {
-    tied = true;
-    follower?.touchJoint(joint);
-  });
-  for (const name of OF_JOINTS) after(name, (_, ...args) => follower?.touchJoint(args[0]));
-  after("destroy", (_, id) => id.kind === "joint" && follower?.touchJoint(id));
-  after("setTransform", (_, id, ...pose) => onBody(id, (f) => f.setTransform(id, ...pose)));
-  after("setVelocity", (_, id, ...speed) => onBody(id, (f) => f.setVelocity(id, ...speed)));
-  after("applyImpulse", (_, id, ...impulse) => onBody(id, (f) => f.applyImpulse(id, ...impulse)));
-  after("applyForce", (_, id, ...force) => onBody(id, (f) => f.applyForce(id, ...force)));
-  after("applyForceAt", (_, id, [x, y], point) =>
-    onBody(id, (f) => {
-      const { center } = f.bodyState(id);
-      f.applyForce(id, [x, y], (point[0] - center[0]) * y - (point[1] - center[1]) * x);
-    }),
-  );
-  after("applyCenterImpulse", (_, id, impulse) =>
-    onBody(id, (f) => f.applyImpulse(id, impulse, f.bodyState(id).center)),
-  );
-  after("applyAngularImpulse", (_, id, impulse) =>
-    onBody(id, (f) => {
-      const { velocity, angularVelocity, inertia } = f.bodyState(id);
-      if (inertia > 0) f.setVelocity(id, velocity, angularVelocity + impulse / inertia);
-    }),
-  );
-  after("setAwake", (_, id, awake) => onBody(id, (f) => f.setAwake(id, awake)));
-  after("setGravity", (_, gravity) => {
-    options.gravity = gravity;
-    follower?.setGravity(gravity);
-  });
-  after("setTimeStep", (_, seconds) => {
-    options.timeStep = seconds;
-    follower?.setTimeStep(seconds);
-  });
-  after("setSleeping", (_, sleeping) => {
-    options.sleeping = sleeping;
-    follower?.setSleeping(sleeping);
-  });
+  }
 
   return {
     options,
@@ -153,34 +125,58 @@ export function watch(world: World, made: WorldOptions): Watched {
       const found = bodies.get(id.index);
       return found?.body.generation === id.generation ? found.options : undefined;
     },
+    called,
     get tied() {
-      return tied;
+      return called.has("createJoint");
     },
-    fields,
-    changes: () => changes,
     forwardTo(other) {
       follower = other;
     },
-    apart(act) {
-      const other = follower;
-      follower = null;
-      try {
-        act();
-      } finally {
-        follower = other;
-      }
-    },
+    apart,
     watchMover(mover, options) {
       const move = mover.move.bind(mover);
       mover.move = (velocity, dt, how) => {
         const report = move(velocity, dt, how);
-        if (follower)
+        if (follower && hidden === 0)
           for (const one of pushesOf(world, options, velocity, dt, report)) push(follower, one);
         return report;
       };
     },
   };
 }
+
+/** What the other methods are made of. */
+const INTERNAL = new Set(
+  ["constructor", "on", "onWorld", "refuse", "freeRoom", "shapeIds", "makeSolid"],
+);
+
+/** Of all classes that the world is of. */
+function methodsOf(world: World): Set<string> {
+  const names = new Set<string>();
+  let of = Object.getPrototypeOf(world) as object;
+  for (; of !== Object.prototype; of = Object.getPrototypeOf(of) as object)
+    for (const [name, { value }] of Object.entries(Object.getOwnPropertyDescriptors(of)))
+      if (typeof value === "function" && !INTERNAL.has(name)) names.add(name);
+  return names;
+}
+
+/** By its handle or its number. */
+function bodyOf(ref: unknown): BodyId {
+  return typeof ref === "number" ? handleOf(ref, "body") : (ref as BodyId);
+}
+
+/** The options that are set again by these. */
+const WORLD_SETTERS: Readonly<Record<string, keyof WorldOptions>> = {
+  setGravity: "gravity",
+  setTimeStep: "timeStep",
+  setSleeping: "sleeping",
+};
+/** By their second argument, and their third; a body's state does not tell them. */
+const BODY_SETTERS: Readonly<Record<string, [keyof BodyOptions, (keyof BodyOptions)?]>> = {
+  setDamping: ["linearDamping", "angularDamping"],
+  setDetection: ["detection"],
+  setMaySleep: ["maySleep"],
+};
 
 /** thud's own, in radians. */
 const MAX_SLOPE = 0.9;
@@ -206,78 +202,4 @@ function pushesOf(
     pushes.set(body.index, { body, anchor, met: point, normal, velocity, most, reach });
   }
   return [...pushes.values()];
-}
-
-const OF_JOINTS = [
-  "setDrive",
-  "setJointLength",
-  "setJointFrame",
-  "setJointBreaking",
-  "setJointEnabled",
-] as const;
-
-/** By the methods that make them act. */
-const NAMES_OF_FIELDS = {
-  applyBuoyancy: "water",
-  applyWind: "wind",
-  explode: "explosions with cover",
-  applyGrip: "tyres",
-  applyTyre: "tyres",
-  setRule: "rules between kinds",
-} as const;
-const FIELDS = Object.keys(NAMES_OF_FIELDS) as (keyof typeof NAMES_OF_FIELDS)[];
-
-const CHANGES = [
-  ...OF_JOINTS,
-  "createJoint",
-  "createCircle",
-  "createAabb",
-  "createObb",
-  "createTerrain",
-  "destroy",
-  "setEnabled",
-  "setHeights",
-  "dig",
-  "raise",
-  "replaceRange",
-] as const;
-
-type Watchable =
-  | (typeof CHANGES)[number]
-  | keyof typeof NAMES_OF_FIELDS
-  | "createBody"
-  | "spawn"
-  | "setTransform"
-  | "setVelocity"
-  | "applyImpulse"
-  | "applyForce"
-  | "applyForceAt"
-  | "applyCenterImpulse"
-  | "applyAngularImpulse"
-  | "setAwake"
-  | "setGravity"
-  | "setTimeStep"
-  | "setSleeping";
-
-/** Where numbers may stand for handles, handles. */
-type Ids<T> = {
-  [I in keyof T]: BodyRef | ShapeRef | JointRef extends T[I]
-    ? BodyId | ShapeId | JointId
-    : BodyRef extends T[I]
-      ? BodyId
-      : JointRef extends T[I]
-        ? JointId
-        : T[I];
-};
-
-type Then<Name extends Watchable> = (
-  result: ReturnType<World[Name]>,
-  ...args: Ids<Parameters<World[Name]>>
-) => void;
-
-/** The handle that a scene gave by its number; other numbers stay what they are. */
-function byNumber(name: Watchable, number: number, kind: unknown): unknown {
-  if (name === "setTimeStep") return number;
-  if (name === "destroy") return handleOf(number, kind as "body" | "shape" | "joint");
-  return handleOf(number, OF_JOINTS.some((one) => one === name) ? "joint" : "body");
 }

@@ -6,6 +6,7 @@ import { blameArguments } from "./arguments.js";
 import { explainWith, isRefusal } from "./hook.js";
 import { blameJoint } from "./joints.js";
 import { tellNearest } from "./nearest.js";
+import { show } from "./show.js";
 import {
   ASKER_RANGES,
   blame,
@@ -54,7 +55,7 @@ interface Given {
 
 /** Has errors tell which option was wrong, and what it may be. `load` of "thud" does so itself. */
 export function explainErrors(): void {
-  explainWith(explain, tellNearest);
+  explainWith(explain, tellNearest, show);
 }
 
 function explain(error: ThudError, call: string, given: object, scale: number): unknown {

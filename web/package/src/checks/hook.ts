@@ -10,10 +10,13 @@ export type Explainer = (error: ThudError, call: string, given: object, scale: n
 let explainer: Explainer | null = null;
 /** What is told of a misspelt option. */
 export let nearest: (name: string, names: readonly string[]) => string = () => "";
+/** A value as a message has it. */
+export let shown: (value: unknown) => string = String;
 
-export function explainWith(one: Explainer, tellNearest: typeof nearest): void {
+export function explainWith(one: Explainer, tellNearest: typeof nearest, show: typeof shown): void {
   explainer = one;
   nearest = tellNearest;
+  shown = show;
 }
 
 /** What to throw where the engine found a value out of range: where known, which one it was. */

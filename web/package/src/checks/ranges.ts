@@ -5,6 +5,7 @@
  */
 import { ThudError } from "../error.js";
 import { isRefusal } from "./hook.js";
+import { show } from "./show.js";
 
 interface Range {
   readonly least: number;
@@ -199,7 +200,7 @@ export function whyNot(options: object, ranges: Ranges, scale: number, path = ""
     const value = given[name];
     if (value === undefined && !range.needed) continue;
     if (isWithin(value, range, scale)) continue;
-    const told = value === undefined ? "it is missing" : tell(value);
+    const told = value === undefined ? "it is missing" : show(value);
     return `${path}${name} must be ${inWords(range, scale)}: ${told}`;
   }
   return null;
@@ -233,6 +234,3 @@ function short(number: number): string {
   return size >= 1e6 ? number.toExponential().replace("+", "") : String(number);
 }
 
-function tell(value: unknown): string {
-  return Array.isArray(value) ? `[${value.join(", ")}]` : String(value);
-}

@@ -1,9 +1,10 @@
 /** Calls from the module into JavaScript, by the address of the world that makes them. */
 import { ListenedRowAt } from "../generated/slots.js";
 import { shapeId } from "../numbers.js";
+import type { StepCalls } from "../types.js";
 import type { Listener, Listeners, PairFilter } from "./rule-types.js";
 
-interface Callbacks extends Listeners {
+interface Callbacks extends Listeners, StepCalls {
   filter?: PairFilter;
 }
 
@@ -68,6 +69,10 @@ export class CallbackTable {
         return this.#call(1, () =>
           Number(filter?.(shapeId(a, ofA >>> 0), shapeId(b, ofB >>> 0)) ?? true),
         );
+      },
+      thud_stepped: (world: number, after: number) => {
+        const calls = this.of(world);
+        this.#call(undefined, () => (after ? calls.after : calls.before)?.());
       },
       // What is thrown ends the cast.
       thud_met: () => this.#call(0, () => Number(this.#hear!() ?? 1)),

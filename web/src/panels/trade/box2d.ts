@@ -3,6 +3,7 @@ import type { App } from "../../page/app";
 import { make } from "../../page/dom";
 import { messageOf } from "../../shared/error";
 import { askForBox2D, endBox2D } from "../box2d-wish";
+import { missesText } from "../misses";
 
 export class Box2DChoice {
   readonly element: HTMLElement;
@@ -27,6 +28,7 @@ export class Box2DChoice {
       // A new worker does not know of it.
       run: () => this.#wanted && void this.#ask(),
       frame: ({ box2dTrouble }) => this.#wanted && box2dTrouble && this.#fail(box2dTrouble),
+      samples: (samples) => this.#wanted && this.#tellMisses(samples.at(-1)?.box2d?.misses ?? []),
     });
   }
 
@@ -52,6 +54,12 @@ export class Box2DChoice {
     } catch (error) {
       this.#fail(messageOf(error));
     }
+  }
+
+  /** Its point is left out then. */
+  #tellMisses(misses: readonly string[]): void {
+    const text = missesText(misses);
+    if (text !== "" && this.#line.textContent !== text) this.#line.textContent = text;
   }
 
   #fail(trouble: string): void {

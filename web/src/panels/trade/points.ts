@@ -95,6 +95,8 @@ export class TriedPoints {
         : this.#samples.map(({ penetration }) => penetration);
     this.#put(this.#setting, "thud", choicesText(choices), choices, this.#samples, errors);
     if (box2dSamples.length < LEAST || compared.length === 0) return;
+    // A point beside thud's would be a comparison.
+    if (box2dSamples.some(({ misses }) => misses.length > 0)) return;
     const label = `Box2D ${this.#app.state.versus.substeps}`;
     const box2dErrors = compared.map(({ box2d }) => box2d.penetration);
     this.#put(label, "box2d", label, null, box2dSamples, box2dErrors);

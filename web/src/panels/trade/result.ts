@@ -3,6 +3,7 @@ import type { App } from "../../page/app";
 import { pack, unpack, writeState } from "../../page/url";
 import type { Series, SeriesRow } from "../../worker/measure";
 import { BOX2D, labelOf, type SeriesSetting, THUD } from "../../worker/measure-settings";
+import { missesText } from "../misses";
 import { choicesText, countText, errorText, plainTime } from "./text";
 
 export interface Result extends Series {
@@ -94,7 +95,9 @@ export function resultText(result: Result): string {
   const lines = rows.map((row) =>
     row.map((cell, i) => (i === 0 ? cell.padEnd(widths[0]) : cell.padStart(widths[i]))).join("  "),
   );
+  const misses = missesText(result.misses);
   return [
+    ...(misses === "" ? [] : [misses, ""]),
     `${titleOf(result)}: ${countText(result.bodies)} bodies, ${result.steps} steps`,
     whereMeasured(result),
     "ms: of a step, median; worst, mean: overlap in length scales",
@@ -121,27 +124,34 @@ export async function readResult(packed: string): Promise<Result | null> {
 }
 
 const SETTINGS: readonly SeriesSetting[] = [...THUD, ...BOX2D];
+/** Links of the first say nothing of what Box2D was not given, and are not shown. */
+const VERSION = 2;
 const FIGURES = ["typical", "p99", "worst", "mean", "own", "steps"] as const;
 const TEXTS = ["title", "setUp", "browser", "date", "withoutBox2D"] as const;
 const NUMBERS = ["processors", "timeStep", "bodies", "steps"] as const;
 
-/** Version, texts, numbers, and for each row its setting's place in SETTINGS and its figures. */
+/**
+ * Version, texts, numbers, for each row its setting's place in SETTINGS and its figures, and what
+ * Box2D was not given.
+ */
 function shorten(result: Result): unknown {
   return [
-    1,
+    VERSION,
     TEXTS.map((name) => result[name]),
     NUMBERS.map((name) => result[name]),
     result.rows.map((row) => [
       SETTINGS.findIndex((setting) => labelOf(setting) === labelOf(row.setting)),
       ...FIGURES.map((name) => row[name]),
     ]),
+    result.misses,
   ];
 }
 
 /** Trusts nothing: anyone can make a link. */
 function lengthen(data: unknown): Result | null {
-  if (!Array.isArray(data) || data[0] !== 1) return null;
-  const [, texts, numbers, rows] = data as unknown[];
+  if (!Array.isArray(data) || data[0] !== VERSION) return null;
+  const [, texts, numbers, rows, misses] = data as unknown[];
+  if (!Array.isArray(misses) || misses.length > 100 || !misses.every(isText)) return null;
   if (!isListOf(texts, TEXTS.length, isText)) return null;
   if (!isListOf(numbers, NUMBERS.length, isNumber)) return null;
   if (!Array.isArray(rows) || rows.length === 0 || rows.length > SETTINGS.length) return null;
@@ -157,7 +167,7 @@ function lengthen(data: unknown): Result | null {
   }
   const named = (names: readonly string[], values: readonly unknown[]) =>
     Object.fromEntries(names.map((name, i) => [name, values[i]]));
-  const result = { ...named(TEXTS, texts), ...named(NUMBERS, numbers), rows: found } as Result;
+  const result = { ...named(TEXTS, texts), ...named(NUMBERS, numbers), rows: found, misses } as Result;
   return Number.isNaN(Date.parse(result.date)) ? null : result;
 }
 

@@ -5,6 +5,7 @@ import { notice, say } from "../../page/messages";
 import { messageOf } from "../../shared/error";
 import type { SeriesRow } from "../../worker/measure";
 import { labelOf } from "../../worker/measure-settings";
+import { missesText } from "../misses";
 import type { Laboratory } from "./laboratory";
 import { Plane, type PlanePoint } from "./plane";
 import { Work } from "./work";
@@ -62,7 +63,10 @@ export function createSeries(app: App, laboratory: Laboratory): HTMLElement {
 
 function view(app: App, result: Result, elsewhere: boolean): HTMLElement[] {
   const plane = new Plane();
-  plane.show(result.rows.map(pointOf), "");
+  const misses = missesText(result.misses);
+  // Points in one plane would be a comparison.
+  const rows = result.rows.filter(({ setting }) => misses === "" || setting.engine === "thud");
+  plane.show(rows.map(pointOf), "");
   const where = elsewhere
     ? make(
         "p",
@@ -72,7 +76,8 @@ function view(app: App, result: Result, elsewhere: boolean): HTMLElement[] {
       )
     : make("p", { class: "explained" }, `On this device: ${whereMeasured(result)}.`);
   const title = make("h4", {}, titleOf(result));
-  return [title, where, plane.element, tableOf(result), actions(app, result)];
+  const first = misses === "" ? [] : [make("p", { class: "misses" }, misses)];
+  return [title, ...first, where, plane.element, tableOf(result), actions(app, result)];
 }
 
 /** The soft ones differ by substeps only; so do Box2D's, and its stiff ones. */

@@ -140,13 +140,17 @@ export class Table {
     this.#settings.box2d.textContent = box2d;
   }
 
-  /** The better of two stands out. Null: nothing has been measured. */
-  show(figures: { [engine in Engine]: Figures } | null, lengthScale: number): void {
+  /** The better of two stands out, where they are comparable. Null: nothing has been measured. */
+  show(
+    figures: { [engine in Engine]: Figures } | null,
+    lengthScale: number,
+    comparable: boolean,
+  ): void {
     this.#rows.forEach((row, i) => {
       const shown = !row.shown || (figures !== null && row.shown(figures.thud));
       this.element.tBodies[0].rows[i].hidden = !shown;
       const better =
-        figures && row.compare?.(figures.thud, figures.box2d, lengthScale)?.better;
+        figures && comparable && row.compare?.(figures.thud, figures.box2d, lengthScale)?.better;
       for (const engine of ENGINES) {
         const cell = this.#cells[engine][i];
         const text = figures ? row.text(figures[engine]) : NOTHING;

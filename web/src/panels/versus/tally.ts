@@ -60,10 +60,8 @@ export class Tally {
   since: number | null = null;
   /** Box2D's origin in the world. */
   origin: Vec2 = [0, 0];
-  /** Of thud's, which Box2D has not. */
-  gears = 0;
-  /** What acts in thud alone. */
-  fields: readonly string[] = [];
+  /** What Box2D is not given: nothing is comparable then. */
+  misses: readonly string[] = [];
   #counted = 0;
   #sums: { [engine in Engine]: Sums } = { thud: newSums(), box2d: newSums() };
 
@@ -73,8 +71,7 @@ export class Tally {
   clear(): void {
     this.since = null;
     this.origin = [0, 0];
-    this.gears = 0;
-    this.fields = [];
+    this.misses = [];
     this.#counted = 0;
     this.#sums = { thud: newSums(), box2d: newSums() };
     for (const course of [this.times, this.penetrations, this.energies]) {
@@ -89,8 +86,7 @@ export class Tally {
       if (box2d.since !== this.since) this.clear();
       this.since = box2d.since;
       this.origin = box2d.origin;
-      this.gears = box2d.gears;
-      this.fields = box2d.fields;
+      this.misses = box2d.misses;
       const seconds = step * timeStep;
       this.#sums.thud.awake = awake;
       this.#sums.box2d.awake = box2d.awake;

@@ -12,10 +12,11 @@ import { messageOf } from "../../shared/error";
 import "../../style/versus.css";
 import { hasSimd } from "../../wasm/simd";
 import { askForBox2D, endBox2D } from "../box2d-wish";
+import { missesText } from "../misses";
 import { engineColour, Plots, themeNow } from "./plots";
 import { Table } from "./table";
 import { ENGINES, Tally } from "./tally";
-import { fieldsText, gearsText, MEANING, movedText, verdict } from "./words";
+import { MEANING, movedText, verdict } from "./words";
 
 /** Milliseconds between two showings: courses run, figures must be readable. */
 const PLOTS_EVERY = 150;
@@ -41,7 +42,6 @@ class VersusPanel implements Panel {
   readonly #tryAgain = make("button", { class: "wide" }, "Try again");
   readonly #since = make("p", { class: "quiet" });
   readonly #moved = make("p", { class: "moved" });
-  readonly #lacks = make("p", { class: "moved" });
   readonly #measured = make("div");
   #open = false;
   #loading = false;
@@ -118,7 +118,7 @@ class VersusPanel implements Panel {
     again.addEventListener("click", () => void app.restart());
     this.#tryAgain.addEventListener("click", () => void this.#restart());
     const table = this.#table.element;
-    this.#measured.append(table, this.#moved, this.#lacks, this.#since, again, this.#plots.element);
+    this.#measured.append(table, this.#moved, this.#since, again, this.#plots.element);
     // The verdict changes its number of lines: what stands below it would move under a finger.
     this.element.append(
       layout.element,
@@ -186,18 +186,16 @@ class VersusPanel implements Panel {
     const { state, scene } = this.app;
     const figures = { thud: tally.figures("thud"), box2d: tally.figures("box2d") };
     const lengthScale = scene?.lengthScale ?? 1;
-    this.#table.show(tally.since === null ? null : figures, lengthScale);
+    const misses = missesText(tally.misses);
+    this.#table.show(tally.since === null ? null : figures, lengthScale, misses === "");
     this.#verdict.textContent = this.#loading
       ? `Loading Box2D… ${this.app.player.waiting ? "Both begin together." : "thud runs alone."}`
       : tally.since === null && state.paused
         ? "The scene stands still: run it, and both are measured."
-        : verdict(figures.thud, figures.box2d, lengthScale);
+        : misses || verdict(figures.thud, figures.box2d, lengthScale);
     const moved = movedText(Math.hypot(...tally.origin) / lengthScale);
     this.#moved.hidden = moved === "";
     if (this.#moved.textContent !== moved) this.#moved.textContent = moved;
-    const lacks = `${gearsText(tally.gears)} ${fieldsText(tally.fields)}`.trim();
-    this.#lacks.hidden = lacks === "";
-    if (this.#lacks.textContent !== lacks) this.#lacks.textContent = lacks;
     this.#since.hidden = !tally.since;
     const seconds = ((tally.since ?? 0) * (scene?.timeStep ?? 1 / 60)).toFixed(2);
     this.#since.textContent =
@@ -221,9 +219,10 @@ function notes(): HTMLElement {
     "Times are of steps in which both engines have bodies awake, after the first 30.",
     "Both get the same bodies, joints, pulls, explosions and craters, each by where its own " +
       "bodies are. A game’s character is moved in thud and pushes bodies in both.",
-    "Box2D gets the same joints, springs and motors, but for gears, which it has not, and what its " +
-      "welds and wheels do not do: limits and motors of a weld, a spring on a wheel’s axle. A joint " +
-      "that can break does so in each engine by what it bears there.",
+    "What a scene does to its world is done to Box2D’s too. What Box2D is not given, such as gears, " +
+      "water or a listener of contacts, is named above, and nothing is compared then. A joint that " +
+      "can break does so in each engine by what it bears there.",
+    "Pairs that the scene lets through, by a rule, a filter or a listener, count as no overlap.",
     "After going back in time Box2D begins anew, as a copy of thud’s world.",
   ];
   return make(

@@ -63,22 +63,6 @@ export function movedText(metres: number): string {
   );
 }
 
-/** What Box2D has not; "" where nothing is missing. */
-export function gearsText(gears: number): string {
-  if (gears === 0) return "";
-  const which = gears === 1 ? "the gear of this scene is" : `the ${gears} gears of this scene are`;
-  return `Box2D has no gears: ${which} in thud alone, and what they tie turns freely in Box2D.`;
-}
-
-/** What acts on bodies in thud alone; "" where nothing does. */
-export function fieldsText(fields: readonly string[]): string {
-  if (fields.length === 0) return "";
-  return (
-    `Box2D has no ${fields.join(" and no ")}: here that acts in thud alone, so the two do not ` +
-    "show the same."
-  );
-}
-
 export interface Comparison {
   /** Null: about the same. */
   better: Engine | null;

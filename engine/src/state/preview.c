@@ -1,0 +1,90 @@
+/* preview.c: see preview.h. */
+#include "state/preview.h"
+
+#include "state/body.h"
+
+/* Whether edits of the body place its shapes. */
+static bool places(const td_body *body) {
+    return body->changes & (TD_CHANGE_ENTER | TD_CHANGE_SHAPES | TD_CHANGE_PLACE) &&
+           !(body->changes & TD_CHANGE_LEAVE);
+}
+
+static bool is_there(const td_shape *shape) {
+    return (shape->flags & (TD_SHAPE_LIVE | TD_SHAPE_WAITS)) == TD_SHAPE_LIVE;
+}
+
+static int count_placed(const thud_world *w) {
+    int count = 0;
+    for (int i = 0; i < w->changed.count; i++) {
+        const td_body *body = td_body_at(w, td_body_in(&w->changed, i));
+        count += places(body) ? body->shape_count : 0;
+    }
+    return count;
+}
+
+static void copy_shapes(thud_world *w, const td_body *body) {
+    td_preview *p = &w->preview;
+    for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
+        if (is_there(td_shape_at(w, i))) {
+            td_int_set(&p->number, i, p->shape.count);
+            td_push_int(&p->shape, i);
+            TD_PUSH(td_shape_proxy, &p->proxy) = td_shape_placed(w, i);
+        }
+    }
+}
+
+bool td_preview_make(thud_world *w) {
+    td_preview *p = &w->preview;
+    td_deferred_apply(w);
+    if (!p->stale) {
+        return true;
+    }
+    int count = count_placed(w);
+    p->shape.count = p->proxy.count = 0;
+    if (count > 0 && (!td_array_reserve(&w->memory, &p->shape, count) ||
+                      !td_array_reserve(&w->memory, &p->proxy, count) ||
+                      !td_array_reserve(&w->memory, &p->number, w->shapes.count))) {
+        return false;
+    }
+    for (int i = 0; i < w->changed.count; i++) {
+        const td_body *body = td_body_at(w, td_body_in(&w->changed, i));
+        if (places(body)) {
+            copy_shapes(w, body);
+        }
+    }
+    p->stale = false;
+    return true;
+}
+
+/* Drops the shapes of which there are copies. */
+static void drop_copied(const thud_world *w, td_array *hits) {
+    int kept = 0, number;
+    for (int i = 0; i < hits->count && w->preview.shape.count > 0; i++) {
+        int shape = td_int_at(hits, i);
+        td_int_set(hits, kept, shape);
+        kept += !td_preview_has(w, shape, &number);
+    }
+    hits->count = w->preview.shape.count > 0 ? kept : hits->count;
+}
+
+bool td_preview_find(const thud_world *w, td_memory *memory, const td_bounds *bounds,
+                     td_position near_place, td_array *hits) {
+    const td_preview *p = &w->preview;
+    td_find_fn *find = w->def.broadphase->find[w->wide];
+    if (!find(&w->awake_shapes, memory, bounds, near_place, hits) ||
+        !find(&w->rest_shapes, memory, bounds, near_place, hits)) {
+        return false;
+    }
+    drop_copied(w, hits);
+    if (!td_array_reserve(memory, hits, hits->count + p->shape.count)) {
+        return false;
+    }
+    for (int i = 0; i < p->shape.count; i++) {
+        int shape = td_int_at(&p->shape, i);
+        if (!td_kind_is_line(td_shape_at(w, shape)->kind) &&
+            td_bounds_overlap(&TD_AT(td_shape_proxy, &p->proxy, i)->fat, bounds)) {
+            td_push_int(hits, shape);
+        }
+    }
+    return true;
+}

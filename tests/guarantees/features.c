@@ -1,0 +1,241 @@
+/* features.c: guarantees of what only some programs link: fields, casts, locks, rules, rollback. A
+ * yard that has them goes beside one that differs in what must change nothing. */
+#include "guarantee.h"
+#include "yard.h"
+
+#include <thud/thud_casts.h>
+#include <thud/thud_fields.h>
+#include <thud/thud_joint.h>
+#include <thud/thud_locks.h>
+#include <thud/thud_rollback.h>
+#include <thud/thud_rules.h>
+#include <thud/thud_snapshot.h>
+
+enum { STEPS = 30, RESTORED_EVERY = 7, RAYS = 96 };
+
+/* ---- twins ---- */
+
+typedef enum twin { SIMD, NEXT_BROADPHASE, LAST_BROADPHASE, FAR_AWAY, RESTORED, ASKED, TWINS } twin;
+
+static const char *const twin_names[TWINS] = {"with the other SIMD",
+                                              "with another broadphase",
+                                              "with the third broadphase",
+                                              "far away",
+                                              "restored",
+                                              "that is asked"};
+
+static thud_world_def def_of(trial *t, twin kind) {
+    static const thud_broadphase *const all[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
+                                                 &thud_broadphase_all};
+    thud_world_def def = trial_def(t);
+    def.baseline_simd = kind == SIMD;
+    if (kind == NEXT_BROADPHASE || kind == LAST_BROADPHASE) {
+        def.broadphase = all[(t->set->value[BROADPHASE] + (int)(kind - NEXT_BROADPHASE) + 1) % 3];
+    }
+    return def;
+}
+
+/* Goes on in the spare world, from a snapshot of its own. */
+static void swap_world(yard *y, thud_world **spare) {
+    trial_bytes s = trial_snapshot(y->t, y->world);
+    DO(y->t, thud_world_restore(*spare, s.bytes, s.size));
+    thud_world *now = *spare;
+    *spare = y->world;
+    y->world = now;
+    free(s.bytes);
+}
+
+static double hear(const thud_ray_hit *hit, void *context) {
+    uint64_t *digest = context;
+    yard_mix(digest, &hit->shape.index1, sizeof hit->shape.index1);
+    yard_mix(digest, &hit->fraction, sizeof hit->fraction);
+    return THUD_CAST_ON;
+}
+
+/* From the middle of the room in all directions, many at once, hit by hit, and of single shapes. */
+static uint64_t cast(yard *y) {
+    trial *t = y->t;
+    thud_ray rays[RAYS];
+    thud_ray_hit hits[RAYS];
+    thud_pos origin = yard_origin(y), middle = trial_place(t, 0, 3);
+    uint64_t digest = 0xcbf29ce484222325u;
+    middle.x += origin.x;
+    middle.y += origin.y;
+    for (int i = 0; i < RAYS; i++) {
+        double c = 1, s = 0;
+        thud_sincos(i * 0.0625, &s, &c);
+        rays[i] = (thud_ray){.origin = middle, .dx = 6 * c * t->scale, .dy = 6 * s * t->scale};
+    }
+    DO(t, thud_world_cast_rays(y->world, rays, RAYS, hits));
+    for (int i = 0; i < RAYS; i++) {
+        hear(&hits[i], &digest);
+    }
+    thud_shape_instance ball = {.kind = THUD_CIRCLE, .c = 1, .hx = 0.3 * t->scale};
+    for (int i = 0; i < 4; i++) {
+        DO(t, thud_world_cast_ray_each(y->world, middle, rays[7 * i].dx, rays[7 * i].dy, NULL, hear,
+                                       &digest));
+        DO(t, thud_world_cast_shape_each(y->world, middle, &ball, rays[9 * i].dx, rays[9 * i].dy,
+                                         NULL, hear, &digest));
+    }
+    return digest;
+}
+
+/* What must change nothing, between two edits too. */
+static void ask(yard *y) {
+    cast(y);
+    thud_world_error(y->world);
+    thud_world_measure(y->world);
+    free(trial_snapshot(y->t, y->world).bytes);
+}
+
+static void step_beside(yard *y, bool asked) {
+    for (int i = 0; i < 3 && !trial_failed(y->t); i++) {
+        yard_edit(y);
+        if (asked) {
+            ask(y);
+        }
+    }
+    yard_step(y);
+}
+
+static void go_beside(trial *t, twin kind, unsigned features, bool casts) {
+    yard one, other;
+    thud_world *spare = NULL;
+    int worlds = t->worlds;
+    yard_make_with(&one, t, trial_def(t), 0, features);
+    yard_make_with(&other, t, def_of(t, kind), kind == FAR_AWAY ? 1e7 : 0, features);
+    if (kind == RESTORED) {
+        spare = trial_make(t, def_of(t, SIMD));
+        DO(t, thud_world_use_joints(spare));
+        DO(t, thud_world_use_rules(spare));
+    }
+    for (int i = 1; i <= STEPS && !trial_failed(t); i++) {
+        step_beside(&one, false);
+        step_beside(&other, kind == ASKED);
+        if (spare && i % RESTORED_EVERY == 0) {
+            swap_world(&other, &spare);
+        }
+        if (!trial_failed(t) &&
+            (yard_told(&one) != yard_told(&other) || (casts && cast(&one) != cast(&other)))) {
+            trial_fault(t, "step %d differs in a world %s", i, twin_names[kind]);
+        }
+    }
+    while (t->worlds > worlds) {
+        thud_world_destroy(t->world[--t->worlds]);
+    }
+}
+
+static void go_beside_all(trial *t, unsigned features, bool casts) {
+    for (int kind = 0; kind < ASKED && !trial_failed(t); kind++) {
+        go_beside(t, (twin)kind, features, casts);
+    }
+}
+
+static void same_bits_with_fields(trial *t) {
+    go_beside_all(t, YARD_FIELDS, false);
+}
+
+static void same_bits_with_rules(trial *t) {
+    go_beside_all(t, YARD_RULES, false);
+}
+
+static void same_bits_with_locks_and_joints(trial *t) {
+    go_beside_all(t, YARD_TIED, false);
+}
+
+static void same_bits_of_casts(trial *t) {
+    go_beside_all(t, YARD_ALL, true);
+}
+
+/* Many rays are shared among workers. */
+static void same_hits_any_workers(trial *t) {
+    yard one, other;
+    thud_world_def def = trial_def(t);
+    long before = trial_shared_runs();
+    yard_make_with(&one, t, def, 0, YARD_ALL);
+    def.job_system = trial_jobs(3 - settings_workers(t->set));
+    yard_make_with(&other, t, def, 0, YARD_ALL);
+    for (int i = 1; i <= STEPS && !trial_failed(t); i++) {
+        yard_step(&one);
+        yard_step(&other);
+        if (cast(&one) != cast(&other)) {
+            trial_fault(t, "hits of step %d differ", i);
+        }
+    }
+    if (trial_shared_runs() == before) {
+        trial_fault(t, "no casts were shared");
+    }
+}
+
+/* ---- rollback ---- */
+
+enum { PLAYERS = 2, DEPTH = 6 };
+
+/* A yard with edits, whose first bodies the players push. */
+static thud_result play(thud_world *world, const uint64_t *inputs, void *state) {
+    yard *y = state;
+    for (int i = 0; i < PLAYERS; i++) {
+        double push = 0.01 * ((double)inputs[i] - 3) * y->t->scale * y->t->scale * y->t->scale;
+        DO(y->t, thud_body_apply_center_impulse(world, y->body[i], (thud_vec2){(float)push, 0}));
+    }
+    yard_before_step(y);
+    return thud_world_step(world);
+}
+
+static void tell_until(trial *t, thud_rollback *r, uint64_t inputs[STEPS][PLAYERS], int player,
+                       int64_t *told, int64_t until) {
+    for (; *told <= until && *told < STEPS; ++*told) {
+        DO(t, thud_rollback_input(r, player, *told, inputs[*told][player]));
+    }
+}
+
+static void late_inputs_end_as_a_straight_run(trial *t) {
+    yard late, straight;
+    thud_rollback *r = NULL;
+    uint64_t inputs[STEPS][PLAYERS], hash = 0;
+    int64_t told[PLAYERS] = {0};
+    yard_make_with(&late, t, trial_def(t), 0, YARD_ALL);
+    yard_make_with(&straight, t, trial_def(t), 0, YARD_ALL);
+    DO(t, thud_rollback_create(late.world,
+                               &(thud_rollback_options){.step = play,
+                                                        .idle = 3,
+                                                        .depth = DEPTH,
+                                                        .state = &late,
+                                                        .state_bytes = sizeof late},
+                               &r));
+    for (int i = 0; i < STEPS && !trial_failed(t); i++) {
+        for (int player = 0; player < PLAYERS; player++) {
+            inputs[i][player] = (uint64_t)trial_pick(t, 7);
+        }
+        for (int player = 0; player < PLAYERS; player++) {
+            tell_until(t, r, inputs, player, &told[player], i - trial_pick(t, DEPTH));
+        }
+        DO(t, thud_rollback_advance(r, NULL));
+    }
+    if (!trial_failed(t) && thud_rollback_get(r).replayed == 0) {
+        trial_fault(t, "no step was played again");
+    }
+    for (int player = 0; player < PLAYERS && r; player++) {
+        tell_until(t, r, inputs, player, &told[player], STEPS - 1);
+    }
+    for (int i = 0; i < STEPS && !trial_failed(t); i++) {
+        DO(t, play(straight.world, inputs[i], &straight));
+    }
+    DO(t, thud_rollback_settle(r));
+    DO(t, thud_rollback_at(r, STEPS, &hash, NULL));
+    if (!trial_failed(t) &&
+        (hash != thud_world_hash(straight.world) || yard_told(&late) != yard_told(&straight))) {
+        trial_fault(t, "late inputs end elsewhere");
+    }
+    thud_rollback_destroy(r);
+}
+
+const guarantee guarantees_of_features[] = {
+    {"late_inputs_end_as_a_straight_run", late_inputs_end_as_a_straight_run, {{0}}},
+    {"same_bits_of_casts", same_bits_of_casts, {{0}}},
+    {"same_bits_with_fields", same_bits_with_fields, {{0}}},
+    {"same_bits_with_locks_and_joints", same_bits_with_locks_and_joints, {{0}}},
+    {"same_bits_with_rules", same_bits_with_rules, {{0}}},
+    {"same_hits_any_workers", same_hits_any_workers, {{0}}},
+    {NULL, NULL, {{0}}},
+};

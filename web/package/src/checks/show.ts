@@ -1,0 +1,24 @@
+/** A value as the message has it that refuses it. */
+
+const LONGEST = 60;
+/** Of a list no more are looked at. */
+const ITEMS = 20;
+
+/** As it would be written in a program: lists and objects with what is in them, words in quotes. */
+export function show(value: unknown): string {
+  const told = written(value, 0);
+  return told.length > LONGEST ? `${told.slice(0, LONGEST)}…` : told;
+}
+
+function written(value: unknown, depth: number): string {
+  if (typeof value === "string") return JSON.stringify(value);
+  if (typeof value === "function") return "a function";
+  if (typeof value !== "object" || value === null) return String(value);
+  const isList = Array.isArray(value) || ArrayBuffer.isView(value);
+  if (depth > 1) return isList ? "[…]" : "{…}";
+  const values = isList
+    ? Array.from(value as ArrayLike<unknown>).slice(0, ITEMS).map((one) => written(one, depth + 1))
+    : Object.entries(value).map(([name, one]) => `${name}: ${written(one, depth + 1)}`);
+  if (isList) return `[${values.join(", ")}]`;
+  return values.length > 0 ? `{ ${values.join(", ")} }` : "{}";
+}

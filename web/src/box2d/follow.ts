@@ -1,0 +1,229 @@
+/**
+ * What becomes in Box2D of a call that a scene made of its thud world. A method that stands in none
+ * of these lists does something that Box2D does not get: the page names it before any figure, and
+ * compares nothing then. So a method that thud gains is missing in Box2D until it is brought here.
+ */
+import { type BodyId, handleOf, type JointId, type ShapeId, type Vec2, type World } from "thud";
+import type { Box2DWorld } from "./world";
+
+type Method = keyof World;
+
+/** Done to Box2D's body as well, as soon as it is there: until then its making has it. */
+const TO_BODY: { [Name in Method]?: (box2d: Box2DWorld, body: BodyId, ...args: never[]) => void } = {
+  setTransform: (box2d, body, position: Vec2, angle?: number) =>
+    box2d.setTransform(body, position, angle),
+  setVelocity: (box2d, body, velocity: Vec2, angular?: number) =>
+    box2d.setVelocity(body, velocity, angular),
+  applyImpulse: (box2d, body, impulse: Vec2, point: Vec2) =>
+    box2d.applyImpulse(body, impulse, point),
+  applyCenterImpulse: (box2d, body, impulse: Vec2) =>
+    box2d.applyImpulse(body, impulse, box2d.bodyState(body).center),
+  applyAngularImpulse(box2d, body, impulse: number) {
+    const { velocity, angularVelocity, inertia } = box2d.bodyState(body);
+    if (inertia > 0) box2d.setVelocity(body, velocity, angularVelocity + impulse / inertia);
+  },
+  applyForce: (box2d, body, force: Vec2, torque?: number) => box2d.applyForce(body, force, torque),
+  applyForceAt(box2d, body, [x, y]: Vec2, point: Vec2) {
+    const { center } = box2d.bodyState(body);
+    box2d.applyForce(body, [x, y], (point[0] - center[0]) * y - (point[1] - center[1]) * x);
+  },
+  setAwake: (box2d, body, awake: boolean) => box2d.setAwake(body, awake),
+  setKind: change,
+  setDamping: change,
+  setGravityScale: change,
+  setFixedRotation: change,
+  setLocks: change,
+  setDetection: change,
+  setMaySleep: change,
+  setMass: change,
+};
+
+/** As the thud world has it now. */
+function change(box2d: Box2DWorld, body: BodyId): void {
+  box2d.changeBody(body);
+}
+
+/** Box2D's shape is made what the thud world's is now. */
+const TO_SHAPE = new Set<Method>([
+  "setFilter",
+  "setFriction",
+  "setRestitution",
+  "setSurfaceSpeed",
+  "setDensity",
+  "setSensor",
+  "setRadius",
+  "setHalfExtents",
+]);
+
+const TO_JOINT = new Set<Method>([
+  "setDrive",
+  "setJointLength",
+  "setJointFrame",
+  "setJointBreaking",
+  "setJointEnabled",
+]);
+
+const TO_WORLD: { [Name in Method]?: (box2d: Box2DWorld, ...args: never[]) => void } = {
+  setGravity: (box2d, gravity: Vec2) => box2d.setGravity(gravity),
+  setTimeStep: (box2d, seconds: number) => box2d.setTimeStep(seconds),
+  setSleeping: (box2d, sleeping: boolean) => box2d.setSleeping(sleeping),
+};
+
+/** Seen before the next step, when Box2D looks at what there is. */
+const LOOKED_AT = new Set<Method>([
+  "createBody",
+  "spawn",
+  "createBodies",
+  "createCircle",
+  "createAabb",
+  "createObb",
+  "createTerrain",
+  "createJoint",
+  "destroy",
+  "setEnabled",
+  "setHeights",
+  "dig",
+  "raise",
+  "replaceRange",
+]);
+
+/** Nothing that moves anything otherwise: what is asked, what is told, how thud itself solves, and
+ * the velocity of a kinematic body, which Box2D's is given before each step. */
+const HARMLESS = new Set<Method>([
+  "setTarget",
+  "step",
+  "close",
+  "snapshot",
+  "hash",
+  "whatIf",
+  "setQuality",
+  "setMaxError",
+  "setEvents",
+  "setUserData",
+  "setJointUserData",
+  "useRules",
+  "useJoints",
+  "stats",
+  "error",
+  "measure",
+  "settings",
+  "bisectionLimit",
+  "events",
+  "eventViews",
+  "impulses",
+  "impulseView",
+  "jointEvents",
+  "contactView",
+  "contactsOf",
+  "meetings",
+  "pairOf",
+  "overlapsOf",
+  "poses",
+  "shapeTable",
+  "shapeTableAwake",
+  "jointTable",
+  "debugDraw",
+  "isValid",
+  "bodyState",
+  "shapeState",
+  "shapesOf",
+  "bodyOf",
+  "locksOf",
+  "rule",
+  "positionOf",
+  "rotationOf",
+  "velocityOf",
+  "readMotion",
+  "userDataOf",
+  "velocityAt",
+  "worldPoint",
+  "localPoint",
+  "worldVector",
+  "localVector",
+  "bodies",
+  "awakeBodies",
+  "movedBodies",
+  "shapes",
+  "bodyAtSlot",
+  "shapeAtSlot",
+  "joints",
+  "jointsOf",
+  "jointState",
+  "jointOptions",
+  "terrain",
+  "groundAt",
+  "placeFoot",
+  "castRay",
+  "castRayInto",
+  "castRayAll",
+  "castRayEach",
+  "castRays",
+  "castRayAt",
+  "castShape",
+  "castShapeAll",
+  "castShapeEach",
+  "closest",
+  "overlap",
+  "containsPoint",
+  "closestPointOf",
+  "boundsOf",
+]);
+
+/** In a word or two; what has none here is named by its method. */
+const WORDS: { [Name in Method]?: string } = {
+  applyBuoyancy: "water",
+  applyWind: "wind",
+  explode: "explosions with cover",
+  applyGrip: "tyres",
+  applyTyre: "tyres",
+  applyRollingResistance: "rolling resistance",
+  setRule: "rules between kinds",
+  setPairFilter: "the scene’s own filter of pairs",
+  setListeners: "listeners of contacts",
+};
+
+/** Whether a call leaves what Box2D has to look at as it is. */
+function leavesAll(method: Method): boolean {
+  return method in TO_BODY || method in TO_WORLD || HARMLESS.has(method);
+}
+
+/** What was done to a thud world that Box2D does not get, in a word or two each. */
+export function missesOf(called: ReadonlySet<string>): string[] {
+  const got = [TO_SHAPE, TO_JOINT, LOOKED_AT];
+  const words = ([...called] as Method[])
+    .filter((method) => !leavesAll(method) && !got.some((list) => list.has(method)))
+    .map((method) => WORDS[method] ?? `what ${String(method)} does`);
+  return [...new Set(words)];
+}
+
+/** Does to Box2D's copy what was done to the world. */
+export function follow(
+  box2d: Box2DWorld,
+  method: string,
+  result: unknown,
+  args: readonly unknown[],
+): void {
+  const [first, ...rest] = args as never[];
+  const name = method as Method;
+  if (!leavesAll(name)) box2d.lookAgain();
+  if (name in TO_BODY) {
+    const body = idOf(first, "body") as BodyId;
+    if (box2d.isValid(body)) TO_BODY[name]!(box2d, body, ...rest);
+  } else if (name in TO_WORLD) {
+    TO_WORLD[name]!(box2d, first, ...rest);
+  } else if (TO_SHAPE.has(name)) {
+    box2d.changeShape(idOf(first, "shape") as ShapeId);
+  } else if (TO_JOINT.has(name)) {
+    box2d.touchJoint(idOf(first, "joint") as JointId);
+  } else if (name === "createJoint") {
+    box2d.touchJoint(result as JointId);
+  } else if (name === "destroy") {
+    const id = idOf(first, rest[0]);
+    if (id.kind === "joint") box2d.touchJoint(id);
+  }
+}
+
+/** Where a number may stand for a handle, the handle. */
+function idOf(ref: unknown, kind: "body" | "shape" | "joint"): BodyId | ShapeId | JointId {
+  return typeof ref === "number" ? handleOf(ref, kind) : (ref as BodyId | ShapeId | JointId);
+}
