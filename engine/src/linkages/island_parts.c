@@ -11,12 +11,12 @@ enum { PARTS = 64 };
  * outside, and get no more parts. */
 #define PHASE_PART 0.5
 #define PHASE_MAX TD_PI
-/* Where nothing but joints acts, what swings has a part for each so many substeps, and what springs
- * so many times the parts of PHASE_PART: more substeps are to err less. Four are those of default,
- * which has islands solved directly where they would give way, and not for the sake of their phase.
- * What turns by no more than STILL in a step, rad, does not swing. */
-enum { SUBSTEPS_OF_PART = 4 };
-#define STILL 1e-3
+/* Where nothing but joints acts, a part of the step is no longer than so many substeps, and there
+ * are as many times more of those that springs get: more substeps are to err less. Four are those
+ * of default, which has islands solved directly where they would give way, and not for their phase.
+ * It is so in islands of up to FEW_BODIES: a pendulum, a vehicle, a doll. Longer chains would pay
+ * as many times their time for a phase that their many ways of swinging hide. */
+enum { SUBSTEPS_OF_PART = 4, FEW_BODIES = 16 };
 
 /* How fast the line of a rod turns, as it came; 0 of other kinds. */
 static double line_rate(const td_island_work *work, int i) {
@@ -121,10 +121,11 @@ int td_island_parts(td_island_work *work) {
     if (!(parts < 2 * PARTS)) {
         return 0;
     }
-    double phase = spring_phase(work);
-    if (td_island_is_joints(work) && (phase > 0.0 || fastest * work->time > STILL)) {
-        double finer = td_max_double((double)work->w->substeps / SUBSTEPS_OF_PART, 1.0);
-        parts = td_max_double(parts, finer * td_max_double(phase / PHASE_PART, 1.0));
+    if (td_island_is_joints(work)) {
+        bool few = work->island->bodies <= FEW_BODIES;
+        double finer = few ? (double)work->w->substeps / SUBSTEPS_OF_PART : 1.0;
+        double phase = td_max_double(spring_phase(work) / PHASE_PART, 1.0);
+        parts = td_max_double(parts, finer * phase);
     }
     int whole = parts < PARTS ? (int)parts : PARTS;
     return whole < PARTS && whole < parts ? whole + 1 : whole;
