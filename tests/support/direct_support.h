@@ -32,6 +32,7 @@ static inline void begin_problem(problem *p) {
                        .step = p->step,
                        .work = p->work,
                        .patience = 200,
+                       .effort = INT64_MAX,
                        .unit_speed = UNIT_SPEED};
 }
 

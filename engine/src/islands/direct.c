@@ -94,7 +94,22 @@ static void add_row(td_direct *d, const td_direct_constraint *c, const td_direct
     }
 }
 
+/* What a constraint takes in a Newton step, and a body, beside a block of the matrix. */
+enum { CONSTRAINT_EFFORT = 10, BODY_EFFORT = 5 };
+
+/* False, with nothing done, where that would be too much. */
+static bool take_effort(td_direct *d, int64_t blocks) {
+    int64_t more = blocks + (int64_t)CONSTRAINT_EFFORT * d->constraint_count +
+                   (int64_t)BODY_EFFORT * d->body_count;
+    d->spent = d->spent || more > d->effort;
+    d->effort -= d->spent ? 0 : more;
+    return !d->spent;
+}
+
 bool td_direct_factor(td_direct *d) {
+    if (!take_effort(d, d->matrix->now.work)) {
+        return false;
+    }
     td_sparse_clear(d->matrix);
     for (int i = 0; i < d->body_count; i++) {
         td_block3 *block = td_sparse_diagonal(d->matrix, i);
@@ -113,7 +128,10 @@ bool td_direct_factor(td_direct *d) {
     return td_sparse_factor(d->matrix);
 }
 
-void td_direct_step(td_direct *d) {
+bool td_direct_step(td_direct *d) {
+    if (!take_effort(d, 2 * (int64_t)td_sparse_entries(d->matrix))) {
+        return false;
+    }
     for (int i = 0; i < d->body_count; i++) {
         const td_direct_body *b = &d->bodies[i];
         d->step[i][0] = (b->free[0] - b->velocity[0]) / b->inverse_mass;
@@ -141,6 +159,7 @@ void td_direct_step(td_direct *d) {
                                         c->b == TD_NONE ? NULL : d->step[c->b]);
         }
     }
+    return true;
 }
 
 bool td_direct_move(td_direct *d, double part) {

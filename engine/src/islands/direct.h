@@ -81,6 +81,8 @@ typedef struct td_direct {
     double unit_speed; /* what a body gains by gravity in a step */
     int factorings;    /* so far ... */
     int patience;      /* ... and at most */
+    int64_t effort;    /* operations that are left, of about a block of a matrix each ... */
+    bool spent;        /* ... and too few, so that it failed */
     bool fresh;        /* the impulses are guesses of another solver, or none are known */
     bool factored;     /* the matrix of the active rows stands */
 } td_direct;
@@ -104,11 +106,11 @@ bool td_direct_interior(td_direct *d, double tolerance);
 /* ---- what they share ---- */
 
 void td_direct_measure(td_direct *d); /* speeds of all rows */
-/* The matrix of masses and active rows, factored; false where numbers failed. */
+/* The matrix of masses and active rows, factored; false where numbers failed, or it is too dear. */
 bool td_direct_factor(td_direct *d);
 /* Solves for what masses and the rows' forces leave unbalanced: the bodies' step, the rows' change.
- */
-void td_direct_step(td_direct *d);
+ * False where it is too dear. */
+bool td_direct_step(td_direct *d);
 /* Goes a part of that step; false where numbers failed. */
 bool td_direct_move(td_direct *d, double part);
 /* Solves what the active rows still miss, of forces that balance the velocities, without another

@@ -190,7 +190,9 @@ static int judge(td_direct *d, double doubt, bool keeps) {
 /* A whole Newton step, of the matrix as factored. *turned: how many rows change their mind. False
  * where numbers failed. */
 static bool leap(td_direct *d, double doubt, bool keeps, int *turned) {
-    td_direct_step(d);
+    if (!td_direct_step(d)) {
+        return false;
+    }
     bool done = td_direct_move(d, 1.0);
     *turned = judge(d, doubt, keeps);
     return done;

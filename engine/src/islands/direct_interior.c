@@ -232,16 +232,17 @@ bool td_direct_interior(td_direct *d, double tolerance) {
     start(d);
     for (int n = 0; n < STEPS && d->factorings < d->patience; n++) {
         for_rows(d, prepare_row, 0.0, 0.0);
-        if (!td_direct_factor(d)) {
+        if (!td_direct_factor(d) || !td_direct_step(d)) {
             return false;
         }
-        td_direct_step(d);
         for_rows(d, follow_row, 0.0, 0.0);
         double now = gap(d, 0.0), after = gap(d, reach(d, 1.0)),
                share = now > 0.0 ? after / now : 0.0;
         double aim = share * share * share * now;
         for_rows(d, prepare_row, aim, 1.0);
-        td_direct_step(d);
+        if (!td_direct_step(d)) {
+            return false;
+        }
         for_rows(d, follow_row, aim, 1.0);
         if (!advance(d, NEARLY * reach(d, 1.0 / NEARLY))) {
             return false;

@@ -32,6 +32,7 @@ typedef struct td_islands {
     td_array start; /* float[4], by awake slot, where there are joints: velocity before the soft
                        solver */
     bool adds_up;   /* the soft solver is to keep what contacts give in the step, for linkages.c */
+    int64_t effort; /* td_direct.effort that is left to islands with joints in this step */
     td_sparse matrix;
 } td_islands;
 

@@ -68,7 +68,9 @@ bool td_direct_polish(td_direct *d, double enough) {
     for (int n = 0; n < ROUNDS && part > 0.0 && sum(d, misses, enough) > 0.0; n++) {
         double now = sum(d, product, 0.0);
         sum(d, aim, before > 0.0 ? now / before : 0.0);
-        td_direct_step(d);
+        if (!td_direct_step(d)) {
+            return false;
+        }
         double bent = sum(d, curvature, 0.0);
         part = now < PART_MOST * bent ? now / bent : 0.0;
         if (!td_direct_move(d, part)) {

@@ -136,6 +136,7 @@ static td_direct problem_of(thud_world *w, const td_island *island) {
                        .body_count = island->bodies,
                        .constraint_count = island->constraints,
                        .patience = td_island_patience(w, island),
+                       .effort = INT64_MAX,
                        .unit_speed = w->def.time_step * __builtin_sqrt(x * x + y * y)};
 }
 

@@ -316,16 +316,16 @@ static void write(const td_island_work *work) {
 enum { FEW_BODIES = 128 };
 
 /* An island for which even a few matrices cost more than the work of a whole step is left alone for
- * long. */
-static void leave(thud_world *w, const td_island *island, bool joints) {
-    if (w->quality.island_patience > 0) {
+ * long; one on which all effort of the step was spent rests at any quality. */
+static void leave(thud_world *w, const td_island *island, bool joints, bool spent) {
+    if (w->quality.island_patience > 0 || spent) {
         bool dear = EASY * td_island_cost(island) > w->quality.island_work;
         td_islands_leave(w, island, joints ? TD_PAUSE_STEPS : TD_COOLDOWN_STEPS, !joints && dear);
     }
 }
 
 bool td_island_solve(thud_world *w, const td_island *island) {
-    bool bounces = false, joints = false;
+    bool bounces = false, joints = false, spent = false;
     w->stats.direct_islands++;
     w->stats.direct_bodies += island->bodies;
     if (td_island_patience(w, island) > 0) {
@@ -337,10 +337,11 @@ bool td_island_solve(thud_world *w, const td_island *island) {
             write(&work);
             return true;
         }
+        spent = work.problem.spent;
     }
     w->stats.soft_islands++;
     if (!bounces) {
-        leave(w, island, joints);
+        leave(w, island, joints, spent);
     }
     return false;
 }

@@ -79,6 +79,11 @@ static inline td_block3 *td_sparse_entry(td_sparse *s, int index) {
     return (td_block3 *)s->entry.data + index;
 }
 
+/* Blocks of L below its diagonal. */
+static inline int td_sparse_entries(const td_sparse *s) {
+    return ((const int *)s->column.data)[s->now.place + s->now.size];
+}
+
 void td_sparse_clear(td_sparse *s); /* all blocks are zero */
 /* In place; of a diagonal block only the lower half is read. False, and the blocks mean nothing,
  * when the matrix is not positive definite, as far as its numbers can tell. */

@@ -112,12 +112,23 @@ static double fine_of(const td_island_work *work) {
     return !td_island_is_joints(work) ? 1.0 : everywhere ? FINE : FINE_ENOUGH;
 }
 
-/* Mean velocities with the rows of joints as the motion turns them. Returns what is missed. */
+/* All velocities are numbers, and turns small enough to have a sine. */
+static bool turns_count(const td_island_work *work) {
+    bool all = true;
+    for (int i = 0; i < work->island->bodies; i++) {
+        const double *v = work->problem.bodies[i].velocity;
+        all &= td_finite(v[0]) && td_finite(v[1]) && td_abs(v[2]) <= (double)THUD_SPIN_MAX;
+    }
+    return all;
+}
+
+/* Mean velocities with the rows of joints as the motion turns them. Returns what is missed;
+ * infinite where numbers failed. */
 static double solve_turning(td_island_work *work, double start, double tolerance) {
     td_direct *d = &work->problem;
     double missing = __builtin_inf();
     double fine = fine_of(work) * tolerance;
-    for (int round = 0; round < ROUNDS; round++) {
+    for (int round = 0; round < ROUNDS && turns_count(work); round++) {
         turn_rows(work, start, false);
         if (round && td_direct_miss(d) <= fine) {
             return missing;
@@ -125,9 +136,12 @@ static double solve_turning(td_island_work *work, double start, double tolerance
         stiffen(work);
         missing = td_direct_solve(d, tolerance);
         if (!td_finite(missing)) {
-            break;
+            return missing;
         }
         d->fresh = false; /* the next round goes on from this one */
+    }
+    if (!turns_count(work)) {
+        return __builtin_inf();
     }
     turn_rows(work, start, false);
     return td_max_double(missing, td_direct_miss(d));
@@ -342,6 +356,7 @@ double td_island_solve_joints(td_island_work *work, double tolerance) {
     if (parts == 0) {
         return __builtin_inf();
     }
+    work->problem.effort = work->w->islands.effort;
     work->problem.patience *= td_island_is_joints(work) ? WORK_OF_JOINTS : WORK_WITH_CONTACTS;
     work->time = whole / parts;
     scale_impulses(work, 1.0 / parts);
@@ -364,6 +379,7 @@ double td_island_solve_joints(td_island_work *work, double tolerance) {
         }
         scale_impulses(work, part + 1 < parts ? 0.5 : (double)parts);
     }
+    work->w->islands.effort = work->problem.effort;
     work->time = work->elapsed = whole;
     /* What is tied from afar may pull beyond all numbers. */
     missing =

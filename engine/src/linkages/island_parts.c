@@ -11,10 +11,12 @@ enum { PARTS = 64 };
  * outside, and get no more parts. */
 #define PHASE_PART 0.5
 #define PHASE_MAX TD_PI
-/* Where nothing but joints acts, a part is no longer than so many substeps, and all of the above is
- * by as much finer: more substeps are to err less. Four are those of default, which has islands
- * solved directly where they would give way, and not for the sake of their phase. */
-enum { SUBSTEPS_OF_PART = 4 };
+/* Where nothing but joints acts, a part of the step is no longer than so many substeps, and there
+ * are as many times more of those that springs get: more substeps are to err less. Four are those
+ * of default, which has islands solved directly where they would give way, and not for their phase.
+ * It is so in islands of up to FEW_BODIES: a pendulum, a vehicle, a doll. Longer chains would pay
+ * as many times their time for a phase that their many ways of swinging hide. */
+enum { SUBSTEPS_OF_PART = 4, FEW_BODIES = 16 };
 
 /* How fast the line of a rod turns, as it came; 0 of other kinds. */
 static double line_rate(const td_island_work *work, int i) {
@@ -115,15 +117,16 @@ int td_island_parts(td_island_work *work) {
     for (int i = 0; i < work->island->constraints; i++) {
         fastest = td_max_double(fastest, line_rate(work, i));
     }
-    double parts = fastest * work->time / TURN_PART, finer = 1.0;
-    if (td_island_is_joints(work)) {
-        finer = td_max_double((double)work->w->substeps / SUBSTEPS_OF_PART, 1.0);
-        parts = td_max_double(parts, spring_phase(work) / PHASE_PART);
-    }
+    double parts = td_max_double(fastest * work->time / TURN_PART, 1.0);
     if (!(parts < 2 * PARTS)) {
         return 0;
     }
-    parts = finer * td_max_double(parts, 1.0);
+    if (td_island_is_joints(work)) {
+        bool few = work->island->bodies <= FEW_BODIES;
+        double finer = few ? (double)work->w->substeps / SUBSTEPS_OF_PART : 1.0;
+        double phase = td_max_double(spring_phase(work) / PHASE_PART, 1.0);
+        parts = td_max_double(parts, finer * phase);
+    }
     int whole = parts < PARTS ? (int)parts : PARTS;
     return whole < PARTS && whole < parts ? whole + 1 : whole;
 }

@@ -30,8 +30,16 @@ static bool find(thud_world *w) {
            td_islands_room(w, &s->work, TD_LATE_BODIES) && reserve_system(w);
 }
 
+/* What islands with joints may take in a step, in operations of some 7 ns each, whatever their
+ * quality allows: loops that are stretched may take any number of Newton steps, and a matrix in
+ * which each body is tied to many takes the cube of their number. In worlds of more bodies than
+ * MANY it grows with them. */
+#define EFFORT 4000000
+enum { MANY = 1000 };
+
 static void begin(thud_world *w) {
     td_islands_begin(w);
+    w->islands.effort = (int64_t)EFFORT / MANY * td_max_int(w->body_of.count, MANY);
     memcpy(w->islands.start.data, w->velocity.data, (size_t)w->body_of.count * sizeof(float[4]));
     w->islands.adds_up = w->islands.island.count || td_linkages_may_come(w);
 }

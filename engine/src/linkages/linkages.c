@@ -11,8 +11,8 @@
 #include "islands/island_order.h"
 
 /* Matrices that a linkage may take whatever else the step has taken; island_joints.c doubles it.
- * With half of them the wrecking ball's chain opens by over 10 mm as the ball meets the wall. */
-enum { PATIENCE = 16 };
+ * With a third of them the wrecking ball's chain opens by over 10 mm as the ball meets the wall. */
+enum { PATIENCE = 32 };
 /* A linkage that could not be solved n times in succession is tried in one of 2^n steps, and in one
  * of 2^REST at least. */
 enum { REST = 5 };
