@@ -92,7 +92,7 @@ float td_joint_line_of(const td_joint_place *place, float *x, float *y) {
 }
 
 double td_joint_closing_speed(const thud_world *w, double gap, double time) {
-    double most = (double)(w->def.push_speed * w->unit), speed = -gap / time;
+    double most = (double)(TD_JOINT_CLOSING * w->unit), speed = -gap / time;
     return speed > most ? most : speed < -most ? -most : speed;
 }
 

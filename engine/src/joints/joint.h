@@ -107,7 +107,7 @@ td_joint_place td_joint_place_of(const thud_world *w, const td_joint *joint);
 /* How far apart both anchors are, and the direction from a's to b's; where they meet, any. */
 float td_joint_line_of(const td_joint_place *place, float *x, float *y);
 
-/* The speed at which a gap goes within so much time, as far as the world's push_speed allows. */
+/* The speed at which a gap goes within so much time, as far as TD_JOINT_CLOSING allows. */
 double td_joint_closing_speed(const thud_world *w, double gap, double time);
 
 static inline float td_cross(const float arm[2], float x, float y) {

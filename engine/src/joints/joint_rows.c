@@ -39,10 +39,10 @@ static double way_of(const td_direct_row *row, const td_span *s) {
 #define LITTLE 1e-4 /* length scales, or radians, on top */
 
 /* The mean speed for which a gap that goes from `before` to `after` by the motion as known closes
- * by the end as far as it should, and the world's push_speed allows. */
+ * by the end as far as it should, and TD_JOINT_CLOSING allows. */
 static double wanted_of(const thud_world *w, td_direct_row *row, const td_span *s, double before,
                         double after) {
-    double most = (double)(w->def.push_speed * w->unit) * s->time, off = td_abs(before);
+    double most = (double)(TD_JOINT_CLOSING * w->unit) * s->time, off = td_abs(before);
     double part = off * (CLOSING * s->time / w->def.time_step) + LITTLE * (double)w->unit;
     most = td_min_double(most, part);
     double left = off <= NOTHING * (double)w->unit ? before
@@ -199,10 +199,26 @@ bool td_hold_take_rows(const thud_world *w, td_block *block, int lane, const flo
 
 /* ---- driven directions ---- */
 
-/* Limits that are not reached must not be passed by the end of the step. */
-static void take_limit(const thud_world *w, const td_block *block, int lane, const float *impulses,
+/* The limit that is nearer as the step begins, or the other one where the soft solver has come
+ * nearer to that by its end. True where it is the first one, whose impulse is known. */
+static bool choose_limit(td_block *block, int lane) {
+    td_drive_rows *r = td_drive_rows_of(block);
+    td_point *p = &block->point[0];
+    float value = r->value_base[lane], low = value - r->lower[lane], high = r->upper[lane] - value;
+    float first = low <= high ? 1.0f : -1.0f, nearest = td_min_float(low, high);
+    bool crossed = r->limit_side[lane] != first && p->separation[lane] < nearest;
+    float side = r->limited[lane] == 0 ? 0.0f : crossed ? -first : first;
+    r->limit_side[lane] = side;
+    r->limit[lane] = side > 0.0f ? r->lower[lane] : r->upper[lane];
+    p->base[lane] = side * (value - r->limit[lane]);
+    return !crossed;
+}
+
+/* A limit that is not reached must not be passed by the end of the step. */
+static void take_limit(const thud_world *w, td_block *block, int lane, const float *impulses,
                        td_direct_row *row, const td_direct_row *along) {
     const td_drive_rows *r = td_drive_rows_at(block);
+    bool known = choose_limit(block, lane);
     double side = (double)r->limit_side[lane], gap = (double)block->point[0].base[lane];
     bool locked = r->locked[lane] > 0.0f;
     *row = *along;
@@ -213,6 +229,7 @@ static void take_limit(const thud_world *w, const td_block *block, int lane, con
     row->kind = locked ? TD_ROW_EQUAL : TD_ROW_PUSH;
     row->used = side != 0.0;
     hold(w, row, impulses, 0, gap);
+    row->impulse *= known ? 1.0 : 0.0;
     row->wanted = gap > 0.0 && !locked ? -gap / w->def.time_step : row->wanted;
 }
 

@@ -6,7 +6,8 @@ typedef enum way { LINE, AXIS, TURN } way;
 
 /* A direction as it stands now, and where b is along it. */
 typedef struct direction8 {
-    f8 x, y, cross_a, cross_b, value, mass;
+    f8 x, y, cross_a, cross_b, value;
+    f8 k, mass; /* speed that a unit of impulse gives; its inverse */
 } direction8;
 
 TD_INLINE direction8 direction_now(const td_block *block, const td_drive_rows *r,
@@ -14,18 +15,18 @@ TD_INLINE direction8 direction_now(const td_block *block, const td_drive_rows *r
                                    const sides *v) {
     f8 zero = f8_all(0.0f), one = f8_all(1.0f);
     sides d = read_sides(c->delta, block, fixed);
-    direction8 now = {zero, zero, r->turn_sign, r->turn_sign, zero, zero};
+    direction8 now = {zero, zero, r->turn_sign, r->turn_sign, zero, zero, zero};
     if (which == TURN) {
         now.value = r->value_base + r->turn_sign * (fixed ? d.b.z : d.b.z - d.a.z);
     } else {
         frame8 f = which == LINE ? line_now(block, &d, fixed, r->gap_u, r->gap_v, &now.value)
                                  : frame_now(block, &d, fixed, r->gap_u, r->gap_v, one);
         now.value = which == LINE ? now.value : f.gap_u;
-        now = (direction8){f.x, f.y, f.a_u, f.b_u, now.value, zero};
+        now = (direction8){f.x, f.y, f.a_u, f.b_u, now.value, zero, zero};
     }
     f8 linear = which == TURN ? zero : one;
-    now.mass = inverse_or_zero(
-        yield(block, v, fixed, linear, now.cross_a, now.cross_b, now.cross_a, now.cross_b));
+    now.k = yield(block, v, fixed, linear, now.cross_a, now.cross_b, now.cross_a, now.cross_b);
+    now.mass = inverse_or_zero(now.k);
     return now;
 }
 
@@ -80,18 +81,33 @@ TD_INLINE void motor(td_block *block, const td_drive_rows *r, const td_solve_con
     push_along(block, n, fixed, v, now - old);
 }
 
-/* What keeps a direction from `limit`: a contact with it, or, where both limits are the same, a
+/* The limit that comes first at the speed as it is, and by the end of the substep; of the impulse
+ * of the other one, which the solver may take back, the sign changes. */
+TD_INLINE void choose_limit(td_block *block, td_drive_rows *r, const direction8 *n, f8 ahead) {
+    td_point *p = &block->point[0];
+    f8 one = f8_all(1.0f), value = n->value + ahead;
+    i8 lower = value - r->lower <= r->upper - value;
+    f8 side = f8_keep(r->limited, f8_pick(lower, one, -one));
+    p->normal_impulse *= side * r->limit_side;
+    r->limit_side = side;
+    r->limit = f8_pick(lower, r->lower, r->upper);
+    p->base = side * (r->value_base - r->limit);
+    p->separation = side * (n->value - r->limit);
+}
+
+/* What keeps a direction from a limit: a contact with it, or, where both limits are the same, a
  * lock. */
-TD_INLINE void stop(td_block *block, const td_drive_rows *r, const td_solve_context *c,
+TD_INLINE void stop(td_block *block, td_drive_rows *r, const td_solve_context *c,
                     const direction8 *n, bool fixed, bool soft, f8 most, sides *v) {
     td_point *p = &block->point[0];
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), inv_h = f8_all(c->inv_h);
-    i8 locked = r->locked > zero, some = (r->limit_side > zero) | (r->limit_side < zero);
-    f8 gap = f8_keep(some, r->limit_side * (n->value - r->limit));
-    p->separation = gap;
+    i8 locked = r->locked > zero, some = r->limited;
     if (!i8_bits(some)) {
         return;
     }
+    f8 along = speed_along(n, v, fixed);
+    choose_limit(block, r, n, along / inv_h);
+    f8 gap = p->separation;
     i8 apart = (gap > zero) & ~locked;
     f8 bias = zero, scale = one, keep = zero;
     if (soft) {
@@ -101,7 +117,7 @@ TD_INLINE void stop(td_block *block, const td_drive_rows *r, const td_solve_cont
     }
     bias = f8_pick(apart, gap * inv_h, bias);
     f8 old = p->normal_impulse;
-    f8 speed = r->limit_side * speed_along(n, v, fixed) + bias;
+    f8 speed = r->limit_side * along + bias;
     f8 now = old - scale * n->mass * speed - keep * old;
     now = f8_keep(some, f8_pick(locked, now, f8_max(now, zero)));
     p->normal_impulse = now;
@@ -112,7 +128,7 @@ TD_INLINE void drive(td_block *const *blocks, int count, const td_solve_context 
                      way which, bool soft) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
-        const td_drive_rows *r = td_drive_rows_of(block);
+        td_drive_rows *r = td_drive_rows_of(block);
         sides v = read_sides(c->velocity, block, fixed);
         direction8 n = direction_now(block, r, c, fixed, which, &v);
         if (soft && !c->first) {
@@ -120,8 +136,11 @@ TD_INLINE void drive(td_block *const *blocks, int count, const td_solve_context 
         }
         spring(block, r, c, &n, fixed, &v);
         motor(block, r, c, &n, fixed, &v);
-        stop(block, r, c, &n, fixed, soft,
-             f8_all(TD_JOINT_HASTE * (which == TURN ? TD_JOINT_CLOSING : c->joint_closing)), &v);
+        f8 most = f8_all(TD_JOINT_HASTE * TD_JOINT_CLOSING);
+        if (which != TURN) { /* turns are no more than a few radians */
+            most = most_of_bias(c->joint_closing, n.k, block->point[0].normal_impulse);
+        }
+        stop(block, r, c, &n, fixed, soft, most, &v);
         write_sides(c, block, fixed, &v);
     }
 }

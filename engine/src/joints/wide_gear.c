@@ -29,7 +29,8 @@ TD_INLINE void mesh(td_block *const *blocks, int count, const td_solve_context *
         p->separation = f8_keep(p->normal_mass > zero, p->base + along_row(block, &d));
         f8 bias = zero, scale = f8_all(1.0f), keep = zero;
         if (soft) {
-            f8 most = f8_all(TD_JOINT_HASTE * c->joint_closing);
+            f8 most =
+                most_of_bias(c->joint_closing, inverse_or_zero(p->normal_mass), p->normal_impulse);
             bias = f8_clamp(p->separation * f8_all(PULL * c->inv_h), -most, most);
             scale = f8_all(1.0f - LOST);
             keep = f8_all(LOST);

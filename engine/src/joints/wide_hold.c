@@ -3,11 +3,11 @@
 
 /* What a pass does with the gaps. */
 typedef struct softness {
-    f8 bias_rate, mass_scale, impulse_scale, closing;
+    f8 inv_h, mass_scale, impulse_scale, closing;
 } softness;
 
 TD_INLINE softness soft_of(const td_solve_context *c) {
-    return (softness){f8_all(PULL * c->inv_h), f8_all(1.0f - LOST), f8_all(LOST),
+    return (softness){f8_all(c->inv_h), f8_all(1.0f - LOST), f8_all(LOST),
                       f8_all(c->joint_closing)};
 }
 
@@ -16,8 +16,8 @@ TD_INLINE softness rigid(void) {
     return (softness){zero, f8_all(1.0f), zero, zero};
 }
 
-TD_INLINE f8 bias_of(f8 gap, const softness *s, f8 most) {
-    return f8_clamp(gap * s->bias_rate, -most, most);
+TD_INLINE f8 bias_of(f8 gap, f8 rate, f8 most) {
+    return f8_clamp(gap * rate, -most, most);
 }
 
 /* K = J M^-1 J' of a lane's rows, by which impulses change their speeds, with turn eliminated. */
@@ -80,10 +80,11 @@ TD_INLINE void hold_block(td_block *block, const softness *s, const td_solve_con
     f8 speed_u = speed_now(&v, fixed, f.x, f.y, f.a_u, f.b_u);
     f8 speed_v = speed_now(&v, fixed, -f.y, f.x, f.a_v, f.b_v);
     f8 spin = fixed ? v.b.z : v.b.z - v.a.z;
+    f8 rate = pull_of(h->haste) * s->inv_h;
     f8 most = h->haste * s->closing, turn_most = h->haste * f8_all(TD_JOINT_CLOSING);
-    f8 turn = f8_keep(k.has_turn, spin + h->turn_sign * bias_of(h->turn_apart, s, turn_most));
-    f8 want_u = speed_u + bias_of(p->separation, s, most) - k.lever_u * turn;
-    f8 want_v = speed_v + bias_of(q->separation, s, most) - k.lever_v * turn;
+    f8 turn = f8_keep(k.has_turn, spin + h->turn_sign * bias_of(h->turn_apart, rate, turn_most));
+    f8 want_u = speed_u + bias_of(p->separation, rate, most) - k.lever_u * turn;
+    f8 want_v = speed_v + bias_of(q->separation, rate, most) - k.lever_v * turn;
     want_u = f8_keep(k.has_u, want_u);
     want_v = f8_keep(k.has_v, want_v);
     f8 per_det = inverse_or_zero(k.det);

@@ -16,6 +16,23 @@
     (1.0f / (1.0f + ANGLE * (2.0f + ANGLE))) /* part of its impulse that it loses in one \
                                               */
 
+/* In a ring that would add energy, no more than this: what many rows share of which each moves
+ * little swings, and grows, unless LOST (1 + s) > s PULL with s = 1 - LOST, which takes the part of
+ * an impulse that both passes of a substep correct over what a gap adds to it. */
+#define PULL_TORN (0.95f * LOST * (2.0f - LOST) / (1.0f - LOST))
+
+TD_INLINE f8 pull_of(f8 haste) {
+    return f8_pick(haste > f8_all(1.0f), f8_all(PULL), f8_all(PULL_TORN));
+}
+
+/* A limit or a gear bears a load L at rest by a bias of LOST / (1 - LOST) K L, where K is 1 / the
+ * mass that the row feels. Its bias may be twice that on top of what gaps close at. */
+#define LOAD (LOST / (1.0f - LOST))
+
+TD_INLINE f8 most_of_bias(float closing, f8 k, f8 impulse) {
+    return f8_all(TD_JOINT_HASTE * closing) + f8_all(LOAD) * k * f8_abs(impulse);
+}
+
 /* Adding and taking away 1.5 * 2^23 rounds to whole numbers. */
 #define WHOLE 12582912.0f
 #define WILD 1e5f /* rad in a step: whoever turns so much is anywhere */

@@ -161,8 +161,8 @@ TD_INLINE void place_rod(const thud_world *w, td_block *block) {
     q->base = q->separation = length - rows->turn_base;
 }
 
-/* The nearer limit; impulses of the other one mean nothing to it. What neither springs nor is
- * driven has no impulses of them. */
+/* The nearer limit, for now; impulses of the other one mean nothing to it. What neither springs nor
+ * is driven has no impulses of them. */
 TD_INLINE void set_values(td_block *block, td_drive_rows *rows, f8 value) {
     td_point *p = &block->point[0], *q = &block->point[1];
     f8 zero = f8_all(0.0f), one = f8_all(1.0f);

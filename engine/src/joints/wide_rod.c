@@ -18,7 +18,8 @@ TD_INLINE void pull_block(td_block *block, const td_solve_context *c, bool fixed
     f8 bias = zero, scale = one, keep = zero;
     if (soft) {
         f8 most = td_hold_rows_of(block)->haste * f8_all(c->joint_closing);
-        bias = f8_clamp(p->separation * f8_all(PULL * c->inv_h), -most, most);
+        bias = f8_clamp(p->separation * pull_of(td_hold_rows_of(block)->haste) * f8_all(c->inv_h),
+                        -most, most);
         scale = f8_all(1.0f - LOST);
         keep = f8_all(LOST);
     }
