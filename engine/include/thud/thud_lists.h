@@ -92,8 +92,8 @@ THUD_API thud_result thud_world_moved_bodies(const thud_world *world, thud_body_
 /* ---- what a sensor overlaps ---- */
 
 /* The shapes that the sensor overlaps: those of which a sensor_begin told and no sensor_end yet
- * (thud_events.h), a terrain once. So they are what the last step found as it began; inside a
- * callback, what the step under way did. What was destroyed or disabled since is left out at once;
+ * (thud_events.h), a terrain once. So they are what the last step found as it ended, inside a
+ * callback too. What was destroyed or disabled since is left out at once;
  * all else follows with the next step at the latest. A pass over the contacts of the sensor's body.
  * THUD_ERROR_STALE; THUD_ERROR_INVALID for a shape that is no sensor. */
 THUD_API thud_result thud_sensor_overlaps(const thud_world *world, thud_shape_id sensor,

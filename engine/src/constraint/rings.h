@@ -1,5 +1,6 @@
 /* rings.h: dynamic bodies that joints tie together, in rings. Where detection holds one of them on
- * its way through a step, it holds all at that time, so that no joint opens. */
+ * its way through a step, it holds all at that time, so that no joint opens; contacts of
+ * what is tied are left to the solver, which sees what they bear, once they touch. */
 #ifndef TD_RINGS_H
 #define TD_RINGS_H
 

@@ -97,6 +97,9 @@ static bool stays_apart(const thud_world *w, int number) {
         return false;
     }
     const td_contact *contact = td_contact_at(w, number);
+    if (td_gap_is_solvers(w, contact)) {
+        return true;
+    }
     double now = later(td_trajectory_of(w, contact->body[0]).since,
                        td_trajectory_of(w, contact->body[1]).since);
     return td_gap_stays(w, contact, now);

@@ -2,6 +2,7 @@
 #include "detection/gaps.h"
 
 #include "constraint/lanes.h"
+#include "constraint/rings.h"
 #include "detection/project.h"
 #include "solver/error.h"
 #include "state/body.h"
@@ -36,7 +37,8 @@ static td_project_context context_of(const thud_world *w) {
                                 .enough = ENOUGH * meet,
                                 .least = LEAST * meet,
                                 .pressed = (float)TD_PRESSED * meet,
-                                .margin = TD_SPECULATIVE * w->unit};
+                                .margin = TD_SPECULATIVE * w->unit,
+                                .rings = w->scratch.rings.count > 0 ? w->scratch.rings.data : NULL};
 }
 
 /* A run of contacts, or null where it is of joints. */
@@ -109,9 +111,14 @@ void td_gaps_judge(thud_world *w) {
     }
 }
 
+bool td_gap_is_solvers(const thud_world *w, const td_constraint *contact) {
+    return td_is_tied(w, td_body_at(w, contact->body[0])->awake) ||
+           td_is_tied(w, td_body_at(w, contact->body[1])->awake);
+}
+
 bool td_gap_is_judged(const thud_world *w, const td_constraint *contact) {
     td_lane at = td_lane_of(w, contact);
-    return at.block->apart >> at.lane & 1;
+    return td_gap_is_solvers(w, contact) || at.block->apart >> at.lane & 1;
 }
 
 /* Of one body, from the start of the step. */

@@ -17,6 +17,9 @@ int td_gaps_room(const thud_world *w);
 void td_gaps_judge(thud_world *w);
 bool td_gap_is_judged(const thud_world *w, const td_constraint *contact);
 
+/* Whether the contact, which touches, is of a body that joints tie to others: it is left to the
+ * solver, which sees what they bear. */
+bool td_gap_is_solvers(const thud_world *w, const td_constraint *contact);
 /* Whether the rest of both ways, from `now` on, surely brings the shapes of a contact no nearer
  * than what collisions begin at; false where that is not sure. */
 bool td_gap_stays(const thud_world *w, const td_contact *contact, double now);

@@ -47,9 +47,23 @@ static void hold(thud_world *w, td_trajectory *f) {
     f->changed = true;
 }
 
+/* What stops with others that joints tie to it does not fall on in the rest of the step: gravity and
+ * forces give it no speed there, as continuous.c has it. Those that fly freely bear their fall. */
+static void give_back(thud_world *w, td_awake_slot slot, const td_trajectory *f) {
+    float *velocity = td_row(&w->velocity, slot);
+    const float *push = td_row(&w->push, slot);
+    for (int k = 0; k < 3 && !f->free; k++) {
+        double given = w->substeps * (1.0 - f->since) * (double)push[k];
+        velocity[k] -= (float)td_gain_held(w, k, given);
+    }
+}
+
 /* Where joints tie it to others, all of them stop: one that went on alone would open them. */
 static void hold_tied(thud_world *w, td_trajectory *f) {
     td_awake_slot slot = td_body_at(w, f->body)->awake;
+    if (td_is_tied(w, slot) && !f->held) {
+        give_back(w, slot, f);
+    }
     hold(w, f);
     if (f->all_held) {
         return;
@@ -61,6 +75,7 @@ static void hold_tied(thud_world *w, td_trajectory *f) {
         other->all_held = true;
         if (!other->held) {
             td_trajectory_advance(w, other, f->since);
+            give_back(w, i, other);
             hold(w, other);
             td_agenda_renew(w, other);
         }

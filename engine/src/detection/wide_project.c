@@ -37,6 +37,16 @@ TD_INLINE void change_of(const td_block *block, int points, float over, f8 coupl
     }
 }
 
+/* Lanes of which no body is tied to others: those are left to the solver. */
+TD_INLINE i8 untied(const td_block *block, const int32_t *rings) {
+    i8 out = i8_all(-1);
+    for (int i = 0; i < TD_LANES && rings; i++) {
+        int a = (int)(block->a[i] / TD_AWAKE_BYTES), b = (int)(block->b[i] / TD_AWAKE_BYTES);
+        out[i] = (rings[a] == a && rings[b] == b) ? -1 : 0;
+    }
+    return out;
+}
+
 TD_INLINE bool project(td_block *const *blocks, td_pushes *pushes, int count, int points,
                        bool fixed, const td_project_context *c) {
     f8 zero = f8_all(0.0f), skin = f8_all(c->skin), nearest = f8_all(c->nearest);
@@ -47,7 +57,8 @@ TD_INLINE bool project(td_block *const *blocks, td_pushes *pushes, int count, in
         sides d = read_sides((const float(*)[4])c->delta, block, fixed);
         f8 opened = centres_along(&d, fixed, block->nx, block->ny);
         f8 lack[2], closing[2], change[2];
-        i8 solid = block->restitution < f8_all(1.0f), here[2], any = i8_all(0);
+        i8 solid = (block->restitution < f8_all(1.0f)) & untied(block, c->rings);
+        i8 here[2], any = i8_all(0);
         for (int k = 0; k < points; k++) {
             td_point *p = &block->point[k];
             p->separation = p->base + at_point(opened, &d, fixed, ARMS_ALL, p);

@@ -73,11 +73,75 @@ static void springs_hold_nobody_back(void **state) {
     thud_world_destroy(world);
 }
 
+/* What is held stops as its linkage does, and gravity gives it nothing while it is held: boxes on
+ * rods around a hub fall onto the floor, and no step gains what is worth telling beside the 500 J
+ * of the fall. */
+static void energy_does_not_rise_where_a_linkage_is_stopped(void **state) {
+    (void)state;
+    for (int i = QUALITIES; i < 3 * QUALITIES; i++) {
+        thud_world_def def = def_of(qualities[i % QUALITIES]);
+        def.detection = detections[i / QUALITIES];
+        thud_world *world = make_world(def);
+        add_floor(world, NULL);
+        thud_body_id hub = add_ball(world, 0, 8, 0.5f);
+        for (int k = 0; k < 6; k++) {
+            double angle = k * PI / 3;
+            thud_body_id box = add_box(world, 2 * cos(angle), 8 + 2 * sin(angle), 0.3f, 0.3f);
+            thud_joint_def rod = between(THUD_DISTANCE, hub, box, middle, middle);
+            rod.length = 2;
+            make(world, rod);
+        }
+        double gained = 0;
+        for (int step = 0; step < 300; step++) {
+            run(world, 1);
+            gained += fmax(thud_world_error(world).energy_change, 0);
+        }
+        assert_true(gained < 2); /* 0.03 to 1.3; 14 to 17 where all went on falling */
+        thud_world_destroy(world);
+    }
+}
+
+/* Contacts of what joints tie are the solver's: boxes of 40 kg fall on a bridge of twenty planks
+ * and stay there, and its hinges open no further than impacts of such a mass open them. */
+static void load_tears_no_bridge_under_detection_on_the_way(void **state) {
+    (void)state;
+    for (int i = QUALITIES; i < 3 * QUALITIES; i++) {
+        thud_world_def def = def_of(qualities[i % QUALITIES]);
+        if (def.quality == &thud_quality_draft) {
+            continue;
+        }
+        def.detection = detections[i / QUALITIES];
+        def.sleeping = false;
+        thud_world *world = make_world(def);
+        thud_body_id last = add_body(world, THUD_STATIC, -10, 5, 0);
+        for (int k = 0; k < 20; k++) {
+            thud_body_id plank = add_box(world, k - 9.5, 5, 0.5f, 0.1f);
+            make(world, between(THUD_HINGE, last, plank, (thud_vec2){k ? 0.5f : 0, 0},
+                                (thud_vec2){-0.5f, 0}));
+            last = plank;
+        }
+        make(world, between(THUD_HINGE, last, add_body(world, THUD_STATIC, 10, 5, 0),
+                            (thud_vec2){0.5f, 0}, middle));
+        for (int k = 0; k < 10; k++) {
+            add_heavy(world, k - 4.5, 7 + 0.3 * k, 0.3f, 40 / (0.6f * 0.6f));
+        }
+        double worst = 0;
+        for (int step = 0; step < 300; step++) {
+            run(world, 1);
+            worst = fmax(worst, thud_world_error(world).joint_gap_max);
+            assert_in_range(thud_world_stats(world).held_bodies, 0, 30);
+        }
+        assert_true(worst < 0.25); /* 0.012 to 0.174; 0.5 to 1.9 where contacts were impacts */
+        thud_world_destroy(world);
+    }
+}
+
 enum { LINKS = 120 };
 
 /* Two rows of balls, hinged to each other, fly at a wall that the first ball of each row reaches in
  * this very step, while one at the row's other end, or the loner made last, is no number any more.
- * What it was tied to is held without it, and whoever got its awake slot is held with its own row. */
+ * What it was tied to is held without it, and whoever got its awake slot is held with its own row.
+ */
 static void body_that_is_no_number_leaves_the_others_that_are_held(void **state) {
     (void)state;
     for (int i = 0; i < 3 * QUALITIES * 3; i++) {
@@ -173,6 +237,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(joints_stay_closed_where_a_body_is_stopped),
         cmocka_unit_test(springs_hold_nobody_back),
+        cmocka_unit_test(energy_does_not_rise_where_a_linkage_is_stopped),
+        cmocka_unit_test(load_tears_no_bridge_under_detection_on_the_way),
         cmocka_unit_test(body_that_is_no_number_leaves_the_others_that_are_held),
         cmocka_unit_test(detections_that_stop_nobody_leave_what_swings_alone),
     };
