@@ -103,6 +103,27 @@ static void woken_body_meets_what_came_meanwhile(void **state) {
     thud_world_destroy(world);
 }
 
+/* Sleepers take the blocks that they leave: there is no need for as many again. */
+static void many_fall_asleep_in_the_room_that_they_have(void **state) {
+    (void)state;
+    enum { BOXES = 6000, LANE = 192 }; /* bytes of a lane of two points */
+    thud_world *world = make_world(thud_default_world_def());
+    thud_body_id floor = add_body(world, THUD_STATIC, 0, -1, 0);
+    add_shape(world, floor, 2 * BOXES, 1, true, NULL);
+    for (int i = 0; i < BOXES; i++) {
+        add_box(world, 1.5 * (i - BOXES / 2), 0.5, 0.5f, 0.5f);
+    }
+    run(world, 10);
+    uint64_t before = thud_world_stats(world).bytes;
+    run(world, 50);
+    assert_int_equal(awake_of(world), 0);
+    uint64_t more = thud_world_stats(world).bytes - before;
+    if (more > LANE * BOXES) {
+        fail_msg("%d boxes take %d kB to fall asleep", BOXES, (int)(more / 1000));
+    }
+    thud_world_destroy(world);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(stack_sleeps_and_keeps_its_place),
@@ -110,6 +131,7 @@ int main(void) {
         cmocka_unit_test(sleeping_and_waking_many_times_is_stable),
         cmocka_unit_test(body_that_may_not_sleep_keeps_its_island_awake),
         cmocka_unit_test(woken_body_meets_what_came_meanwhile),
+        cmocka_unit_test(many_fall_asleep_in_the_room_that_they_have),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
