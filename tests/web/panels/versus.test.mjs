@@ -49,17 +49,28 @@ for (const [size, options] of [["desktop", DESKTOP], ["phone", PHONE]])
     await close();
   });
 
-test("what_box2d_has_not_is_told_once_the_scene_makes_use_of_it", async () => {
-  const { page, errors, close } = await visitor.open("?scene=flags&panel=versus&paused=1");
-  await untilBox2D(page);
-  const told = () => page.locator("#versus .moved:visible").allTextContents();
-  assert.deepEqual(await told(), []);
-  await stepBy(page, 2);
-  const [text] = await until(told, ({ length }) => length > 0, "it is told");
-  assert.match(text, /^Box2D has no wind: /);
-  assert.deepEqual(errors, []);
-  await close();
-});
+for (const [scene, what] of [
+  ["flags", "wind"],
+  ["boats", "water"],
+  ["clock", "gears"],
+  ["planks", "rules between kinds"],
+])
+  test(`what_box2d_is_not_given_of_${scene}_is_told_first_and_nothing_is_compared`, async () => {
+    const { page, errors, close } = await visitor.open(`?scene=${scene}&panel=versus&paused=1`);
+    await untilBox2D(page);
+    await stepBy(page, 45);
+    await untilMeasured(page);
+    const verdict = await page.textContent("#versus .verdict");
+    assert.match(verdict, new RegExp(`^Not comparable: Box2D is not given ${what}\\.`));
+    assert.doesNotMatch(verdict, /times/);
+    assert.equal(await page.locator("#versus-table .better").count(), 0);
+    if (scene === "planks") {
+      const rows = await table(page);
+      assert.ok(Number(rows["Overlap, worst"][0]) < 0.1, `${rows["Overlap, worst"]}`);
+    }
+    assert.deepEqual(errors, []);
+    await close();
+  });
 
 for (const [name, view] of [["thud", 0], ["box2d", 1]])
   test(`dragging_in_the_view_of_${name}_moves_the_body_in_both`, async () => {

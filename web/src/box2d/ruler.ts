@@ -4,8 +4,8 @@
  * nanosecond without gravity, in which contacts are found and nothing moves.
  *
  * Pairs that the measured world lets through do not count, in neither engine: those that a rule or
- * the scene's own filter keeps apart are none here either, and what a one-way rule or a listener
- * lets pass at the moment is a contact without points there.
+ * the scene's own filter keeps apart are none here either; what a listener lets pass at the moment
+ * is a contact without points there; and of a one-way rule what is held is a contact with points.
  */
 import {
   type BodyId,
@@ -41,14 +41,17 @@ export class Ruler implements Twin {
   readonly #mirror: Mirror;
   /** By the slot of the body that it copies. */
   readonly #copies = new Map<number, Copy>();
-  /** By the index of a copied shape, the original. */
-  readonly #originals = new Map<number, ShapeId>();
+  /** By the index of a copied shape, the original; its kind as rules have it. */
+  readonly #originals = new Map<number, { id: ShapeId; kind: number }>();
+  #vetoes = false;
   /** Bits of `category` that shapes have had. */
   #categories = 0;
   /** As the measured world has it; what it answers may change with it alone. */
   #filter: PairFilter | undefined;
-  /** Pairs that are let through at present, by `keyOf`. */
-  #passing = new Set<number>();
+  /** Pairs of the measured world's contacts, by `keyOf`: whether it holds them at present. */
+  readonly #held = new Map<string, boolean>();
+  /** Kinds between which there is a one-way rule, by `keyOf`. */
+  readonly #oneWay = new Set<string>();
 
   /** `lengthScale` is the one of the world that it measures; `known` spares it looks. */
   constructor(
@@ -89,6 +92,7 @@ export class Ruler implements Twin {
         const own = this.#world.shapeState(made);
         if (category === own.category && mask === own.mask && group === own.group) continue;
         this.#world.setFilter(made, { category, mask, group });
+        this.#originals.get(made.index)!.kind = kindOf(category);
         this.#categories |= category;
       }
   }
@@ -125,50 +129,48 @@ export class Ruler implements Twin {
         filter ? (a, b) => filter(this.#original(a), this.#original(b)) : null,
       );
     }
-    const asked = this.#copyRules() || prologue !== undefined;
-    const before = this.#passing.size > 0;
-    this.#passing = asked ? this.#findPassing() : new Set();
-    const some = this.#passing.size > 0;
-    if (some !== before) this.#world.setListeners(some ? { prologue: this.#veto } : null);
+    this.#copyRules();
+    const asks = prologue !== undefined || this.#oneWay.size > 0;
+    if (asks) this.#findHeld();
+    if (asks !== this.#vetoes) this.#world.setListeners(asks ? { prologue: this.#veto } : null);
+    this.#vetoes = asks;
   }
 
-  /** Of two kinds that ignore each other. Returns whether there are rules by which some pass. */
-  #copyRules(): boolean {
+  #copyRules(): void {
     const kinds = bitsOf(this.#categories);
-    let oneWay = false;
+    this.#oneWay.clear();
     for (const [i, first] of kinds.entries())
       for (const second of kinds.slice(i)) {
         const meeting = this.#source.rule(first, second)?.meeting;
         const ignored = this.#world.rule(first, second) !== null;
         if (ignored !== (meeting === "ignore"))
           this.#world.setRule(first, second, ignored ? null : { meeting: "ignore" });
-        oneWay ||= meeting === "oneWay";
+        if (meeting === "oneWay") this.#oneWay.add(keyOf(first, second));
       }
-    return oneWay;
   }
 
-  #findPassing(): Set<number> {
-    const passing = new Set<number>();
+  #findHeld(): void {
+    this.#held.clear();
     const { length, pointCount, shapeA, shapeB } = CONTACT_ROW;
     for (const body of this.#source.bodies()) {
       const rows = this.#source.contactView(body);
       for (let at = 0; at < rows.length; at += length)
-        if (rows[at + pointCount] === 0)
-          passing.add(keyOf(rows[at + shapeA] - 1, rows[at + shapeB] - 1));
+        this.#held.set(keyOf(rows[at + shapeA] - 1, rows[at + shapeB] - 1), rows[at + pointCount] > 0);
     }
-    return passing;
   }
 
   readonly #veto: Listener = (rows, count) => {
     const { length, shapeA, shapeB, collide } = LISTENED_ROW;
     for (let at = 0; at < count * length; at += length) {
       const [a, b] = [shapeA, shapeB].map((side) => this.#originals.get(rows[at + side] - 1)!);
-      if (this.#passing.has(keyOf(a.index, b.index))) rows[at + collide] = 0;
+      // What has only just begun to touch is in no list yet: a one-way rule may let it pass.
+      const isHeld = this.#held.get(keyOf(a.id.index, b.id.index)) ?? !this.#oneWay.has(keyOf(a.kind, b.kind));
+      if (!isHeld) rows[at + collide] = 0;
     }
   };
 
   #original(copy: ShapeId): ShapeId {
-    return this.#originals.get(copy.index)!;
+    return this.#originals.get(copy.index)!.id;
   }
 
   #put(copy: Copy, x: number, y: number, cosine: number, sine: number): void {
@@ -188,7 +190,7 @@ export class Ruler implements Twin {
     const copy = this.#copy(body);
     const made = this.#createShape(copy.id, state, terrain);
     copy.shapes.set(id.index, made);
-    this.#originals.set(made.index, id);
+    this.#originals.set(made.index, { id, kind: kindOf(state.category) });
     this.#categories |= state.category;
   }
 
@@ -232,9 +234,14 @@ export class Ruler implements Twin {
   }
 }
 
-/** Of two shapes, whichever comes first. */
-function keyOf(a: number, b: number): number {
-  return Math.min(a, b) * 2 ** 26 + Math.max(a, b);
+/** Of two, whichever comes first. */
+function keyOf(a: number, b: number): string {
+  return a < b ? `${a} ${b}` : `${b} ${a}`;
+}
+
+/** The lowest bit. */
+function kindOf(category: number): number {
+  return (category & -category) >>> 0;
 }
 
 function bitsOf(bits: number): number[] {
