@@ -54,7 +54,7 @@ static const miss MISSES[] = {
     {"energy", "chain: " RISE, ENTRANT_DEFAULT, KEPT, 0.190, SOFT_JOINTS},
     {"energy", "chain: " RISE, ENTRANT_EXACT, KEPT, 0.106, CLOSING},
     {"energy", "joint_grid: " RISE, ENTRANT_DRAFT, KEPT, 5.06, SOFT_JOINTS},
-    {"energy", "joint_grid: " RISE, ENTRANT_DEFAULT, 1.07, 1.31, SOFT_JOINTS},
+    {"energy", "joint_grid: " RISE, ENTRANT_DEFAULT, KEPT, 1.31, SOFT_JOINTS},
     {"long-run", "stack of ten, an hour: furthest that a box has moved, mm", ENTRANT_DRAFT, 3.61,
      3.61, "the stack goes on settling after the tenth second, and stands after the fortieth"},
     {"linkages", "slider, 100 times its mass hung on its corner: sideways, mm", ENTRANT_DEFAULT,
