@@ -147,6 +147,35 @@ static void same_bits_of_casts(trial *t) {
     go_beside_all(t, YARD_ALL, true);
 }
 
+static void kick(thud_world *world, const thud_contact *contact, void *context) {
+    yard *y = context;
+    thud_body_set_velocity(world, contact->body_b, trial_speed(y->t, 1, 2), 0);
+}
+
+/* What callbacks ask for waits for the step, and comes after what is edited meanwhile. */
+static void edits_of_callbacks_wait_for_the_step_asked_or_not(trial *t) {
+    yard yards[2];
+    for (int k = 0; k < 2; k++) {
+        yard_make(&yards[k], t, trial_def(t), 0);
+        trial_listen(t, yards[k].world, NULL, kick, &yards[k]);
+    }
+    for (int i = 1; i <= STEPS && !trial_failed(t); i++) {
+        for (int k = 0; k < 2; k++) {
+            if (k) {
+                ask(&yards[k]);
+            }
+            for (int b = 0; b < 4; b++) {
+                DO(t, thud_body_set_velocity(yards[k].world, yards[k].body[b],
+                                             trial_speed(t, -1, 0.5), 0));
+            }
+            yard_step(&yards[k]);
+        }
+        if (!trial_failed(t) && yard_told(&yards[0]) != yard_told(&yards[1])) {
+            trial_fault(t, "step %d differs", i);
+        }
+    }
+}
+
 /* Many rays are shared among workers. */
 static void same_hits_any_workers(trial *t) {
     yard one, other;
@@ -231,6 +260,9 @@ static void late_inputs_end_as_a_straight_run(trial *t) {
 }
 
 const guarantee guarantees_of_features[] = {
+    {"edits_of_callbacks_wait_for_the_step_asked_or_not",
+     edits_of_callbacks_wait_for_the_step_asked_or_not,
+     {{0}}},
     {"late_inputs_end_as_a_straight_run", late_inputs_end_as_a_straight_run, {{0}}},
     {"same_bits_of_casts", same_bits_of_casts, {{0}}},
     {"same_bits_with_fields", same_bits_with_fields, {{0}}},

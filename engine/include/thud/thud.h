@@ -225,9 +225,9 @@ THUD_API thud_result thud_body_get(const thud_world *world, thud_body_id body,
 
 /* Edits wake the body, also the bodies that touch it; places and angles have the ranges of the def.
  * All take effect together, as the next step begins; queries see shapes where edits put them, and
- * change nothing. Inside a callback they wait for the start of the next step, or a query between
- * the two: until then a shape made there takes no part in anything, its mass included. What is
- * destroyed there is stale at once. */
+ * change nothing. Inside a callback they wait for the start of the next step, and come after what
+ * is edited in between: until then no query sees them, and a shape made there takes no part in
+ * anything, its mass included. What is destroyed there is stale at once. */
 THUD_API thud_result thud_body_set_transform(thud_world *world, thud_body_id body,
                                              thud_pos position, double angle);
 THUD_API thud_result thud_body_set_velocity(thud_world *world, thud_body_id body,

@@ -1,8 +1,9 @@
 /* thud_queries.h: asking a world what is where. Included by thud.h.
  *
- * Every query heeds the edits made before it, also those that no step has seen yet. It meets
- * every kind of shape, and answers in an order that depends on neither broadphase nor history:
- * the nearer hit first, and among equals the lower slot (thud_shape_id.index1 - 1).
+ * Every query heeds the edits made before it, also those that no step has seen yet, but for those
+ * of callbacks, which wait for it. It meets every kind of shape, and answers in an order that
+ * depends on neither broadphase nor history: the nearer hit first, and among equals the lower slot
+ * (thud_shape_id.index1 - 1).
  *
  * Places lie within THUD_PLACE_MAX length scales of the origin, and so do the ends of rays and
  * casts; sizes are as thud_placed_check wants them. Anything else is THUD_ERROR_INVALID, a world

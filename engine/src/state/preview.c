@@ -35,7 +35,6 @@ static void copy_shapes(thud_world *w, const td_body *body) {
 
 bool td_preview_make(thud_world *w) {
     td_preview *p = &w->preview;
-    td_deferred_apply(w);
     if (!p->stale) {
         return true;
     }

@@ -9,8 +9,8 @@
 
 #include "state/shape.h"
 
-/* Brings the copies up to date, after edits that callbacks made are taken over. False when memory
- * is short, and there are none. Not while the world is locked. */
+/* Brings the copies up to date; edits that callbacks made wait for the next step, and are not seen.
+ * False when memory is short, and there are none. Not while the world is locked. */
 bool td_preview_make(thud_world *w);
 
 /* There is a copy of the shape; *number is its index. */
