@@ -20,7 +20,7 @@ import {
   type Vec2,
 } from "./types.js";
 
-type Numbers = Float64Array | Uint32Array;
+type Numbers = Float64Array | Float32Array | Uint32Array;
 
 /** Options that are one of several words. */
 const WORDS: Readonly<Record<string, readonly string[]>> = {
