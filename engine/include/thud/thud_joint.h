@@ -25,8 +25,10 @@
  * Where that cannot be, would gain energy, or contacts are more than the bodies, joints give way.
  *
  * Where its detection stops a body on its way through a step, all that locked directions tie to it
- * stop as far on their ways, so that no joint opens by that; the statistics tell. Under `bisect`
- * and `swept` such bodies stop at what they meet, and bounce off as contacts do. */
+ * stop as far on their ways, at gravity's cost as well, and their joints open by little more than
+ * the solver leaves; the statistics tell. Under `bisect` and `swept` such bodies stop at what they
+ * meet, and bounce off as contacts do; what touches them already is left to the contacts, which may
+ * overlap by as much as those of `continuous`. */
 #ifndef THUD_JOINT_H
 #define THUD_JOINT_H
 

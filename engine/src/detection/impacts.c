@@ -47,8 +47,9 @@ static void hold(thud_world *w, td_trajectory *f) {
     f->changed = true;
 }
 
-/* What stops with others that joints tie to it does not fall on in the rest of the step: gravity and
- * forces give it no speed there, as continuous.c has it. Those that fly freely bear their fall. */
+/* What stops with others that joints tie to it does not fall on in the rest of the step: gravity
+ * and forces give it no speed there, as continuous.c has it. Those that fly freely bear their fall.
+ */
 static void give_back(thud_world *w, td_awake_slot slot, const td_trajectory *f) {
     float *velocity = td_row(&w->velocity, slot);
     const float *push = td_row(&w->push, slot);

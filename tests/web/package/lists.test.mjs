@@ -114,6 +114,7 @@ test("views_of_events_and_contacts_have_what_the_copies_have", () => {
   assert.ok(events.begin.length === 3 && events.sensorBegin.length === 3 && events.hit.length === 3);
   for (const name of ["begin", "end", "sensorBegin", "sensorEnd"])
     assert.deepEqual(pairs(views[name]), told(events[name]), name);
+  assert.deepEqual([...views.sensorBeginTime], events.sensorBegin.map(({ time }) => time));
   const { HIT_ROW, CONTACT_ROW } = thud;
   assert.equal(views.hit.length, 3 * HIT_ROW.length);
   for (const [i, { point, normal, speed }] of events.hit.entries()) {
@@ -128,4 +129,16 @@ test("views_of_events_and_contacts_have_what_the_copies_have", () => {
   assert.deepEqual(handle(view, CONTACT_ROW.bodyB), [bodies[1].index, bodies[1].generation]);
   const [x, y, separation] = view.subarray(CONTACT_ROW.points);
   assert.deepEqual([x, y, separation], [...contact.points[0].point, contact.points[0].separation]);
+});
+
+test("sensors_tell_when_in_the_step_they_were_passed", () => {
+  const world = engine.createWorld({ gravity: [0, 0], detection: "swept" });
+  const gate = world.createAabb(world.createBody(), { halfWidth: 0.05, halfHeight: 1, sensor: true });
+  const ball = world.createBody({ kind: "dynamic", position: [-2, 0], velocity: [300, 0] });
+  world.createCircle(ball, { radius: 0.1 });
+  world.step();
+  const { sensorBegin, sensorEnd } = world.events();
+  assert.deepEqual([...sensorBegin, ...sensorEnd].map(({ a }) => a), [gate, gate]);
+  assert.ok(Math.abs(sensorBegin[0].time - 1.85 / 5) < 1e-3, `${sensorBegin[0].time}`);
+  assert.ok(Math.abs(sensorEnd[0].time - 2.15 / 5) < 1e-3, `${sensorEnd[0].time}`);
 });
