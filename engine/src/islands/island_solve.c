@@ -69,6 +69,16 @@ static double soft_speed(const td_island_work *work, const td_direct_constraint 
     return speed;
 }
 
+/* The speed at which a point may close by the end of the step, where it did at its start and falls.
+ * What is going to bounce in the next step does so with all of it: slowed down to meet no earlier
+ * than that ends, a gas would lose energy with each impact. */
+static double approach_of(const td_island_work *work, td_lane at, int k) {
+    int points =
+        td_island_points(work->w, td_constraint_at(work->w, at.block->constraint[at.lane]));
+    double closing = -(double)td_history_of(at.block, points)[k].approach[at.lane];
+    return td_max_double(closing, 0.0) + work->problem.unit_speed;
+}
+
 /* Sets the speeds that a constraint wants of the velocities at the end of the step. */
 static void want_velocity(td_island_work *work, int i) {
     td_direct_constraint *c = &work->problem.constraints[i];
@@ -78,6 +88,9 @@ static void want_velocity(td_island_work *work, int i) {
         if (r->used && r->kind == TD_ROW_PUSH) {
             double gap = td_island_gap(work, c, k, (double)at.block->point[k].base[at.lane]);
             r->wanted = gap > 0.0 ? -gap / work->next : 0.0;
+            if (gap > 0.0 && at.block->restitution[at.lane] > 0.0f) {
+                r->wanted -= approach_of(work, at, k);
+            }
             if (c->keeps) {
                 r->wanted = td_min_double(r->wanted, soft_speed(work, c, r));
             }
