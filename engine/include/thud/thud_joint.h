@@ -91,7 +91,8 @@ typedef struct thud_joint_def {
     thud_joint_kind kind;
     thud_body_id body_a, body_b; /* two, of which one is dynamic; of wheels and targets body b */
     thud_joint_frame frame_a, frame_b;
-    /* Of directions that the kind drives; limits, spring and motor of another one are refused. */
+    /* Of directions that the kind drives; limits, a spring or a motor of another one do nothing,
+     * which the log hears. */
     thud_drive drive[THUD_DIRECTION_COUNT];
     float length; /* of a distance, (0, THUD_JOINT_LENGTH_MAX] length scales; default 1 */
     /* Of a gear: two joints, each a hinge, a wheel, a slider or a distance between a static body
