@@ -2,6 +2,7 @@
  * trampoline, a platform that lets through from below, a conveyor belt, a coin to collect. */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <thud/thud_edits.h>
 #include <thud/thud_listeners.h>
 
@@ -46,7 +47,8 @@ static thud_shape_id add_box(thud_world *world, double x, double y, float half_w
     thud_shape_id shape;
     body_def.position = (thud_pos){x, y};
     thud_body_shape box = {thud_aabb_at(0, 0, half_width, 0.25), &def};
-    thud_body_create_with_shapes(world, &body_def, &box, 1, NULL, &shape);
+    if (thud_body_create_with_shapes(world, &body_def, &box, 1, NULL, &shape) != THUD_OK)
+        exit(1);
     return shape;
 }
 
@@ -58,7 +60,8 @@ static thud_body_id add_crate(thud_world *world, double x, double y, float vx, f
     body_def.kind = THUD_DYNAMIC;
     body_def.position = (thud_pos){x, y};
     body_def.velocity = (thud_vec2){vx, vy};
-    thud_body_create_with_shapes(world, &body_def, &square, 1, &body, NULL);
+    if (thud_body_create_with_shapes(world, &body_def, &square, 1, &body, NULL) != THUD_OK)
+        exit(1);
     return body;
 }
 

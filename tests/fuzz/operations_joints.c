@@ -24,14 +24,6 @@ static thud_drive pick_drive(fuzz_session *s) {
     return drive;
 }
 
-/* A direction that the kind drives, or any where there is none. */
-static int pick_direction(fuzz_session *s, thud_joint_kind kind) {
-    int direction = (int)next_choice(&s->bytes, THUD_DIRECTION_COUNT);
-    bool along = kind == THUD_DISTANCE || kind == THUD_SLIDER;
-    bool turn = kind == THUD_HINGE || (kind == THUD_WHEEL && direction == THUD_ACROSS);
-    return along ? THUD_ALONG : turn ? THUD_TURN : direction;
-}
-
 static thud_joint_frame pick_frame(fuzz_session *s) {
     thud_joint_frame frame = {{next_float(&s->bytes, -2, 0.015625), 0}, 0};
     frame.position.x *= (float)s->unit;
@@ -61,8 +53,7 @@ void play_joint(fuzz_session *s) {
     def.collide_connected = next_choice(&s->bytes, 2);
     def.disabled = next_choice(&s->bytes, 8) == 7;
     def.length = pick_size(s);
-    int direction = pick_direction(s, def.kind);
-    def.drive[direction] = pick_drive(s);
+    def.drive[next_choice(&s->bytes, THUD_DIRECTION_COUNT)] = pick_drive(s);
     if (def.kind == THUD_GEAR) {
         def.gear[0] = pick_joint(s);
         def.gear[1] = pick_joint(s);

@@ -140,9 +140,11 @@ static void make_foreign_handles(fuzz_session *s) {
     thud_shape_def shape = thud_default_shape_def();
     make_world(s, &s->other);
     for (int i = 0; i < 3; i++) {
-        thud_body_create(s->other, &body, &s->foreign_body);
-        thud_shape_create_circle(s->other, s->foreign_body, &shape, (thud_vec2){0, 0},
-                                 (float)s->unit, &s->foreign_shape);
+        if (thud_body_create(s->other, &body, &s->foreign_body) != THUD_OK ||
+            thud_shape_create_circle(s->other, s->foreign_body, &shape, (thud_vec2){0, 0},
+                                     (float)s->unit, &s->foreign_shape) != THUD_OK) {
+            fuzz_fail(s, "no foreign handles");
+        }
     }
 }
 

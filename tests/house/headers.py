@@ -22,7 +22,7 @@ ROW = re.compile(r"\b(FIELD|CALL)\(\s*(thud_\w+),\s*(\w+),(.*?)(?=\b(?:FIELD|CAL
                  re.DOTALL)
 STRUCT = re.compile(r"(?:typedef )?struct (thud_\w+) \{(.*?)\n\}", re.DOTALL)
 COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
-FUNCTION = re.compile(r"^(?:THUD_API |bool )[^;{}#]*?\b(thud_\w+)\(([^;{}]*)\);", re.MULTILINE)
+FUNCTION = re.compile(r"^(?:THUD_NODISCARD )?(?:THUD_API |bool )[^;{}#]*?\b(thud_\w+)\(([^;{}]*)\);", re.MULTILINE)
 NUMBER = re.compile(r"(?:<=|>=|\[|\]|,) *-?\d[\d.]*e\+?\d")
 COMPARED = re.compile(r"[<>]=? *-?\d[\d.]*e\+?\d")
 # Handles and structs that only a world has.

@@ -88,6 +88,16 @@ class PackageTest(unittest.TestCase):
                         f"-I{self.prefix / 'include'}", "-",
                         input=f"#include <thud/{header}>\nextern int here;\n")
 
+    def test_who_ignores_that_nothing_was_made_is_warned(self):
+        ways = [(CC, "c", std) for std in ("c99", "c17")]
+        ways += [(CXX, "c++", std) for std in ("c++11", "c++17") if CXX]
+        for compiler, language, std in ways:
+            with self.subTest(std=std), self.assertRaisesRegex(AssertionError, "unused-result"):
+                run(compiler, "-x", language, f"-std={std}", "-Werror", "-c", "-o", "/dev/null",
+                    f"-I{self.prefix / 'include'}", "-",
+                    input="#include <thud/thud.h>\nvoid f(thud_world *w, thud_body_def *d) "
+                          "{ thud_body_create(w, d, 0); }\n")
+
     def test_licence_and_pkg_config_file_are_installed(self):
         licences = [path.read_text() for path in self.prefix.rglob("LICENSE")]
         self.assertEqual(licences, [(SOURCE / "LICENSE").read_text()])

@@ -109,7 +109,7 @@ THUD_API thud_world_def thud_default_world_def(void);
  * that needs: at draft it goes without the island solver. */
 THUD_API thud_world_def thud_world_def_of(const thud_quality *quality);
 
-THUD_API thud_result thud_world_create(const thud_world_def *def, thud_world **out);
+THUD_NODISCARD THUD_API thud_result thud_world_create(const thud_world_def *def, thud_world **out);
 /* Null is fine. Inside a callback the log hook hears THUD_ERROR_LOCKED, and the world lives on. */
 THUD_API void thud_world_destroy(thud_world *world);
 
@@ -199,8 +199,8 @@ typedef struct thud_body_def {
 
 THUD_API thud_body_def thud_default_body_def(void);
 
-THUD_API thud_result thud_body_create(thud_world *world, const thud_body_def *def,
-                                      thud_body_id *out);
+THUD_NODISCARD THUD_API thud_result thud_body_create(thud_world *world, const thud_body_def *def,
+                                                     thud_body_id *out);
 THUD_API thud_result thud_body_destroy(thud_world *world, thud_body_id body); /* and its shapes */
 THUD_API bool thud_body_is_valid(const thud_world *world, thud_body_id body);
 
@@ -278,22 +278,25 @@ THUD_API thud_shape_def thud_default_shape_def(void);
  * THUD_STATIC_SIZE_MAX]; longer ground is a terrain, or boxes side by side. Where a large shape is
  * turned, or large both ways, its surface is told to 1e-7 of its size. |angle| <= THUD_ANGLE_MAX.
  */
-THUD_API thud_result thud_shape_create_circle(thud_world *world, thud_body_id body,
-                                              const thud_shape_def *def, thud_vec2 offset,
-                                              float radius, thud_shape_id *out);
+THUD_NODISCARD THUD_API thud_result thud_shape_create_circle(thud_world *world, thud_body_id body,
+                                                             const thud_shape_def *def,
+                                                             thud_vec2 offset, float radius,
+                                                             thud_shape_id *out);
 /* An AABB keeps its axes: its body's rotation is fixed from then on, and its angle must be 0. */
-THUD_API thud_result thud_shape_create_aabb(thud_world *world, thud_body_id body,
-                                            const thud_shape_def *def, thud_vec2 offset,
-                                            thud_vec2 half_extents, thud_shape_id *out);
-THUD_API thud_result thud_shape_create_obb(thud_world *world, thud_body_id body,
-                                           const thud_shape_def *def, thud_vec2 offset,
-                                           thud_vec2 half_extents, double angle,
-                                           thud_shape_id *out);
+THUD_NODISCARD THUD_API thud_result thud_shape_create_aabb(thud_world *world, thud_body_id body,
+                                                           const thud_shape_def *def,
+                                                           thud_vec2 offset, thud_vec2 half_extents,
+                                                           thud_shape_id *out);
+THUD_NODISCARD THUD_API thud_result thud_shape_create_obb(thud_world *world, thud_body_id body,
+                                                          const thud_shape_def *def,
+                                                          thud_vec2 offset, thud_vec2 half_extents,
+                                                          double angle, thud_shape_id *out);
 /* Only on static bodies with angle 0; coordinates are relative to the body's origin; the points
  * are copied. */
-THUD_API thud_result thud_shape_create_terrain(thud_world *world, thud_body_id body,
-                                               const thud_shape_def *def,
-                                               const thud_terrain *terrain, thud_shape_id *out);
+THUD_NODISCARD THUD_API thud_result thud_shape_create_terrain(thud_world *world, thud_body_id body,
+                                                              const thud_shape_def *def,
+                                                              const thud_terrain *terrain,
+                                                              thud_shape_id *out);
 THUD_API thud_result thud_shape_destroy(thud_world *world, thud_shape_id shape);
 THUD_API bool thud_shape_is_valid(const thud_world *world, thud_shape_id shape);
 

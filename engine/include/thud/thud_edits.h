@@ -42,9 +42,11 @@ typedef struct thud_body_shape {
  *
  * Terrain has a call of its own: thud_shape_create_terrain. A program that uses this links circles,
  * AABBs and OBBs. THUD_ERROR_NULL where `shapes` is null and count is not 0. */
-THUD_API thud_result thud_body_create_with_shapes(thud_world *world, const thud_body_def *def,
-                                                  const thud_body_shape *shapes, int count,
-                                                  thud_body_id *body, thud_shape_id *shape_ids);
+THUD_NODISCARD THUD_API thud_result thud_body_create_with_shapes(thud_world *world,
+                                                                 const thud_body_def *def,
+                                                                 const thud_body_shape *shapes,
+                                                                 int count, thud_body_id *body,
+                                                                 thud_shape_id *shape_ids);
 
 /* ---- shapes ---- */
 

@@ -94,7 +94,8 @@ typedef struct thud_joint_def {
     thud_joint_kind kind;
     thud_body_id body_a, body_b; /* two, of which one is dynamic; of wheels and targets body b */
     thud_joint_frame frame_a, frame_b;
-    /* Of directions that the kind drives; limits, a spring or a motor of another one are refused. */
+    /* Of directions that the kind drives; limits, a spring or a motor of another one do nothing,
+     * which the log hears. */
     thud_drive drive[THUD_DIRECTION_COUNT];
     float length; /* of a distance, (0, THUD_JOINT_LENGTH_MAX] length scales; default 1 */
     /* Of a gear: two joints, each a hinge, a wheel, a slider or a distance between a static body
@@ -122,8 +123,8 @@ THUD_API thud_joint_def thud_default_joint_def(thud_joint_kind kind);
 /* A joint takes effect with the next step, and wakes both bodies then; it is gone with either, when
  * the body leaves as a step begins, and lets go while either is disabled. None of these inside a
  * callback: THUD_ERROR_LOCKED. */
-THUD_API thud_result thud_joint_create(thud_world *world, const thud_joint_def *def,
-                                       thud_joint_id *out);
+THUD_NODISCARD THUD_API thud_result thud_joint_create(thud_world *world, const thud_joint_def *def,
+                                                      thud_joint_id *out);
 THUD_API thud_result thud_joint_destroy(thud_world *world, thud_joint_id joint);
 THUD_API bool thud_joint_is_valid(const thud_world *world, thud_joint_id joint);
 

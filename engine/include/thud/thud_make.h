@@ -22,7 +22,7 @@ extern "C" {
 
 /* Of this gravity (length/s^2) and quality (never null), all else as thud_default_world_def has it.
  * Its log is set by thud_world_set_log. */
-THUD_API thud_world *thud_world_make(thud_vec2 gravity, const thud_quality *quality);
+THUD_NODISCARD THUD_API thud_world *thud_world_make(thud_vec2 gravity, const thud_quality *quality);
 
 /* Of a body and its shape; those of a def, with its ranges, but that zero is the default, also
  * where the def has another one. What a zero cannot say has a flag. */

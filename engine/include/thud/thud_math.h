@@ -27,6 +27,19 @@
 #define THUD_API __attribute__((visibility("default")))
 #endif
 
+/* Of calls that make something: a compiler warns where nobody looks whether they were refused. */
+#if (defined(__cplusplus) && __cplusplus >= 201703L) || \
+    (defined(__STDC_VERSION__) && __STDC_VERSION__ >= 202311L)
+#define THUD_NODISCARD [[nodiscard]]
+#elif defined(__GNUC__)
+#define THUD_NODISCARD __attribute__((warn_unused_result))
+#elif defined(_MSC_VER)
+#include <sal.h>
+#define THUD_NODISCARD _Check_return_
+#else
+#define THUD_NODISCARD
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif

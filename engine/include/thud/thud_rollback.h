@@ -45,8 +45,9 @@ typedef struct thud_rollback_options {
 
 /* A snapshot of the world is kept for each of depth + 1 steps: that memory is taken here, and again
  * only where the world outgrows it. THUD_ERROR_INVALID, THUD_ERROR_MEMORY. */
-THUD_API thud_result thud_rollback_create(thud_world *world, const thud_rollback_options *options,
-                                          thud_rollback **out);
+THUD_NODISCARD THUD_API thud_result thud_rollback_create(thud_world *world,
+                                                         const thud_rollback_options *options,
+                                                         thud_rollback **out);
 /* Null is fine; so is the world's future. Where it may not be called the log hears
  * THUD_ERROR_LOCKED, and it lives on. */
 THUD_API void thud_rollback_destroy(thud_rollback *rollback);

@@ -16,14 +16,14 @@
  *
  * A snapshot has what can change in a running world: bodies, shapes, the lines of terrains,
  * contacts with their impulses, who sleeps, edits that wait for the next step, the events that are
- * told, the time that thud_world_advance left over and the forces in it, the settings that have a setter (gravity, time step, quality, sleeping, max_error), and
- * the rules between kinds of shapes (thud_rules.h). What only the def says is not in it: the world
- * that is restored must have the same length scale, broadphase, substeps, contact_stiffness,
- * contact_damping, push_speed, restitution_threshold, hit_speed, maximum_speed, contact_events,
- * time_budget and detection. Callbacks (listeners, the filter of thud_world_set_filter), log,
- * clock, job system, allocator and baseline_simd stay as that world has them; other callbacks may
- * well do something else. The caller's own state is for the caller to copy; a thud_mover is a plain
- * struct.
+ * told, the time that thud_world_advance left over and the forces in it, the settings that have a
+ * setter (gravity, time step, quality, sleeping, max_error), and the rules between kinds of shapes
+ * (thud_rules.h). What only the def says is not in it: the world that is restored must have the
+ * same length scale, broadphase, substeps, contact_stiffness, contact_damping, push_speed,
+ * restitution_threshold, hit_speed, maximum_speed, contact_events, time_budget and detection.
+ * Callbacks (listeners, the filter of thud_world_set_filter), log, clock, job system, allocator and
+ * baseline_simd stay as that world has them; other callbacks may well do something else. The
+ * caller's own state is for the caller to copy; a thud_mover is a plain struct.
  *
  * A program that uses this links every shape kind, every detection and the island solver, since a
  * snapshot may name them; one that does not pays nothing. */

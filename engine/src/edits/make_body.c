@@ -56,6 +56,7 @@ thud_body_id thud_body_make(thud_world *w, thud_shape_instance at,
     thud_body_def body = body_def(options, &at);
     thud_shape_def shape = shape_def(options);
     thud_body_shape one = {{at.kind, 0.0, 0.0, 1.0, 0.0, at.hx, at.hy}, &shape};
-    thud_body_create_with_shapes(w, &body, &one, 1, &made, NULL);
-    return made;
+    return thud_body_create_with_shapes(w, &body, &one, 1, &made, NULL) == THUD_OK
+               ? made
+               : (thud_body_id){0, 0};
 }

@@ -30,7 +30,7 @@ bool td_joint_is_frame(const thud_world *w, const thud_joint_frame *f);
 const char *td_joint_drive_error(const thud_world *w, thud_joint_kind kind, int direction,
                                  const thud_drive *d);
 /* Tells the log of what it takes, and is hardly meant. */
-void td_joint_look_at_drive(const thud_world *w, const thud_drive *d);
+void td_joint_look_at_drive(const thud_world *w, int kind, int direction, const thud_drive *d);
 /* Why not, or null. */
 const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_body_index a,
                                td_body_index b);

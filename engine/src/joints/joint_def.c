@@ -56,15 +56,19 @@ const char *td_joint_drive_error(const thud_world *w, thud_joint_kind kind, int 
                : "joint drive: motor_force is not in [0, THUD_JOINT_FORCE_MAX]";
 }
 
-void td_joint_look_at_drive(const thud_world *w, const thud_drive *d) {
-    if (d->motor_speed != 0.0f && d->motor_force == 0.0f) {
+void td_joint_look_at_drive(const thud_world *w, int kind, int direction, const thud_drive *d) {
+    static const char *const not_driven[TD_JOINT_DIRECTIONS] = {
+        "joint drive: a joint of this kind has none along, where limits, spring and motor do nothing",
+        "joint drive: a joint of this kind has none across, where limits, spring and motor do nothing",
+        "joint drive: a joint of this kind has none of turn, where limits, spring and motor do "
+        "nothing"};
+    if (!(td_joint_drivable(kind) >> direction & 1u)) {
+        if (d->limited || d->frequency != 0.0f || d->motor_force != 0.0f) {
+            td_refuse(w, THUD_OK, not_driven[direction]);
+        }
+    } else if (d->motor_speed != 0.0f && d->motor_force == 0.0f) {
         td_refuse(w, THUD_OK, "joint drive: motor_speed without a motor_force drives nothing");
     }
-}
-
-/* Whether a drive asks for anything: all else has defaults that do nothing by themselves. */
-static bool asks(const thud_drive *d) {
-    return d->limited || d->frequency != 0.0f || d->motor_force != 0.0f;
 }
 
 static bool is_dynamic(const thud_world *w, td_body_index body) {
@@ -102,16 +106,9 @@ const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_
     if (!td_is_break(d->break_force) || !td_is_break(d->break_torque)) {
         return "joint create: break_force or break_torque is out of range";
     }
-    static const char *const not_driven[TD_JOINT_DIRECTIONS] = {
-        "joint create: a joint of this kind has no drive along",
-        "joint create: a joint of this kind has no drive across",
-        "joint create: a joint of this kind has no drive of turn"};
     for (int i = 0; i < TD_JOINT_DIRECTIONS; i++) {
-        const thud_drive *drive = &d->drive[i];
         bool driven = td_joint_drivable((int)d->kind) >> i & 1u;
-        const char *error = driven        ? td_joint_drive_error(w, d->kind, i, drive)
-                            : asks(drive) ? not_driven[i]
-                                          : NULL;
+        const char *error = driven ? td_joint_drive_error(w, d->kind, i, &d->drive[i]) : NULL;
         if (error) {
             return error;
         }

@@ -148,9 +148,7 @@ thud_result thud_joint_create(thud_world *w, const thud_joint_def *def, thud_joi
         *out = td_joint_handle(w, index);
     }
     for (int i = 0; i < TD_JOINT_DIRECTIONS; i++) {
-        if (td_joint_drivable((int)def->kind) >> i & 1u) {
-            td_joint_look_at_drive(w, &def->drive[i]);
-        }
+        td_joint_look_at_drive(w, (int)def->kind, i, &def->drive[i]);
     }
     return THUD_OK;
 }

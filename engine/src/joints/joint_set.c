@@ -28,7 +28,7 @@ thud_result thud_joint_set_drive(thud_world *w, thud_joint_id id, thud_direction
     }
     joint->drive[direction] = td_drive_of(drive);
     td_joint_settle(w, index);
-    td_joint_look_at_drive(w, drive);
+    td_joint_look_at_drive(w, joint->kind, (int)direction, drive);
     return THUD_OK;
 }
 

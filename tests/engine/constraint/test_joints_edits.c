@@ -105,26 +105,6 @@ static void joints_follow_every_edit_awake_and_asleep(void **state) {
 /* ---- everything at once ---- */
 
 /* Random trees and loops of all kinds, over a floor. */
-static bool drives(thud_joint_kind kind, int direction) {
-    switch (kind) {
-    case THUD_HINGE:
-        return direction == THUD_TURN;
-    case THUD_DISTANCE:
-    case THUD_SLIDER:
-        return direction == THUD_ALONG;
-    case THUD_WHEEL:
-        return direction != THUD_ACROSS;
-    case THUD_WELD:
-    case THUD_TARGET:
-        return true;
-    case THUD_FILTER:
-    case THUD_GEAR:
-    case THUD_JOINT_KIND_COUNT:
-        break;
-    }
-    return false;
-}
-
 static thud_world *linkage(thud_world_def def, uint64_t seed) {
     enum { BODIES = 14 };
     thud_world *world = make_world(def);
@@ -152,7 +132,6 @@ static thud_world *linkage(thud_world_def def, uint64_t seed) {
                 d->target = kind == THUD_DISTANCE ? 1.0f : 0.2f;
                 d->motor_speed = 1;
                 d->motor_force = random_in(&seed, 0, 1) < 0.2 ? 10.0f : 0.0f;
-                *d = drives(kind, k) ? *d : thud_default_joint_def(kind).drive[k];
             }
             j.collide_connected = random_in(&seed, 0, 1) < 0.3;
             make(world, j);

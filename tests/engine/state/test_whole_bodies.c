@@ -257,7 +257,7 @@ static void defs_that_do_not_start_from_the_defaults_are_refused(void **state) {
     }
     assert_null(none);
     heard = THUD_OK;
-    thud_body_create(w, &body, NULL);
+    assert_int_equal(thud_body_create(w, &body, NULL), THUD_ERROR_INVALID);
     assert_int_equal(heard, THUD_ERROR_INVALID);
     assert_string_equal(said, "body_create: the def does not start from thud_default_body_def()");
     thud_joint_id made;
