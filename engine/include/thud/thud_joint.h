@@ -77,8 +77,8 @@ typedef struct thud_drive {
     float target;       /* where the spring pulls to; in the range of limits: THUD_JOINT_TURN_MAX,
                            THUD_JOINT_LENGTH_MAX. Default 0; of a distance -INFINITY, which stands
                            for its length, as set by thud_joint_set_length too */
-    float spring_force; /* which the spring does not exceed, [0, THUD_JOINT_FORCE_MAX]; default
-                           that */
+    float spring_force; /* which the spring does not exceed, in each direction by itself,
+                           [0, THUD_JOINT_FORCE_MAX]; default that: none */
     float motor_speed;  /* of b seen from a, |.| <= THUD_JOINT_LENGTH_MAX length scales a second, or
                            THUD_JOINT_SPIN_MAX */
     float motor_force;  /* up to which the motor acts, [0, THUD_JOINT_FORCE_MAX]; default 0: none;

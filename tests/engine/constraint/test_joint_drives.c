@@ -1,5 +1,5 @@
 /* test_joint_drives.c: springs, motors and limits of joints: where a spring rests, how far limits
- * reach, and what each pushes. */
+ * reach, what each pushes, and that none pushes harder than it may. */
 #include "joint_support.h"
 
 static const thud_vec2 middle = {0, 0};
@@ -133,12 +133,67 @@ static void limit_spring_and_motor_are_told_apart(void **state) {
     }
 }
 
+/* ---- caps ---- */
+
+/* The greatest force of a spring or a motor of a target, in parts of what it may be, which draws a
+ * box near the top of a pyramid of 78; *direct: the steps in which that was solved directly. */
+static double worst_pull(const thud_quality *quality, thud_vec2 to, bool motors, int *direct) {
+    enum { ROWS = 12, PULLED = 8, STEPS = 90 };
+    const float most = 200;
+    thud_world *world = world_of(quality);
+    thud_body_id post = add_body(world, THUD_STATIC, 0, 0, 0), box = {0};
+    for (int row = 0; row < ROWS; row++) {
+        for (int i = 0; i < ROWS - row; i++) {
+            thud_body_id id = add_box(world, i + 0.5 * row, row + 0.5, 0.5f, 0.5f);
+            box = row == PULLED && i == (ROWS - PULLED) / 2 ? id : box;
+        }
+    }
+    run(world, 30);
+    thud_joint_def def = between(THUD_TARGET, post, box, to, middle);
+    for (int k = THUD_ALONG; k <= THUD_ACROSS; k++) {
+        thud_drive *d = &def.drive[k];
+        d->frequency = motors ? 0 : 20;
+        d->spring_force = most;
+        d->motor_force = motors ? most : 0;
+        d->motor_speed = 20;
+    }
+    thud_joint_id target = make(world, def);
+    double worst = 0;
+    for (int i = 0; i < STEPS; i++) {
+        run(world, 1);
+        thud_joint_state now = joint_of(world, target);
+        for (int k = THUD_ALONG; k <= THUD_ACROSS; k++) {
+            thud_drive_forces force = now.drive[k];
+            worst = fmax(worst, fabs((double)(motors ? force.motor : force.spring) / (double)most));
+        }
+        *direct += thud_world_stats(world).direct_islands > 0;
+    }
+    thud_world_destroy(world);
+    return worst;
+}
+
+static void springs_and_motors_keep_their_caps_in_a_pile(void **state) {
+    (void)state;
+    const thud_vec2 to[] = {{60, 0.5f}, {6, 60}, {60, 60}};
+    for (int i = 0; i < QUALITIES; i++) {
+        int direct = 0;
+        double motor = worst_pull(qualities[i], middle, true, &direct);
+        assert_true(motor > 0.99 && motor < 1.0001);
+        for (size_t k = 0; k < sizeof to / sizeof *to; k++) {
+            double spring = worst_pull(qualities[i], to[k], false, &direct);
+            assert_true(spring > 0.99 && spring < 1.0001); /* 5.7 at exact without the bound */
+        }
+        assert_true(direct > 0 || i < 2);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(spring_of_a_distance_rests_at_its_length),
         cmocka_unit_test(only_a_distance_has_a_length_for_a_target),
         cmocka_unit_test(limits_and_targets_reach_pi),
         cmocka_unit_test(limit_spring_and_motor_are_told_apart),
+        cmocka_unit_test(springs_and_motors_keep_their_caps_in_a_pile),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
