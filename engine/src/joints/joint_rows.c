@@ -254,7 +254,8 @@ static double spring_speed(const thud_world *w, const td_block *block, int lane,
     double stiffness = mass * omega * omega, drag = 2.0 * (double)r->damping[lane] * mass * omega;
     double both = 0.5 * time * stiffness + drag;
     row->weight = 0.5 * time * both;
-    row->most = 0.5 * time * (double)r->spring_most[lane];
+    bool capped = r->spring_most[lane] < THUD_JOINT_FORCE_MAX;
+    row->most = capped ? 0.5 * time * (double)r->spring_most[lane] : __builtin_inf();
     return both > 0.0 ? -stiffness * ((double)block->point[1].base[lane] + moved) / both : 0.0;
 }
 
