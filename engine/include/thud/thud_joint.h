@@ -71,7 +71,10 @@ typedef struct thud_drive {
                            THUD_JOINT_LENGTH_MAX length scales; of a distance >= 0. Equal: locked
                            there */
     float frequency;    /* Hz, of the spring, [0, THUD_JOINT_FREQUENCY_MAX]; default 0: none. About
-                           the mass that the bodies have there */
+                           the mass that the bodies have there. A substep carries a radian of it:
+                           of more than the rate of substeps / 2 pi it acts as one of that, which
+                           is 19, 38, 76 and 153 Hz at draft, default, high and exact with 60 steps
+                           a second, so that no spring adds energy by being stiff */
     float damping;      /* ratio, [0, THUD_JOINT_DAMPING_MAX]; default 0.7; 1: critical */
     float target;       /* where the spring pulls to; in the range of limits: THUD_JOINT_TURN_MAX,
                            THUD_JOINT_LENGTH_MAX */
