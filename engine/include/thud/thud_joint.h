@@ -29,7 +29,12 @@
  * stop as far on their ways, at gravity's cost as well, and their joints open by little more than
  * the solver leaves; the statistics tell. Under `bisect` and `swept` such bodies stop at what they
  * meet, and bounce off as contacts do; what touches them already is left to the contacts, which may
- * overlap by as much as those of `continuous`. */
+ * overlap by as much as those of `continuous`.
+ *
+ * A joint that pulls a body against a static shape without end wins under `overlap` and
+ * `continuous`, at every quality: a rope to below a floor that is 0.5 thick, shortened by 3 a
+ * second, has drawn the middle of a ball of radius 0.3 below its top in 10 steps, and by 0.3 a
+ * second in 110. Under `bisect` and `swept` the shape wins, and the joint opens. */
 #ifndef THUD_JOINT_H
 #define THUD_JOINT_H
 
@@ -72,7 +77,10 @@ typedef struct thud_drive {
                            THUD_JOINT_LENGTH_MAX length scales; of a distance >= 0. Equal: locked
                            there */
     float frequency;    /* Hz, of the spring, [0, THUD_JOINT_FREQUENCY_MAX]; default 0: none. About
-                           the mass that the bodies have there */
+                           the mass that the bodies have there. A substep carries a radian of it:
+                           of more than the rate of substeps / 2 pi it acts as one of that, which
+                           is 19, 38, 76 and 153 Hz at draft, default, high and exact with 60 steps
+                           a second, so that no spring adds energy by being stiff */
     float damping;      /* ratio, [0, THUD_JOINT_DAMPING_MAX]; default 0.7; 1: critical */
     float target;       /* where the spring pulls to; in the range of limits: THUD_JOINT_TURN_MAX,
                            THUD_JOINT_LENGTH_MAX. Default 0; of a distance -INFINITY, which stands

@@ -290,6 +290,12 @@ enum { TD_BRACE_STAGES = TD_BRACE_KEEP + 1, TD_BRACE_TASKS = 2 };
 #define TD_JOINT_CLOSING 3.0f
 #define TD_JOINT_HASTE 30.0f
 
+/* A spring goes on by at most this phase in a substep, rad: faster ones act as one that does. With
+ * a = q (q + 2 d) of phase q and damping d a row keeps a / (1 + a) of what it corrects, and moves
+ * by q / (q + 2 d) of how far it is off; of many rows that share bodies, each solved twice in a
+ * substep, none adds energy while q^2 < (1 + 2 a) / (1 + a), which is above 1 for every damping. */
+#define TD_SPRING_PHASE 1.0f
+
 enum { TD_BOUNCE_PASSES = 64 }; /* before all substeps; each takes a row two links on at least */
 
 typedef struct td_solve_context {
