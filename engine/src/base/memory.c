@@ -162,12 +162,30 @@ void td_slots_free(td_memory *memory, td_slots *slots) {
     td_array_free(memory, &slots->chunks);
 }
 
-static int by_value(const void *a, const void *b) {
-    return (*(const int *)a > *(const int *)b) - (*(const int *)a < *(const int *)b);
+/* Lets the value at `at` sink in a heap of `count`, the greatest on top. */
+static void sink(int *heap, int at, int count) {
+    int value = heap[at];
+    for (int child = 2 * at + 1; child < count; child = 2 * at + 1) {
+        child += child + 1 < count && heap[child + 1] > heap[child];
+        if (heap[child] <= value) {
+            break;
+        }
+        heap[at] = heap[child];
+        at = child;
+    }
+    heap[at] = value;
 }
 
+/* A heap sort: a tenth of the code that the C library's qsort links. */
 void td_sort_ints(td_array *array) {
-    if (array->count > 1) {
-        qsort(array->data, (size_t)array->count, sizeof(int), by_value);
+    int *heap = array->data;
+    for (int i = array->count / 2 - 1; i >= 0; i--) {
+        sink(heap, i, array->count);
+    }
+    for (int last = array->count - 1; last > 0; last--) {
+        int greatest = heap[0];
+        heap[0] = heap[last];
+        sink(heap, 0, last);
+        heap[last] = greatest;
     }
 }

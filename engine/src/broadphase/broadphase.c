@@ -367,7 +367,7 @@ bool td_broadphase(thud_world *w) {
         return false;
     }
     td_pairs_filter(w, 0);
-    if (!find_internal_edges(w) || !td_pairs_add_ground(w) || !td_pairs_sort(w) ||
+    if (!find_internal_edges(w) || (w->ground && !w->ground->add_pairs(w)) || !td_pairs_sort(w) ||
         !td_pairs_create(w)) {
         return false;
     }

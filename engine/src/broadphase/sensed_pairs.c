@@ -58,20 +58,6 @@ static bool add(thud_world *w, int shape, int other, int child) {
     return td_pairs_add(w, pair.a, pair.b, child);
 }
 
-/* Where both moved, each may find the other. */
-static void drop_doubles(thud_world *w) {
-    td_array *pairs = &w->scratch.pairs;
-    td_new_pair *pair = pairs->data;
-    int kept = 0;
-    for (int i = 0; i < pairs->count; i++) {
-        const td_new_pair *last = kept > 0 ? &pair[kept - 1] : NULL;
-        if (!last || last->a != pair[i].a || last->b != pair[i].b || last->child != pair[i].child) {
-            pair[kept++] = pair[i];
-        }
-    }
-    pairs->count = kept;
-}
-
 static bool try_pair(thud_world *w, int shape, int other) {
     bool may = (td_senses(w, shape) || td_senses(w, other)) && is_here(w, other) &&
                td_pair_meets(w, shape, other) && td_pair_allowed(w, shape, other);
@@ -83,14 +69,14 @@ static bool try_line(thud_world *w, int shape, int line) {
         !td_pair_allowed(w, shape, line)) {
         return true;
     }
-    thud_terrain terrain = td_terrain_view(w, line);
+    thud_terrain terrain = w->ground->view(w, line);
     td_position at = td_shape_proxy_at(w, shape)->center;
     const td_bounds *fat = td_fat_at(w, shape);
     int first, last;
-    td_terrain_segments_of(w, line, &terrain, at, fat, &first, &last);
+    w->ground->segments_of(w, line, &terrain, at, fat, &first, &last);
     bool done = true;
     for (int i = first; i <= last && done; i++) {
-        done = !td_terrain_reaches(w, line, &terrain, at, fat, i) || add(w, shape, line, i);
+        done = !w->ground->reaches(w, line, &terrain, at, fat, i) || add(w, shape, line, i);
     }
     return done;
 }
@@ -108,21 +94,24 @@ static bool among(thud_world *w, const td_proxy_set *set, int shape) {
     return done;
 }
 
+/* Of two sensors that moved, the lower shape finds the other. */
 static bool among_moved(thud_world *w, int shape) {
     bool done = true;
     for (int i = 0; i < w->moved.count && done; i++) {
         int other = td_int_at(&w->moved, i);
-        done = td_kind_is_line(td_shape_at(w, other)->kind) || try_pair(w, shape, other);
+        done = td_kind_is_line(td_shape_at(w, other)->kind) ||
+               (td_senses(w, other) && other <= shape) || try_pair(w, shape, other);
     }
     return done;
 }
 
+/* A sensor that moved finds the shape by itself. */
 static bool among_sensors(thud_world *w, int shape) {
     bool done = true;
     for (int i = 0; i < w->scratch.sensing.count && done; i++) {
         int other = td_body_at(w, td_body_of(w, td_slot_in(&w->scratch.sensing, i)))->first_shape;
         for (; other != TD_NONE && done; other = td_shape_at(w, other)->next) {
-            done = try_pair(w, shape, other);
+            done = moved(w, other) || try_pair(w, shape, other);
         }
     }
     return done;
@@ -150,9 +139,5 @@ bool td_sensed_pairs(thud_world *w) {
         done = !is_here(w, shape) || td_kind_is_line(td_shape_at(w, shape)->kind) ||
                add_moved(w, shape);
     }
-    if (!done || !td_pairs_sort(w)) {
-        return false;
-    }
-    drop_doubles(w);
-    return td_pairs_create(w);
+    return done && td_pairs_sort(w) && td_pairs_create(w);
 }

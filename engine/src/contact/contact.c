@@ -66,9 +66,9 @@ bool td_pair_meets(const thud_world *w, int a, int b) {
 }
 
 static bool reaches(const thud_world *w, int terrain_shape, int shape, int child) {
-    thud_terrain terrain = td_terrain_view(w, terrain_shape);
+    thud_terrain terrain = w->ground->view(w, terrain_shape);
     const td_shape_proxy *proxy = td_shape_proxy_at(w, shape);
-    return td_terrain_reaches(w, terrain_shape, &terrain, proxy->center, &proxy->fat, child);
+    return w->ground->reaches(w, terrain_shape, &terrain, proxy->center, &proxy->fat, child);
 }
 
 bool td_contact_bounds_meet(const thud_world *w, const td_contact *contact) {

@@ -42,7 +42,7 @@ typedef struct sweep {
 /* The ground below the middle of the shape stands for where they meet. */
 static thud_closest ground_below(const thud_world *w, int terrain_shape,
                                  const thud_shape_instance *shape) {
-    thud_terrain terrain = td_terrain_view(w, terrain_shape);
+    thud_terrain terrain = w->ground->view(w, terrain_shape);
     thud_terrain_sample ground = {.height = shape->y, .ny = 1.0};
     w->ground->sample_at(&terrain, shape->x, &ground);
     return (thud_closest){.nx = ground.nx,
@@ -148,12 +148,12 @@ static bool reaches_terrain(const sweep *s, int other, const thud_terrain *terra
     if (s->shapes != &s->w->scratch.ahead) {
         return true;
     }
-    if (td_terrain_below(s->w, other, s->start, &s->bounds)) {
+    if (s->w->ground->below(s->w, other, s->start, &s->bounds)) {
         return false;
     }
-    td_terrain_segments_of(s->w, other, terrain, s->start, &s->bounds, &first, &last);
+    s->w->ground->segments_of(s->w, other, terrain, s->start, &s->bounds, &first, &last);
     while (first <= last &&
-           !td_terrain_reaches(s->w, other, terrain, s->start, &s->bounds, first)) {
+           !s->w->ground->reaches(s->w, other, terrain, s->start, &s->bounds, first)) {
         first++;
     }
     return first <= last;
@@ -164,7 +164,7 @@ static void against_terrain(sweep *s, int other) {
     if (!stops_at(s, other)) {
         return;
     }
-    thud_terrain terrain = td_terrain_view(w, other);
+    thud_terrain terrain = w->ground->view(w, other);
     if (!reaches_terrain(s, other, &terrain)) {
         return;
     }
@@ -243,7 +243,7 @@ static bool looks_around(sweep *s) {
     for (int t = 0; t < w->terrains.count && !near_any; t++) {
         const td_terrain_record *record = td_terrain_record_at(w, t);
         if (record->shape != TD_NONE) {
-            thud_terrain terrain = td_terrain_view(w, record->shape);
+            thud_terrain terrain = w->ground->view(w, record->shape);
             near_any = reaches_terrain(s, record->shape, &terrain);
         }
     }
@@ -364,4 +364,4 @@ const td_detection_stage td_stage_continuous = {.reserve = reserve,
 const thud_detection thud_detection_continuous = {.name = "continuous",
                                                   .rank = TD_RANK_CONTINUOUS,
                                                   .stage = &td_stage_continuous,
-                                                  .sensing = &td_sensing_on_ways};
+                                                  .sensing = &td_sensing_at_rest};

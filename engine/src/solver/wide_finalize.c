@@ -179,24 +179,29 @@ TD_INLINE void place_lanes(thud_world *w, td_awake_slot first, f8 turn, unsigned
     }
 }
 
-/* The last relax pass may leave a velocity beyond the bounds to which substeps hold it. Returns the
- * rows as they are then; what is infinite stays so, for finalize.c to see. */
-TD_INLINE td_rows hold_speeds(const thud_world *w, float (*velocity)[4], i8 here) {
-    float most[3] = {w->def.maximum_speed * w->unit, w->def.maximum_speed * w->unit, THUD_SPIN_MAX};
-    td_rows v = td_load_rows((const float(*)[4])velocity);
-    f8 x = f8_abs(v.x), y = f8_abs(v.y), z = f8_abs(v.z), end = f8_all(FLT_MAX);
-    i8 fast = (x > f8_all(most[0])) | (y > f8_all(most[1])) | (z > f8_all(most[2]));
-    unsigned bits = i8_bits(here & fast & (x <= end) & (y <= end) & (z <= end));
-    if (!bits) {
-        return v;
-    }
+/* The last relax pass may leave a velocity beyond the bounds to which substeps hold it: holds those
+ * of the rows listed in `bits`, and returns whether it had to. What is infinite stays so, for
+ * finalize.c to see. */
+static bool hold_speeds(float (*velocity)[4], unsigned bits, const float most[3]) {
+    bool held = false;
     for (; bits; bits &= bits - 1) {
         float *row = velocity[__builtin_ctz(bits)];
+        bool finite = true;
         for (int k = 0; k < 3; k++) {
+            finite = finite && row[k] <= FLT_MAX && row[k] >= -FLT_MAX;
+        }
+        for (int k = 0; k < 3 && finite; k++) {
             row[k] = row[k] > most[k] ? most[k] : row[k] < -most[k] ? -most[k] : row[k];
         }
+        held |= finite;
     }
-    return td_load_rows((const float(*)[4])velocity);
+    return held;
+}
+
+/* The rows that have a speed beyond the bounds. */
+TD_INLINE unsigned too_fast(td_rows v, i8 here, const float most[3]) {
+    return i8_bits(here & ((f8_abs(v.x) > f8_all(most[0])) | (f8_abs(v.y) > f8_all(most[1])) |
+                           (f8_abs(v.z) > f8_all(most[2]))));
 }
 
 td_finalize_bodies_fn TD_WIDE(td_finalize_bodies);
@@ -208,11 +213,18 @@ void TD_WIDE(td_finalize_bodies)(thud_world *w) {
     f8 zero = f8_all(0.0f), far = f8_all((float)(0x1p50 / w->to_fixed));
     f8 gx = f8_all(w->def.gravity.x), gy = f8_all(w->def.gravity.y);
     d4 kinetic = {0}, gained = {0};
+    float linear = w->def.maximum_speed * w->unit, most_speed[3] = {linear, linear, THUD_SPIN_MAX};
     int count = w->body_of.count;
     for (td_awake_slot first = {0}; first.at < count; first.at += TD_LANES) {
         int at = first.at;
         i8 slot = i8_all(at) + lane, here = (slot > i8_all(0)) & (slot < i8_all(count));
-        td_rows v = hold_speeds(w, velocity + at, here), d = td_load_rows(delta + at);
+        td_rows v;
+        unsigned held;
+        do {
+            v = td_load_rows((const float(*)[4])velocity + at);
+            held = too_fast(v, here, most_speed);
+        } while (held && hold_speeds(velocity + at, held, most_speed));
+        td_rows d = td_load_rows(delta + at);
         f8 reach0 = f8_load(td_row(&w->reach, first));
         f8 reach1 = f8_load(td_row(&w->reach, first) + TD_LANES);
         f8 core = __builtin_shufflevector(reach0, reach1, 0, 2, 4, 6, 8, 10, 12, 14);

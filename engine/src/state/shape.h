@@ -58,12 +58,21 @@ thud_shape_instance td_shape_instance(const thud_world *w, int shape, td_positio
 thud_shape_instance td_shape_instance_of(const thud_world *w, int shape,
                                          const td_shape_proxy *proxy, td_position origin);
 
-/* What is asked of a line; plugged into a world with the first one, see kinds.h. */
+/* What is asked of a line; plugged into a world with the first one, see kinds.h. Those below by
+ * their names as well, for files that only a program with lines links. */
 typedef struct td_ground_ops {
     bool (*overlap)(const thud_terrain *terrain, const thud_shape_instance *shape);
     thud_result (*time_of_impact)(const thud_terrain *terrain, const thud_shape_instance *shape,
                                   thud_motion motion, double target, bool *hit, double *time);
     thud_result (*sample_at)(const thud_terrain *terrain, double x, thud_terrain_sample *out);
+    thud_terrain (*view)(const thud_world *w, int shape);
+    bool (*below)(const thud_world *w, int terrain_shape, td_position near_place,
+                  const td_bounds *bounds);
+    void (*segments_of)(const thud_world *w, int terrain_shape, const thud_terrain *terrain,
+                        td_position near_place, const td_bounds *bounds, int *first, int *last);
+    bool (*reaches)(const thud_world *w, int terrain_shape, const thud_terrain *terrain,
+                    td_position near_place, const td_bounds *bounds, int segment);
+    bool (*add_pairs)(thud_world *w); /* broadphase/pairs.h */
 } td_ground_ops;
 
 /* A view of a terrain shape's line, relative to its body's origin. */

@@ -1,0 +1,61 @@
+/* sensing_awake.c: what bodies pass of others that move as well, for detections that look at both
+ * ways. */
+#include "contact/contact.h"
+#include "detection/sensing.h"
+#include "state/body.h"
+#include "state/shape.h"
+
+/* Whether two bodies that went straight are too far apart to have met. */
+static bool are_apart(const thud_world *w, td_awake_slot a, td_awake_slot b) {
+    if (!td_sensing_straight(w, a) || !td_sensing_straight(w, b)) {
+        return false;
+    }
+    const td_position *p = &td_pose_at(w, td_body_of(w, a))->center;
+    const td_position *q = &td_pose_at(w, td_body_of(w, b))->center;
+    double x = (double)(q->x - p->x) / w->to_fixed, y = (double)(q->y - p->y) / w->to_fixed;
+    double reach = (double)(td_row(&w->reach, a)[1] + td_row(&w->reach, b)[1]);
+    for (int i = 0; i < 2; i++) {
+        const float *delta = td_row(&w->delta, i ? b : a);
+        reach += td_abs((double)delta[0]) + td_abs((double)delta[1]);
+    }
+    return x * x + y * y > reach * reach;
+}
+
+static void between(thud_world *w, td_awake_slot slot, td_awake_slot other) {
+    if (other.at == slot.at || (other.at < slot.at && td_sensing_quick(w, other)) ||
+        are_apart(w, slot, other)) {
+        return;
+    }
+    int a = td_body_at(w, td_body_of(w, slot))->first_shape;
+    for (; a != TD_NONE; a = td_shape_at(w, a)->next) {
+        int b = td_body_at(w, td_body_of(w, other))->first_shape;
+        for (; b != TD_NONE; b = td_shape_at(w, b)->next) {
+            td_sensing_look(w, a, b);
+        }
+    }
+}
+
+static bool has_sensor(const thud_world *w, td_awake_slot slot) {
+    int i = td_body_at(w, td_body_of(w, slot))->first_shape;
+    while (i != TD_NONE && !(td_shape_at(w, i)->flags & TD_SHAPE_SENSOR)) {
+        i = td_shape_at(w, i)->next;
+    }
+    return i != TD_NONE;
+}
+
+/* Against what moves as well. Of two quick bodies the one in the lower slot finds the other. */
+static void among_awake(thud_world *w, td_awake_slot slot) {
+    const td_array *sensing = &w->scratch.sensing;
+    if (sensing->count > 0 && has_sensor(w, slot)) {
+        for (td_awake_slot other = {1}; other.at < w->body_of.count; other.at++) {
+            between(w, slot, other);
+        }
+        return;
+    }
+    for (int i = 0; i < sensing->count; i++) {
+        between(w, slot, td_slot_in(sensing, i));
+    }
+}
+
+const td_sensing td_sensing_on_ways = {td_sensing_reserve, td_sensing_pass, td_sensing_when,
+                                       among_awake};
