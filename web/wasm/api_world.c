@@ -166,8 +166,8 @@ int api_world_advance(thud_world *world, double elapsed, double max_steps, int c
     double alpha = 0.0;
     const thud_step_calls stepped = {calls & 1 ? before_step : NULL, calls & 2 ? after_step : NULL,
                                      NULL};
-    thud_result result = thud_world_advance_with(world, elapsed, api_to_int(max_steps), &stepped,
-                                                 &steps, &alpha);
+    thud_result result =
+        thud_world_advance_with(world, elapsed, api_to_int(max_steps), &stepped, &steps, &alpha);
     api_slots.advance.steps = steps;
     api_slots.advance.alpha = alpha;
     return result;
