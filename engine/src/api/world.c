@@ -163,6 +163,7 @@ static const td_array_place ARRAYS[] = {
     ARRAY(scratch.powers, double[2]),
     ARRAY(scratch.legs, td_leg),
     ARRAY(scratch.first_legs, int),
+    ARRAY(scratch.held_at, double),
     ARRAY(scratch.sensing, td_awake_slot),
     EVENTS(events),
     EVENTS(published),

@@ -307,8 +307,7 @@ void td_hold_at(thud_world *w, td_awake_slot slot, double time) {
     pose.angle += td_angle_between(delta[2]);
     td_angle_turn(pose.angle, &pose.c, &pose.s);
     *td_pose_at(w, body) = pose;
-    w->stats.held_bodies++;
-    w->stats.held_seconds += rest * w->def.time_step;
+    td_held_count(w, slot, time);
     td_body_place_shapes(w, body);
 }
 
@@ -340,8 +339,8 @@ static void sweep_body(thud_world *w, td_awake_slot slot) {
 
 /* A query asks for room as if every shape of the ranges that it scans were a hit. */
 static bool reserve(thud_world *w) {
-    return td_array_reserve(&w->memory, &w->scratch.ahead,
-                            3 * w->rest_shapes.ids.count + 4 * TD_LANES);
+    return td_held_reserve(w) && td_array_reserve(&w->memory, &w->scratch.ahead,
+                                                  3 * w->rest_shapes.ids.count + 4 * TD_LANES);
 }
 
 static void run(thud_world *w) {

@@ -38,8 +38,7 @@ static void hold(thud_world *w, td_trajectory *f) {
         f->held = true;
         td_error_fall_short(w, (float)((f->motion[0] + fall * f->fall[0]) * rest),
                             (float)((f->motion[1] + fall * f->fall[1]) * rest));
-        w->stats.held_bodies++;
-        w->stats.held_seconds += (1.0 - f->since) * w->def.time_step;
+        td_held_count(w, td_body_at(w, f->body)->awake, f->since);
     }
     td_trajectory_bear(w, f, f->fall[0], f->fall[1]);
     f->motion[0] = f->motion[1] = f->motion[2] = 0.0;
@@ -296,7 +295,7 @@ static bool reserve(thud_world *w) {
     int shapes =
         w->awake_shapes.ids.count + w->rest_shapes.ids.count; /* each may be found, and asked for */
     int legs = w->sensors > 0 ? 2 * most + awake : 0; /* two an impact, and all to the end */
-    return td_array_reserve(&w->memory, &w->scratch.legs, legs) &&
+    return td_held_reserve(w) && td_array_reserve(&w->memory, &w->scratch.legs, legs) &&
            td_array_reserve(&w->memory, &w->scratch.hits, 2 * shapes + 4 * TD_LANES) &&
            td_array_reserve(&w->memory, &w->scratch.trajectories, awake) &&
            td_array_reserve(&w->memory, &w->scratch.strays, awake) &&

@@ -46,6 +46,24 @@ void td_leg_note(thud_world *w, const td_trajectory *way, double end) {
     }
 }
 
+bool td_held_reserve(thud_world *w) {
+    return td_array_reserve(&w->memory, &w->scratch.held_at, w->body_of.count);
+}
+
+void td_held_count(thud_world *w, td_awake_slot slot, double time) {
+    td_array *all = &w->scratch.held_at;
+    if (w->stats.held_bodies == 0) {
+        all->count = w->body_of.count;
+        for (int i = 0; i < all->count; i++) {
+            *TD_AT(double, all, i) = 1.0;
+        }
+    }
+    double *at = TD_AT(double, all, slot.at);
+    w->stats.held_bodies += *at == 1.0;
+    w->stats.held_seconds += (1.0 - time) * *at * w->def.time_step;
+    *at *= time;
+}
+
 void td_trajectory_advance(thud_world *w, td_trajectory *f, double time) {
     td_leg_note(w, f, time);
     f->place.x += td_round64(way_of(f, 0, time) * w->to_fixed);

@@ -91,6 +91,12 @@ td_trajectory td_trajectory_of(const thud_world *w, td_body_index body);
 /* For sensors, where there are any: it keeps its way until then. Forgotten where memory is short.
  */
 void td_leg_note(thud_world *w, const td_trajectory *way, double end);
+
+bool td_held_reserve(thud_world *w);
+/* Counts a body that is held at a part, in [0, 1], of the motion that is left to it: once a step,
+ * and the time that it loses, however often it is held. */
+void td_held_count(thud_world *w, td_awake_slot slot, double time);
+
 /* Brings it to `time`, which is no earlier than `since`. */
 void td_trajectory_advance(thud_world *w, td_trajectory *trajectory, double time);
 /* How far it has come at `time` from where it was at the start of the step: x, y, angle. */

@@ -136,6 +136,30 @@ static void load_tears_no_bridge_under_detection_on_the_way(void **state) {
     }
 }
 
+/* Two balls, tied to each other, reach a wall at 0.8 and at 0.4 of the step: each is counted once,
+ * and loses 0.6 of the step, although `continuous` holds both at the first and again at the second.
+ * (`bisect` does not see what is behind the wall by the end.) */
+static void body_is_counted_once_however_often_it_is_held(void **state) {
+    (void)state;
+    for (int i = 0; i < 2 * QUALITIES; i++) {
+        thud_world_def def = def_of(qualities[i % QUALITIES]);
+        def.detection = i < QUALITIES ? &thud_detection_continuous : &thud_detection_swept;
+        def.gravity = middle;
+        thud_world *world = make_world(def);
+        add_shape(world, add_body(world, THUD_STATIC, 10, 0, 0), 0.1f, 5, true, NULL);
+        thud_body_id late = add_ball(world, 8.1, 0, 0.2f), soon = add_ball(world, 8.9, 1, 0.2f);
+        make(world,
+             between(THUD_HINGE, late, soon, (thud_vec2){0.4f, 0.5f}, (thud_vec2){-0.4f, -0.5f}));
+        OK(thud_body_set_velocity(world, late, (thud_vec2){120, 0}, 0));
+        OK(thud_body_set_velocity(world, soon, (thud_vec2){120, 0}, 0));
+        run(world, 1);
+        thud_stats stats = thud_world_stats(world);
+        assert_int_equal(stats.held_bodies, 2);
+        near_to(stats.held_seconds, 1.2 * STEP, 0.02 * STEP);
+        thud_world_destroy(world);
+    }
+}
+
 enum { LINKS = 120 };
 
 /* Two rows of balls, hinged to each other, fly at a wall that the first ball of each row reaches in
@@ -239,6 +263,7 @@ int main(void) {
         cmocka_unit_test(springs_hold_nobody_back),
         cmocka_unit_test(energy_does_not_rise_where_a_linkage_is_stopped),
         cmocka_unit_test(load_tears_no_bridge_under_detection_on_the_way),
+        cmocka_unit_test(body_is_counted_once_however_often_it_is_held),
         cmocka_unit_test(body_that_is_no_number_leaves_the_others_that_are_held),
         cmocka_unit_test(detections_that_stop_nobody_leave_what_swings_alone),
     };
