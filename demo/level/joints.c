@@ -10,7 +10,7 @@
 /* Length scales; the engine takes 1e6, give or take what single precision rounds. */
 static const double LONGEST = 999999;
 static const double SHORTEST = 1e-6;
-static const double LARGEST_TURN = 3.14159;
+static const double LARGEST_TURN = 3.1415927;
 static const double LARGEST_FORCE = 1e30;
 
 enum { ALONG = 1 << SCENE_ALONG, ACROSS = 1 << SCENE_ACROSS, TURN = 1 << SCENE_TURN };

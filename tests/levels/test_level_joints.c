@@ -180,7 +180,7 @@ static void limit_on_one_side_leaves_the_other_open(void **state) {
     (void)state;
     scene s = read_objects(POINT("hinge", REFERS(1, 2) HAS("turn_upper", 0.5)));
     const scene_drive *turn = &s.joints[0].drive[SCENE_TURN];
-    assert_true(turn->limited && turn->lower == -3.14159 && turn->upper == 0.5);
+    assert_true(turn->limited && turn->lower == -3.1415927 && turn->upper == 0.5);
     thud_world_destroy(build(&s));
     scene_free(&s);
 }

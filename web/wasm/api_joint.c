@@ -24,7 +24,7 @@ static void tell_drive(const thud_drive *d, struct drive_options *s) {
 /* One limit alone: the other is `furthest`, as far as limits may be. */
 static thud_drive drive_in(const struct drive_options *s, thud_joint_kind kind,
                            thud_direction direction, double furthest) {
-    double most = direction == THUD_TURN ? 3.14159 : furthest;
+    double most = direction == THUD_TURN ? (double)THUD_JOINT_TURN_MAX : furthest;
     double least = kind == THUD_DISTANCE ? 0.0 : -most;
     return (thud_drive){.limited = !(s->lower == -INFINITY && s->upper == INFINITY),
                         .lower = (float)(s->lower == -INFINITY ? least : s->lower),
@@ -133,8 +133,9 @@ static thud_result settle_frames(const thud_world *world, thud_joint_def *def) {
     double between = sqrt(x * x + y * y);
     const thud_drive *d = &def->drive[THUD_ALONG];
     bool rod = !d->limited && d->frequency == 0.0f && d->motor_force == 0.0f;
-    /* A rope or spring may begin without a length, and has no need of one. */
-    if (out & 4 && (rod || between > 0.0))
+    bool rests = d->frequency > 0.0f && d->target == -INFINITY; /* at the length */
+    /* What else is driven may begin without a length, and has no need of one. */
+    if (out & 4 && (rod || rests || between > 0.0))
         def->length = (float)between;
     return result;
 }

@@ -23,6 +23,11 @@ int api_joint_get(const thud_world *world, uint32_t index1, uint32_t generation)
             .torque = state.torque,
             .user_data = (double)state.user_data,
         };
+    for (int i = 0; i < THUD_DIRECTION_COUNT && result == THUD_OK; i++) {
+        api_slots.joint_state.drive[3 * i] = state.drive[i].limit;
+        api_slots.joint_state.drive[3 * i + 1] = state.drive[i].spring;
+        api_slots.joint_state.drive[3 * i + 2] = state.drive[i].motor;
+    }
     return result;
 }
 

@@ -48,7 +48,8 @@ struct placed {
     double center[2];
 };
 
-/* What acts in a direction of a joint. Infinite limits are none. */
+/* What acts in a direction of a joint. Infinite limits are none; an infinite target is the length.
+ */
 struct drive_options {
     double lower, upper, frequency, damping, target, spring_force, motor_speed, motor_force;
 };
@@ -189,9 +190,10 @@ struct joint_options {
     struct joint_making making;
 };
 
+/* Of each drive the force of limit, spring and motor. */
 struct joint_state {
     double kind, body_a[2], body_b[2], enabled, value[3], gap, angle_gap, force[2], torque;
-    double user_data;
+    double drive[9], user_data;
 };
 
 /* The rows are joint_row and joint_handles. */

@@ -55,13 +55,13 @@
 
 /* ---- joints ---- */
 
-#define THUD_JOINT_LENGTH_MAX 1e6f    /* length scales; of motors, length scales a second */
-#define THUD_JOINT_TURN_MAX 3.14159f  /* |radians| of limits and targets */
-#define THUD_JOINT_SPIN_MAX 1e6f      /* |radians| a second, of motors */
-#define THUD_JOINT_FREQUENCY_MAX 1e4f /* Hz */
-#define THUD_JOINT_DAMPING_MAX 1e3f   /* ratio */
-#define THUD_JOINT_FORCE_MAX 1e30f    /* also torque */
-#define THUD_GEAR_RATIO_MIN 1e-4f     /* |ratio| */
+#define THUD_JOINT_LENGTH_MAX 1e6f     /* length scales; of motors, length scales a second */
+#define THUD_JOINT_TURN_MAX 3.1415927f /* |radians| of limits and targets: pi as a float */
+#define THUD_JOINT_SPIN_MAX 1e6f       /* |radians| a second, of motors */
+#define THUD_JOINT_FREQUENCY_MAX 1e4f  /* Hz */
+#define THUD_JOINT_DAMPING_MAX 1e3f    /* ratio */
+#define THUD_JOINT_FORCE_MAX 1e30f     /* also torque */
+#define THUD_GEAR_RATIO_MIN 1e-4f      /* |ratio| */
 #define THUD_GEAR_RATIO_MAX 1e4f
 
 /* ---- movers ---- */

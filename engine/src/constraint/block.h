@@ -274,19 +274,27 @@ typedef enum td_bounce { TD_BOUNCE_FIRST, TD_BOUNCE_AGAIN, TD_BOUNCE_LAST } td_b
 
 /* Passes that keep a warm start from adding energy where joints are torn: joints/joint_brace.c. */
 typedef enum td_brace {
+    TD_BRACE_GIVE,   /* give the impulses along the directions as they are now, */
+    TD_BRACE_AFTER,  /* measure their power; and where they may have added energy */
     TD_BRACE_TAKE,   /* take back what was given, */
-    TD_BRACE_BEFORE, /* measure the power of the impulses at the velocities without them, */
-    TD_BRACE_GIVE,   /* give them along the directions as they are now, */
-    TD_BRACE_AFTER,  /* measure their power again, */
-    TD_BRACE_KEEP,   /* and keep the share of them that adds no energy */
-    TD_BRACE_STAGES
+    TD_BRACE_BEFORE, /* measure the power at the velocities without them, */
+    TD_BRACE_KEEP    /* and give the share of them that adds no energy */
 } td_brace;
+
+/* Walks over blocks that bracing takes, and tasks of one worker between them. */
+enum { TD_BRACE_STAGES = TD_BRACE_KEEP + 1, TD_BRACE_TASKS = 2 };
 
 /* Length scales, or radians, a second, at which a gap of a joint closes, or so many times that
  * where it is solved softly and adds no energy by it: with less it would bear no more than so much,
  * since what it is open by is what it pulls with. Both chosen. */
 #define TD_JOINT_CLOSING 3.0f
 #define TD_JOINT_HASTE 30.0f
+
+/* A spring goes on by at most this phase in a substep, rad: faster ones act as one that does. With
+ * a = q (q + 2 d) of phase q and damping d a row keeps a / (1 + a) of what it corrects, and moves
+ * by q / (q + 2 d) of how far it is off; of many rows that share bodies, each solved twice in a
+ * substep, none adds energy while q^2 < (1 + 2 a) / (1 + a), which is above 1 for every damping. */
+#define TD_SPRING_PHASE 1.0f
 
 enum { TD_BOUNCE_PASSES = 64 }; /* before all substeps; each takes a row two links on at least */
 
@@ -313,6 +321,7 @@ typedef struct td_solve_context {
     td_bounce bounce;       /* which pass */
     atomic_bool *bounced;   /* set by it where a pair bounces */
     td_brace brace;         /* which pass */
+    atomic_bool *adds;      /* set where the warm start of a torn joint may have added energy */
     atomic_bool *torn;      /* set by the warm start where a joint is open by more than
                                TD_JOINT_CLOSING takes out of it in a substep */
     struct td_tally *tally; /* the last relax pass notes approaches there */

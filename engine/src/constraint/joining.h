@@ -29,7 +29,9 @@ typedef struct td_joining_ops {
     void (*ring)(thud_world *w);
     /* A body was held at a part of its motion: those that joints tie to it go back as far. */
     void (*hold_back)(thud_world *w, td_awake_slot slot, double time);
-    /* joint_brace.c: between two passes of the solver that brace joints. */
+    /* joint_brace.c: between passes of the solver that brace joints: whether the warm start may
+     * have added energy, and the share of it that each ring keeps. */
+    bool (*adds_energy)(thud_world *w);
     void (*weigh)(thud_world *w);
     /* After the epilogue: events of the joints that bear too much, which are destroyed. */
     void (*break_up)(thud_world *w);
@@ -54,6 +56,7 @@ void td_joints_suspend(thud_world *w, td_body_index body);
 void td_joints_follow(thud_world *w, td_body_index body);
 void td_joints_ring(thud_world *w);
 void td_joints_hold_back(thud_world *w, td_awake_slot slot, double time);
+bool td_joints_add_energy(thud_world *w);
 void td_joints_weigh(thud_world *w);
 void td_joints_break_up(thud_world *w);
 void td_joints_draw(const struct td_drawing *drawing);

@@ -264,6 +264,14 @@ static bool bounds_of_way(const thud_world *w, td_awake_slot slot, td_bounds *bo
     return true;
 }
 
+/* The set of what rests is of the broadphase: the narrowphase may have woken some since then, and
+ * among_awake() looks at those. */
+static void look_at_resting(thud_world *w, int shape, int other) {
+    if (td_body_at(w, td_shape_at(w, other)->body)->awake.at <= 0 && senses(w, shape, other)) {
+        look_at(w, shape, other);
+    }
+}
+
 /* Against what rests, in the order of shapes, so that it is the same with each broadphase. */
 static void among_resting(thud_world *w, td_awake_slot slot) {
     td_body_index index = td_body_of(w, slot);
@@ -281,9 +289,7 @@ static void among_resting(thud_world *w, td_awake_slot slot) {
     }
     for (int a = td_body_at(w, index)->first_shape; a != TD_NONE; a = td_shape_at(w, a)->next) {
         for (int i = 0; i < found->count; i++) {
-            if (senses(w, a, td_int_at(found, i))) {
-                look_at(w, a, td_int_at(found, i));
-            }
+            look_at_resting(w, a, td_int_at(found, i));
         }
         for (int t = 0; t < w->terrains.count; t++) {
             int line = td_terrain_record_at(w, t)->shape;

@@ -19,14 +19,15 @@ enum {
     TD_DIRECT_TANGENT = 2
 };
 
-/* Odd ones begin active, and have neither slack nor bound for the interior point. */
+/* Odd ones begin active. */
 typedef enum td_row_kind {
     TD_ROW_PUSH, /* never the last row: impulse >= 0, speed >= wanted, and one of both with equality
                   */
     TD_ROW_EQUAL, /* speed = wanted, whatever impulse that takes */
     /* From here on a row may miss what is wanted. */
     TD_ROW_FRICTION, /* |impulse| <= most, and less only where speed = wanted */
-    TD_ROW_SOFT      /* impulse = weight * (wanted - speed), and |impulse| <= most: a spring */
+    TD_ROW_SOFT /* impulse = weight * (wanted - speed), and |impulse| <= most, infinite where it
+                   has no greatest force: a spring */
 } td_row_kind;
 
 typedef struct td_direct_body {

@@ -7,8 +7,12 @@
  * their products go to zero likewise. Products are measured in the mass that a row feels, so that
  * heavy and light contacts converge alike.
  *
+ * A spring with a greatest force is a tangent that gives way: instead of J v - wanted,
+ * J v - wanted + y / weight is zero between its bounds.
+ *
  * An equality has neither slack nor bound: it is a stiff penalty whose multiplier takes its impulse
- * with each step, which leaves no more of what it misses than the penalty's share. */
+ * with each step, which leaves no more of what it misses than the penalty's share. So is a spring
+ * without a greatest force, but for the multiplier. */
 #include "islands/direct.h"
 
 /* A step goes so much of the way to where the first number would be zero. */
@@ -26,7 +30,17 @@ enum { STEPS = 40 };
 
 /* It has neither slack nor bound. */
 static bool is_unbound(const td_direct_row *r) {
-    return r->kind % 2;
+    return r->kind == TD_ROW_EQUAL || (r->kind == TD_ROW_SOFT && !(r->most < __builtin_inf()));
+}
+
+/* 1 / weight of a spring, which `base` has meanwhile. */
+static double compliance(const td_direct_row *r) {
+    return r->kind == TD_ROW_SOFT ? 1.0 / r->base : 0.0;
+}
+
+/* What the slacks of a bound row are to make up. */
+static double excess(const td_direct_row *r) {
+    return r->speed - r->wanted + compliance(r) * r->impulse;
 }
 
 static bool slides_free(const td_direct *d, const td_direct_row *r) {
@@ -67,6 +81,7 @@ static void start(td_direct *d) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &c->row[k];
             double over = r->speed - r->wanted;
+            r->base = r->weight;
             if (is_unbound(r)) {
                 r->slack[0] = r->slack[1] = r->push[1] = r->push[2] = r->impulse = 0.0;
             } else if (r->kind == TD_ROW_PUSH) {
@@ -77,7 +92,8 @@ static void start(td_direct *d) {
                 r->slack[1] = td_max_double(-over, 0.0) + typical;
                 r->impulse = 0.0;
             }
-            r->active = r->used && (r->kind != TD_ROW_FRICTION || !slides_free(d, r));
+            bool idle = r->kind >= TD_ROW_FRICTION && slides_free(d, r);
+            r->active = r->used && !idle;
             r->force = 0.0;
         }
     }
@@ -113,7 +129,7 @@ static void prepare_row(td_direct_row *r, double aim, double mend) {
     double over = r->speed - r->wanted;
     if (is_unbound(r)) {
         bool soft = r->kind == TD_ROW_SOFT;
-        r->weight = soft ? r->weight : STIFFNESS * r->mass;
+        r->weight = soft ? r->base : STIFFNESS * r->mass;
         r->force = (soft ? 0.0 : r->impulse) - r->weight * over;
         return;
     }
@@ -125,10 +141,10 @@ static void prepare_row(td_direct_row *r, double aim, double mend) {
         return;
     }
     double low = room(r, 0), high = room(r, 1);
-    double lack = over - (r->slack[0] - r->slack[1]);
+    double lack = excess(r) - (r->slack[0] - r->slack[1]);
     double first = aim * r->mass - r->slack[0] * low - mend * r->push[0] * r->push[1];
     double second = aim * r->mass - r->slack[1] * high + mend * r->push[0] * r->push[2];
-    r->weight = 1.0 / (r->slack[0] / low + r->slack[1] / high);
+    r->weight = 1.0 / (r->slack[0] / low + r->slack[1] / high + compliance(r));
     r->force = r->impulse + r->weight * (first / low - second / high - lack);
 }
 
@@ -227,7 +243,7 @@ static void decide(td_direct_row *r, double unused, double nor_this) {
     }
 }
 
-bool td_direct_interior(td_direct *d, double tolerance) {
+static bool approach(td_direct *d, double tolerance) {
     double close = CLOSE * tolerance * CLOSE * tolerance;
     start(d);
     for (int n = 0; n < STEPS && d->factorings < d->patience; n++) {
@@ -253,4 +269,15 @@ bool td_direct_interior(td_direct *d, double tolerance) {
         }
     }
     return false;
+}
+
+bool td_direct_interior(td_direct *d, double tolerance) {
+    bool done = approach(d, tolerance);
+    for (int i = 0; i < d->constraint_count; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            td_direct_row *r = &d->constraints[i].row[k];
+            r->weight = r->kind == TD_ROW_SOFT ? r->base : r->weight;
+        }
+    }
+    return done;
 }

@@ -73,7 +73,7 @@ static void set_drive(const thud_world *w, td_block *block, int lane, const td_j
     rows->lower[lane] = d->lower;
     rows->upper[lane] = d->upper;
     rows->locked[lane] = d->limited && d->lower == d->upper ? 1.0f : 0.0f;
-    rows->target[lane] = d->target;
+    rows->target[lane] = td_joint_target(joint, direction);
     rows->frequency[lane] = d->frequency;
     rows->damping[lane] = d->damping;
     rows->spring_most[lane] = d->spring_force;

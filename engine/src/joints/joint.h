@@ -70,6 +70,7 @@ typedef struct td_joint_load {
 
 td_joint_reading td_joint_read(const thud_world *w, const td_joint *joint);
 td_joint_load td_joint_load_of(const thud_world *w, const td_joint *joint);
+thud_drive_forces td_joint_drive_forces(const thud_world *w, const td_joint *joint, int direction);
 /* It has lanes, and is awake. */
 bool td_joint_acts(const thud_world *w, const td_joint *joint);
 
@@ -79,6 +80,17 @@ static inline bool td_is_break(float x) {
 
 static inline bool td_joint_breaks(const td_joint *joint) {
     return joint->break_force < THUD_JOINT_FORCE_MAX || joint->break_torque < THUD_JOINT_FORCE_MAX;
+}
+
+/* The default of a distance's. */
+static inline bool td_target_is_length(float target) {
+    return target == -__builtin_inff();
+}
+
+/* Where its spring pulls to. */
+static inline float td_joint_target(const td_joint *joint, int direction) {
+    float target = joint->drive[direction].target;
+    return td_target_is_length(target) ? joint->length : target;
 }
 
 static inline bool td_drive_acts(const td_drive *d) {

@@ -7,9 +7,10 @@
  * impulses p of all the locks of a ring (constraint/rings.h) and relative speeds u that they act
  * on, with u' after them, it brings p.(u + u') / 2. Where that is more than nothing the share s of
  * p is kept that brings least: E(s) = s p.u + s^2 p.(u' - u) / 2 is least at s = -p.u / p.(u' - u),
- * within 0 .. 1. The
- * gaps of such a ring close at TD_JOINT_CLOSING for now, since a bias in many rows that hardly move
- * would add as much. Steps that begin with no joint torn do without all this. */
+ * within
+ * 0 .. 1. The gaps of such a ring close at TD_JOINT_CLOSING for the rest of the step, since a bias
+ * in many rows that hardly move would add as much. Steps that begin with no joint torn do without
+ * all this, and so do substeps in which p.u' is not positive in any ring. */
 #include "constraint/joining.h"
 #include "constraint/lanes.h"
 #include "constraint/rings.h"
@@ -40,11 +41,15 @@ static double *powers_of(const thud_world *w, const td_block *block, int lane) {
     return powers_at(w, name[(td_row(&w->velocity, b)[3] > 0.0f ? b : a).at]);
 }
 
-static void add_powers(const thud_world *w, td_block *block) {
+static void add_powers_before(const thud_world *w, td_block *block) {
     for (int lane = 0; lane < block->used; lane++) {
-        double *sum = powers_of(w, block, lane);
-        sum[0] += (double)block->point[0].separation[lane];
-        sum[1] += (double)block->point[1].separation[lane];
+        powers_of(w, block, lane)[0] += (double)block->point[0].separation[lane];
+    }
+}
+
+static void add_powers_after(const thud_world *w, td_block *block) {
+    for (int lane = 0; lane < block->used; lane++) {
+        powers_of(w, block, lane)[1] += (double)block->point[1].separation[lane];
     }
 }
 
@@ -72,8 +77,18 @@ static void walk(thud_world *w, void (*visit)(const thud_world *w, td_block *blo
     }
 }
 
-void td_joints_weigh(thud_world *w) {
+/* p.(u + u') is less than 2 p.u', since impulses do not slow down what they act along. */
+bool td_joints_add_energy(thud_world *w) {
+    bool any = false;
     name_rings(w);
-    walk(w, add_powers);
+    walk(w, add_powers_after);
+    for (td_awake_slot slot = {0}; slot.at < w->body_of.count && !any; slot.at++) {
+        any = powers_at(w, slot)[1] > 0.0;
+    }
+    return any;
+}
+
+void td_joints_weigh(thud_world *w) {
+    walk(w, add_powers_before);
     walk(w, set_shares);
 }

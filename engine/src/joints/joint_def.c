@@ -39,7 +39,8 @@ const char *td_joint_drive_error(const thud_world *w, thud_joint_kind kind, int 
     if (!within(d->damping, 0.0f, THUD_JOINT_DAMPING_MAX)) {
         return "joint drive: damping is not in [0, THUD_JOINT_DAMPING_MAX]";
     }
-    if (!within(d->target, least, furthest)) {
+    bool follows = kind == THUD_DISTANCE && td_target_is_length(d->target);
+    if (!follows && !within(d->target, least, furthest)) {
         return "joint drive: target is not in the range that lower and upper have";
     }
     if (!within(d->spring_force, 0.0f, THUD_JOINT_FORCE_MAX)) {
@@ -127,6 +128,9 @@ thud_joint_def thud_default_joint_def(thud_joint_kind kind) {
     for (int i = 0; i < TD_JOINT_DIRECTIONS; i++) {
         def.drive[i].damping = 0.7f;
         def.drive[i].spring_force = THUD_JOINT_FORCE_MAX;
+    }
+    if (kind == THUD_DISTANCE) {
+        def.drive[THUD_ALONG].target = -__builtin_inff();
     }
     return def;
 }

@@ -90,6 +90,11 @@ static float as_force(double x) {
     return x > most ? (float)most : x < -most ? (float)-most : x == x ? (float)x : 0.0f;
 }
 
+/* Forces per impulse of a substep. */
+static double rate_of(const thud_world *w) {
+    return w->substeps / w->def.time_step;
+}
+
 td_joint_load td_joint_load_of(const thud_world *w, const td_joint *joint) {
     double impulse[3] = {0.0, 0.0, 0.0};
     for (int i = 0; i < TD_JOINT_PARTS; i++) {
@@ -97,9 +102,24 @@ td_joint_load td_joint_load_of(const thud_world *w, const td_joint *joint) {
             add_impulse(w, td_constraint_at(w, joint->part[i]), impulse);
         }
     }
-    double rate = (joint->swapped ? -1.0 : 1.0) * w->substeps / w->def.time_step;
+    double rate = (joint->swapped ? -1.0 : 1.0) * rate_of(w);
     return (td_joint_load){{as_force(rate * impulse[0]), as_force(rate * impulse[1])},
                            as_force(rate * impulse[2])};
+}
+
+/* Values are the same with sides swapped, and what pushes them up. */
+thud_drive_forces td_joint_drive_forces(const thud_world *w, const td_joint *joint, int direction) {
+    int index = joint->part[direction];
+    const td_constraint *part = index == TD_NONE ? NULL : td_constraint_at(w, index);
+    if (!part || part->state != TD_TOUCHING) {
+        return (thud_drive_forces){0};
+    }
+    td_lane at = td_lane_of(w, part);
+    double side = (double)td_drive_rows_at(at.block)->limit_side[at.lane], rate = rate_of(w);
+    return (thud_drive_forces){
+        .limit = as_force(rate * side * (double)at.block->point[0].normal_impulse[at.lane]),
+        .spring = as_force(rate * (double)at.block->point[1].normal_impulse[at.lane]),
+        .motor = as_force(rate * (double)at.block->tangent_impulse[at.lane])};
 }
 
 /* How many of its parts have lanes, asleep or not; of them, how many are awake. */

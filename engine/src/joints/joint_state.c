@@ -52,6 +52,9 @@ thud_result thud_joint_get(const thud_world *w, thud_joint_id id, thud_joint_sta
                               .force = load.force,
                               .torque = load.torque,
                               .user_data = joint->user_data};
+    for (int i = 0; i < TD_JOINT_DIRECTIONS; i++) {
+        out->drive[i] = td_joint_drive_forces(w, joint, i);
+    }
     return THUD_OK;
 }
 

@@ -58,7 +58,8 @@ TD_INLINE void spring(td_block *block, const td_drive_rows *r, const td_solve_co
     if (!i8_bits(some)) {
         return;
     }
-    f8 omega = f8_all(2.0f * (float)TD_PI) * r->frequency;
+    f8 omega =
+        f8_min(f8_all(2.0f * (float)TD_PI) * r->frequency, f8_all(TD_SPRING_PHASE * c->inv_h));
     f8 a1 = f8_all(2.0f) * r->damping + h * omega, a2 = h * omega * a1, a3 = one / (one + a2);
     f8 speed =
         speed_along(n, v, fixed) + q->separation * f8_keep(some, omega / f8_pick(some, a1, one));

@@ -236,20 +236,33 @@ static bool bounce(solving *s) {
     return passes > 1;
 }
 
+static void judge(void *work, int chunk) {
+    const solving *s = work;
+    (void)chunk;
+    atomic_store_explicit(s->contacts.adds, s->w->joining->adds_energy(s->w), memory_order_relaxed);
+}
+
 static void weigh(void *work, int chunk) {
     const solving *s = work;
     (void)chunk;
     s->w->joining->weigh(s->w);
 }
 
+static void brace_by(solving *s, td_brace stage) {
+    s->contacts.brace = stage;
+    walk(s, BRACE);
+}
+
 /* Keeps the warm start of joints that are torn from adding energy. */
 static void brace(solving *s) {
-    for (int stage = 0; stage < TD_BRACE_STAGES; stage++) {
-        s->contacts.brace = (td_brace)stage;
-        if (stage == TD_BRACE_KEEP) {
-            td_worker_walk(&s->worker, 1, weigh, s);
-        }
-        walk(s, BRACE);
+    brace_by(s, TD_BRACE_GIVE);
+    brace_by(s, TD_BRACE_AFTER);
+    td_worker_walk(&s->worker, 1, judge, s);
+    if (atomic_load_explicit(s->contacts.adds, memory_order_relaxed)) {
+        brace_by(s, TD_BRACE_TAKE);
+        brace_by(s, TD_BRACE_BEFORE);
+        td_worker_walk(&s->worker, 1, weigh, s);
+        brace_by(s, TD_BRACE_KEEP);
     }
 }
 
@@ -285,7 +298,7 @@ static void substeps(void *argument) {
 
 void td_solve(thud_world *w) {
     td_tally tallies[THUD_WORKERS_MAX];
-    atomic_bool bounced[TD_BOUNCE_PASSES + 1] = {false}, torn = false;
+    atomic_bool bounced[TD_BOUNCE_PASSES + 1] = {false}, torn = false, adds = false;
     atomic_flag dummy = ATOMIC_FLAG_INIT;
     float h = (float)(w->def.time_step / w->substeps);
     refresh_push(w, h);
@@ -308,6 +321,7 @@ void td_solve(thud_world *w) {
         .dummy = &dummy,
     };
     s.contacts.torn = &torn;
+    s.contacts.adds = &adds;
     memset(tallies, 0, (size_t)task.workers * sizeof *tallies);
     td_error_begin(w);
     td_job_run(w, &task, substeps, &s);

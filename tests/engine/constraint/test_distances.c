@@ -370,6 +370,36 @@ static void wrong_rods_are_refused(void **state) {
     thud_world_destroy(world);
 }
 
+/* A ball on a floor, at the end of a rope or a rod to a hook far below, which is reeled in. */
+static void floor_bears_what_is_reeled_in(void **state) {
+    (void)state;
+    const thud_detection *const detections[] = {&thud_detection_bisect, &thud_detection_swept};
+    for (int i = 0; i < 2 * 2 * QUALITIES; i++) {
+        thud_world_def def = def_of(qualities[i / 4]);
+        def.detection = detections[i % 2];
+        bool rope = i / 2 % 2;
+        float length = 4.3f;
+        thud_world *world = make_world(def);
+        thud_body_id hook = add_body(world, THUD_STATIC, 0, -4, 0);
+        thud_body_id floor = add_body(world, THUD_STATIC, 0, -0.25, 0);
+        add_shape(world, floor, 5, 0.25f, true, NULL);
+        thud_body_id ball = add_ball(world, 0, 0.3, 0.3f);
+        thud_joint_def joint = rod_of(hook, ball, middle, middle, length);
+        joint.drive[THUD_ALONG].limited = rope;
+        joint.drive[THUD_ALONG].upper = length;
+        thud_joint_id id = make(world, joint);
+        for (int k = 0; k < 80; k++) {
+            length -= 3.0f / 60;
+            joint.drive[THUD_ALONG].upper = length;
+            OK(rope ? thud_joint_set_drive(world, id, THUD_ALONG, &joint.drive[THUD_ALONG])
+                    : thud_joint_set_length(world, id, length));
+            run(world, 1);
+            near_to(state_of(world, ball).position.y, 0.3, 2e-3);
+        }
+        thud_world_destroy(world);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pendulum_keeps_its_length_and_passes_its_lowest_place),
@@ -386,6 +416,7 @@ int main(void) {
         cmocka_unit_test(colours_of_rods_are_drawn),
         cmocka_unit_test(error_report_has_the_speed_that_a_rod_misses),
         cmocka_unit_test(wrong_rods_are_refused),
+        cmocka_unit_test(floor_bears_what_is_reeled_in),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,7 @@
 /* test_sensors.c: whom sensors see: every kind of body, awake or asleep, whatever comes first; and
  * that seeing disturbs nobody. */
 #include "engine_support.h"
+#include "every_choice.h"
 
 #include <thud/thud_detection.h>
 
@@ -321,10 +322,6 @@ static void sensor_wakes_nobody(void **state) {
 
 /* ---- within a step ---- */
 
-static const thud_detection *const detections[] = {&thud_detection_overlap,
-                                                   &thud_detection_continuous,
-                                                   &thud_detection_bisect, &thud_detection_swept};
-
 /* It is told in the step at whose end the two overlap, and in the one at whose end they do not. */
 static void what_moves_in_or_out_is_told_by_the_same_step(void **state) {
     (void)state;
@@ -384,6 +381,37 @@ static void gates_are_passed_on_the_way_and_back(void **state) {
     }
 }
 
+/* A box sleeps until another comes to touch it, in the step in which a quick sensor passes it. */
+static void what_wakes_as_a_sensor_passes_it_is_told_of_once(void **state) {
+    (void)state;
+    for (int d = 2; d < 4; d++) {
+        for (int b = 0; b < 3; b++) {
+            thud_world_def def = weightless();
+            def.sleeping = true;
+            def.detection = detections[d];
+            def.broadphase = broadphases[b];
+            def.maximum_speed = 1000;
+            thud_world *world = make_world(def);
+            thud_shape_def zone = sensor_def();
+            thud_body_id sleeper = add_body(world, THUD_DYNAMIC, 0, 0, 0);
+            add_shape(world, sleeper, 0.5f, 0.5f, true, NULL);
+            run(world, 60);
+            assert_false(state_of(world, sleeper).awake);
+            thud_body_id other = add_body(world, THUD_DYNAMIC, 0, 0.99, 0);
+            add_shape(world, other, 0.2f, 0.5f, true, NULL);
+            thud_body_id quick = add_body(world, THUD_DYNAMIC, -3, -0.3, 0);
+            add_shape(world, quick, 0.1f, 0, false, &zone);
+            OK(thud_body_set_velocity(world, quick, (thud_vec2){360, 0}, 0));
+            run(world, 1);
+            assert_true(state_of(world, sleeper).awake);
+            thud_events e = thud_world_events(world);
+            assert_int_equal(e.sensor_begin_count, 1);
+            assert_int_equal(e.sensor_end_count, 1);
+            thud_world_destroy(world);
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sensor_of_each_kind_sees_each_kind_but_static_static),
@@ -398,6 +426,7 @@ int main(void) {
         cmocka_unit_test(sensor_wakes_nobody),
         cmocka_unit_test(what_moves_in_or_out_is_told_by_the_same_step),
         cmocka_unit_test(gates_are_passed_on_the_way_and_back),
+        cmocka_unit_test(what_wakes_as_a_sensor_passes_it_is_told_of_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -231,6 +231,50 @@ test("table_has_a_row_for_every_joint_as_its_bodies_are_drawn", (t) => {
   assert.notEqual(half[at0.placeB + 1], world.jointTable(1).rows[at0.placeB + 1]);
 });
 
+test("spring_of_a_distance_rests_at_its_length_unless_it_has_a_target", (t) => {
+  const { world, hook, ball } = yard(t, { gravity: [0, 0] });
+  const [bodyA, bodyB] = [hook([0, 5]), ball([3, 5])];
+  const along = { frequency: 5, damping: 1 };
+  const joint = world.createJoint({ kind: "distance", bodyA, bodyB, length: 2, along });
+  const rest = () => {
+    for (let i = 0; i < 120; i++) world.step();
+    return world.jointState(joint).value.along;
+  };
+  near(rest(), 2, 1e-3);
+  assert.equal(world.jointOptions(joint).along.target, undefined);
+  world.setDrive(joint, "along", { damping: 2 });
+  world.setJointLength(joint, 1.5);
+  near(rest(), 1.5, 1e-3);
+  world.setDrive(joint, "along", { target: 1 });
+  near(rest(), 1, 1e-3);
+  world.setDrive(joint, "along", { target: -Infinity });
+  near(rest(), 1.5, 1e-3);
+  const end = { kind: "distance", bodyA, bodyB, from: [0, 5], to: [0, 5], along };
+  assert.throws(() => world.createJoint(end), /length/);
+});
+
+test("limits_of_a_turn_reach_pi", (t) => {
+  const { world, hook, ball } = yard(t);
+  const turn = { lower: -Math.PI, upper: Math.PI };
+  world.createJoint({ kind: "hinge", bodyA: hook([0, 5]), bodyB: ball([0, 4]), at: [0, 5], turn });
+});
+
+test("limit_spring_and_motor_are_told_apart", (t) => {
+  const { world, hook, ball } = yard(t);
+  const [bodyA, bodyB] = [hook([0, 5]), ball([0, 5])];
+  const along = { lower: 0, frequency: 2, damping: 1, target: 0.02, motorForce: 0.05 };
+  const axis = [0, 1];
+  const joint = world.createJoint({ kind: "slider", bodyA, bodyB, at: [0, 5], axis, along });
+  for (let i = 0; i < 60; i++) world.step();
+  const { drive, force } = world.jointState(joint);
+  const { limit, spring, motor } = drive.along;
+  const mass = Math.PI * 0.1 ** 2;
+  near(spring, mass * (4 * Math.PI) ** 2 * 0.02, 3e-3);
+  assert.ok(Math.abs(motor) <= 0.05001 && limit > 0.1, `${limit}, ${motor}`);
+  near(limit + spring + motor, force[1], 1e-5);
+  assert.deepEqual(drive.turn, { limit: 0, spring: 0, motor: 0 });
+});
+
 test("joint_table_has_no_row_of_a_joint_whose_body_is_destroyed", async () => {
   const world = (await thud.load()).createWorld();
   const [bodyA, bodyB, bodyC] = [0, 2, 4].map((x) => {

@@ -44,7 +44,7 @@ const REFUSED = [
   [make({ kind: "hinge", angle: 1e9 }), /hinge: angle must be from -1000000 to 1000000/],
   [turn({ frequency: -3 }), /hinge: turn.frequency must be from 0 to 10000: -3/],
   [turn({ damping: NaN }), /hinge: turn.damping must be from 0 to 1000: NaN/],
-  [turn({ target: 4 }), /hinge: turn.target must be from -3.14159 to 3.14159: 4/],
+  [turn({ target: 4 }), /hinge: turn.target must be from -3.1415927 to 3.1415927: 4/],
   [turn({ motorSpeed: 2e6 }), /hinge: turn.motorSpeed must be/],
   [turn({ motorForce: -1 }), /hinge: turn.motorForce must be from 0 to 1e\+30: -1/],
   [turn({ springForce: Infinity }), /hinge: turn.springForce must be/],

@@ -15,6 +15,11 @@ const HUNG = {
     { kind: "distance", from: [0, 6], to: [0, 4], along: { ...SOFT, target: 2 } },
     [0, 4 - 10 / (4 * Math.PI) ** 2],
   ],
+  spring_at_its_length: [
+    [0, 4],
+    { kind: "distance", from: [0, 6], to: [0, 4], along: SOFT },
+    [0, 4 - 10 / (4 * Math.PI) ** 2],
+  ],
   hinge: [[2, 6], { kind: "hinge", at: [0, 6], turn: { lower: -0.5, upper: 0.5 } }, [1.755, 5.041]],
   slider: [[0, 6], { kind: "slider", at: [0, 6], axis: UP, along: { lower: -2 } }, [0, 4]],
   weld: [[1, 6], { kind: "weld", at: [0, 6] }, [1, 6]],

@@ -45,7 +45,7 @@ export interface Drive {
   frequency?: number;
   /** The spring's damping ratio, 0 or more; 1 is critical. Default 0.7. */
   damping?: number;
-  /** Where the spring pulls to. Default 0. */
+  /** Where the spring pulls to. Default 0, of a distance -Infinity: its length. */
   target?: number;
   /** The spring pulls no harder. Default: as hard as it takes. */
   springForce?: number;
@@ -125,7 +125,7 @@ export interface PlacedOptions extends PairOptions {
 
 /**
  * Keeps two places so far apart: a rod, or what `along` makes of it. With `along: { upper: 3 }` it
- * is a rope, with a frequency a spring whose rest is its target.
+ * is a rope, with a frequency a spring that pulls to `length`, or to its target.
  * @example { kind: "distance", bodyA, bodyB, from: [0, 9], to: [0, 5] }
  */
 export interface DistanceOptions extends PairOptions {
@@ -144,7 +144,7 @@ export interface DistanceOptions extends PairOptions {
   frameA?: JointFrame;
   /** Instead of `to`: the end in body b. */
   frameB?: JointFrame;
-  /** Of a rod, more than 0. Default: what is between both ends now. */
+  /** Of a rod, or of a spring without a target, more than 0. Default: what is between both ends now. */
   length?: number;
   /**
    * What acts along the joint: of a distance between its ends, of a slider and a wheel on the axis.
@@ -256,6 +256,13 @@ export type AnyJointOptions =
   | FilterOptions
   | GearOptions;
 
+/** What drives a direction: forces or torques, which push its value up where they are above 0. */
+export interface DriveForces {
+  limit: number;
+  spring: number;
+  motor: number;
+}
+
 /** Where a joint is after the last step, and what it bears. */
 export interface JointState {
   kind: JointKind;
@@ -272,6 +279,8 @@ export interface JointState {
   force: Vec2;
   /** On b, about its centre of mass, without what `force` does there. */
   torque: number;
+  /** The parts of both that drives have; 0 where there is none. */
+  drive: Readonly<Record<Direction, DriveForces>>;
   userData: number;
 }
 

@@ -18,6 +18,7 @@ import {
   type Direction,
   DIRECTIONS,
   type Drive,
+  type DriveForces,
   JOINT_KINDS,
   type JointEvent,
   type JointFrame,
@@ -71,6 +72,10 @@ export class WorldJoints extends WorldViews {
     this.on(Kind.joint, "api_joint_get", joint);
     const s = this.engine.slots;
     const [along, across, turn] = s.subarray(JointStateAt.value);
+    const driveAt = (i: number): DriveForces => {
+      const [limit, spring, motor] = s.subarray(JointStateAt.drive + 3 * i);
+      return { limit, spring, motor };
+    };
     return {
       kind: JOINT_KINDS[s[JointStateAt.kind]],
       bodyA: bodyAt(s, JointStateAt.bodyA),
@@ -81,6 +86,7 @@ export class WorldJoints extends WorldViews {
       angleGap: s[JointStateAt.angleGap],
       force: vecAt(s, JointStateAt.force),
       torque: s[JointStateAt.torque],
+      drive: { along: driveAt(0), across: driveAt(1), turn: driveAt(2) },
       userData: s[JointStateAt.userData],
     };
   }

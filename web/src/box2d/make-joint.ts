@@ -114,7 +114,8 @@ function makeDistance(
   setBase(common, def.base, bodies, tie);
   setDrive(def, along, unit);
   def.enableSpring = isDriven(along);
-  def.length = (isDriven(along) ? (along.target ?? 0) : (tie.length ?? 1)) / unit;
+  const length = tie.length ?? 1;
+  def.length = (isDriven(along) ? (along.target ?? length) : length) / unit;
   def.minLength = (along.lower ?? 0) / unit;
   def.maxLength = along.upper === undefined ? LONGEST : along.upper / unit;
   def.maxMotorForce = Math.min(MOST, (along.motorForce ?? 0) / unit);

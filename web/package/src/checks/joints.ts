@@ -13,7 +13,7 @@ function mostOf(name: string, direction: string, furthest: number): number | und
   if (name in MOST) return MOST[name];
   if (name.endsWith("Force") || name === "breakTorque") return 1e30;
   if (name !== "length" && !EITHER_WAY.includes(name)) return undefined;
-  return direction !== "turn" ? furthest : name === "motorSpeed" ? 1e6 : 3.14159;
+  return direction !== "turn" ? furthest : name === "motorSpeed" ? 1e6 : 3.1415927;
 }
 
 /** Where a joint is, of any kind. */

@@ -13,7 +13,7 @@ import { grid, isRecord, type Json, type JsonRecord, type Values } from "./value
 /** Length scales; the engine takes 1e6, give or take what single precision rounds. */
 const LONGEST = 999999;
 const SHORTEST = 1e-6;
-const LARGEST_TURN = 3.14159;
+const LARGEST_TURN = 3.1415927;
 const LARGEST_FORCE = 1e30;
 
 /** The options of World.createJoint that stand in a map. */

@@ -1,0 +1,199 @@
+/* test_joint_drives.c: springs, motors and limits of joints: where a spring rests, how far limits
+ * reach, what each pushes, and that none pushes harder than it may. */
+#include "joint_support.h"
+
+static const thud_vec2 middle = {0, 0};
+
+/* ---- a spring's rest ---- */
+
+static double rests_at(const thud_quality *quality, bool swapped, const float *target,
+                       float later) {
+    thud_world_def def = weightless();
+    def.quality = quality;
+    thud_world *world = make_world(def);
+    thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id ball = add_ball(world, 3, 0, 0.1f);
+    thud_joint_def spring =
+        between(THUD_DISTANCE, swapped ? ball : hook, swapped ? hook : ball, middle, middle);
+    spring.length = 2;
+    spring.drive[THUD_ALONG].frequency = 5;
+    spring.drive[THUD_ALONG].damping = 1;
+    spring.drive[THUD_ALONG].target = target ? *target : spring.drive[THUD_ALONG].target;
+    thud_joint_id id = make(world, spring);
+    if (later > 0) {
+        run(world, 10);
+        OK(thud_joint_set_length(world, id, later));
+    }
+    /* Another like it goes on as it does. */
+    thud_joint_def copy;
+    OK(thud_joint_get_def(world, id, &copy));
+    assert_true(copy.drive[THUD_ALONG].target == spring.drive[THUD_ALONG].target);
+    OK(thud_joint_set_drive(world, id, THUD_ALONG, &copy.drive[THUD_ALONG]));
+    run(world, 120);
+    double at = joint_of(world, id).value[THUD_ALONG];
+    thud_world_destroy(world);
+    return at;
+}
+
+static void spring_of_a_distance_rests_at_its_length(void **state) {
+    (void)state;
+    const float own = 1.5f;
+    for (int i = 0; i < QUALITIES; i++) {
+        for (int swapped = 0; swapped < 2; swapped++) {
+            near_to(rests_at(qualities[i], swapped, NULL, 0), 2, 1e-3);
+            near_to(rests_at(qualities[i], swapped, NULL, 1), 1, 1e-3);
+            near_to(rests_at(qualities[i], swapped, &own, 0), 1.5, 1e-3);
+            near_to(rests_at(qualities[i], swapped, &own, 1), 1.5, 1e-3);
+        }
+    }
+}
+
+static void only_a_distance_has_a_length_for_a_target(void **state) {
+    (void)state;
+    thud_world *world = make_world(weightless());
+    thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id ball = add_ball(world, 3, 0, 0.1f);
+    for (int kind = THUD_HINGE; kind <= THUD_TARGET; kind++) {
+        thud_joint_def def = between((thud_joint_kind)kind, hook, ball, middle, middle);
+        for (int k = 0; k < THUD_DIRECTION_COUNT; k++) {
+            assert_true(def.drive[k].target == 0);
+            def.drive[k].target = -INFINITY;
+        }
+        assert_int_equal(thud_joint_create(world, &def, NULL), THUD_ERROR_INVALID);
+    }
+    thud_joint_def def = between(THUD_DISTANCE, hook, ball, middle, middle);
+    const float wrong[] = {-1, INFINITY, NAN};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        def.drive[THUD_ALONG].target = wrong[i];
+        assert_int_equal(thud_joint_create(world, &def, NULL), THUD_ERROR_INVALID);
+    }
+    thud_world_destroy(world);
+}
+
+/* ---- limits ---- */
+
+static void limits_and_targets_reach_pi(void **state) {
+    (void)state;
+    thud_world *world = make_world(weightless());
+    thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id ball = add_ball(world, 0, 0, 0.1f);
+    thud_joint_def def = between(THUD_HINGE, hook, ball, middle, middle);
+    float pi = (float)PI;
+    def.drive[THUD_TURN].limited = true;
+    def.drive[THUD_TURN].lower = -pi;
+    def.drive[THUD_TURN].upper = pi;
+    def.drive[THUD_TURN].target = pi;
+    thud_joint_id hinge = make(world, def);
+    thud_drive more = def.drive[THUD_TURN];
+    more.upper = nextafterf(pi, 4);
+    assert_int_equal(thud_joint_set_drive(world, hinge, THUD_TURN, &more), THUD_ERROR_INVALID);
+    thud_world_destroy(world);
+}
+
+/* ---- what each pushes ---- */
+
+/* A ball of 1 on a vertical slider, on its lower limit: a brake carries a quarter of its weight, a
+ * spring half of it, and the limit the rest. */
+static void limit_spring_and_motor_are_told_apart(void **state) {
+    (void)state;
+    const double frequency = 2, omega = 2 * PI * frequency;
+    for (int i = 0; i < 2 * QUALITIES; i++) {
+        bool swapped = i % 2;
+        thud_world *world = world_at(qualities[i / 2]);
+        thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
+        thud_body_id ball = add_body(world, THUD_DYNAMIC, 0, 0, 0);
+        add_shape(world, ball, 0.5f, 0.5f, false, NULL); /* of mass 1 */
+        thud_joint_def def =
+            between(THUD_SLIDER, swapped ? ball : hook, swapped ? hook : ball, middle, middle);
+        def.frame_a.angle = def.frame_b.angle = PI / 2;
+        double up = swapped ? -1 : 1; /* seen from the ball the hook goes up as it falls */
+        def.drive[THUD_ALONG] = (thud_drive){.limited = true,
+                                             .lower = swapped ? -1 : 0,
+                                             .upper = swapped ? 0 : 1,
+                                             .frequency = (float)frequency,
+                                             .damping = 1,
+                                             .target = (float)(up * 0.5 * G / (omega * omega)),
+                                             .spring_force = 1e6f,
+                                             .motor_force = (float)(0.25 * G)};
+        thud_joint_id slider = make(world, def);
+        run(world, 60);
+        thud_joint_state s = joint_of(world, slider);
+        const thud_drive_forces *along = &s.drive[THUD_ALONG];
+        near_to(along->spring, up * 0.5 * G, 0.01 * G);
+        near_to(along->limit + along->motor, up * 0.5 * G, 0.01 * G);
+        assert_true(fabs((double)along->motor) <= 0.2501 * G);
+        assert_true(up * (double)along->limit >= 0.24 * G);
+        near_to(s.force.y, up * G, 0.01 * G);
+        near_to(along->limit + along->spring + along->motor, s.force.y, 1e-4 * G);
+        for (int k = THUD_ACROSS; k <= THUD_TURN; k++) {
+            const thud_drive_forces *none = &s.drive[k];
+            assert_true(none->limit == 0 && none->spring == 0 && none->motor == 0);
+        }
+        thud_world_destroy(world);
+    }
+}
+
+/* ---- caps ---- */
+
+/* The greatest force of a spring or a motor of a target, in parts of what it may be, which draws a
+ * box near the top of a pyramid of 78; *direct: the steps in which that was solved directly. */
+static double worst_pull(const thud_quality *quality, thud_vec2 to, bool motors, int *direct) {
+    enum { ROWS = 12, PULLED = 8, STEPS = 90 };
+    const float most = 200;
+    thud_world *world = world_of(quality);
+    thud_body_id post = add_body(world, THUD_STATIC, 0, 0, 0), box = {0};
+    for (int row = 0; row < ROWS; row++) {
+        for (int i = 0; i < ROWS - row; i++) {
+            thud_body_id id = add_box(world, i + 0.5 * row, row + 0.5, 0.5f, 0.5f);
+            box = row == PULLED && i == (ROWS - PULLED) / 2 ? id : box;
+        }
+    }
+    run(world, 30);
+    thud_joint_def def = between(THUD_TARGET, post, box, to, middle);
+    for (int k = THUD_ALONG; k <= THUD_ACROSS; k++) {
+        thud_drive *d = &def.drive[k];
+        d->frequency = motors ? 0 : 20;
+        d->spring_force = most;
+        d->motor_force = motors ? most : 0;
+        d->motor_speed = 20;
+    }
+    thud_joint_id target = make(world, def);
+    double worst = 0;
+    for (int i = 0; i < STEPS; i++) {
+        run(world, 1);
+        thud_joint_state now = joint_of(world, target);
+        for (int k = THUD_ALONG; k <= THUD_ACROSS; k++) {
+            thud_drive_forces force = now.drive[k];
+            worst = fmax(worst, fabs((double)(motors ? force.motor : force.spring) / (double)most));
+        }
+        *direct += thud_world_stats(world).direct_islands > 0;
+    }
+    thud_world_destroy(world);
+    return worst;
+}
+
+static void springs_and_motors_keep_their_caps_in_a_pile(void **state) {
+    (void)state;
+    const thud_vec2 to[] = {{60, 0.5f}, {6, 60}, {60, 60}};
+    for (int i = 0; i < QUALITIES; i++) {
+        int direct = 0;
+        double motor = worst_pull(qualities[i], middle, true, &direct);
+        assert_true(motor > 0.99 && motor < 1.0001);
+        for (size_t k = 0; k < sizeof to / sizeof *to; k++) {
+            double spring = worst_pull(qualities[i], to[k], false, &direct);
+            assert_true(spring > 0.99 && spring < 1.0001); /* 5.7 at exact without the bound */
+        }
+        assert_true(direct > 0 || i < 2);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(spring_of_a_distance_rests_at_its_length),
+        cmocka_unit_test(only_a_distance_has_a_length_for_a_target),
+        cmocka_unit_test(limits_and_targets_reach_pi),
+        cmocka_unit_test(limit_spring_and_motor_are_told_apart),
+        cmocka_unit_test(springs_and_motors_keep_their_caps_in_a_pile),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
