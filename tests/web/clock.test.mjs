@@ -10,6 +10,8 @@ import { until } from "./support/wait.mjs";
  * for it: a machine that is slow to draw must not be slower still. */
 const SLOW_STEP = 200;
 const PAUSE = 30;
+/** One that leaves the worker nothing to spare of 16.7 ms, and yet is shorter. */
+const BUSY_STEP = 13;
 
 const GAMES = [
   [20, "artillery", 3, 1],
@@ -71,15 +73,20 @@ describe("slow motion", () => {
     return page.innerText("#slow");
   }
 
-  test("scene_whose_own_code_takes_too_long_runs_on_and_says_so_until_it_is_paused", async () => {
-    const update = `for (const t = performance.now(); performance.now() < t + ${SLOW_STEP};);`;
+  /** A scene whose steps take so many milliseconds, at so many pictures a second. */
+  function openSlow(milliseconds, hertz) {
+    const update = `for (const t = performance.now(); performance.now() < t + ${milliseconds};);`;
     const body = boxes(3, { update });
-    const { page, close } = await visitor.open("?scene=sketch", DESKTOP, async (opened) => {
+    return visitor.open("?scene=sketch", DESKTOP, async (opened) => {
       await opened.route("**/scenes/sketch.js", (route) =>
         route.fulfill({ contentType: "text/javascript", body }),
       );
-      await display(60, PAUSE)(opened);
+      await display(hertz, PAUSE)(opened);
     });
+  }
+
+  test("scene_whose_own_code_takes_too_long_runs_on_and_says_so_until_it_is_paused", async () => {
+    const { page, close } = await openSlow(SLOW_STEP, 60);
     const told = await toldOf(page);
     assert.match(told, /^Slow motion, 0\.\d+×: a step takes \d+(\.\d)? ms, 16\.7 ms would keep up\./);
     assert.match(told, /scene’s own code/);
@@ -94,6 +101,16 @@ describe("slow motion", () => {
     await page.click('[data-entry="cradle"]');
     await page.waitForFunction(() => document.title.startsWith("Newton"));
     assert.ok(await page.isHidden("#slow"));
+    await close();
+  });
+
+  test("only_a_step_that_takes_longer_than_the_clock_lets_it_is_told_what_would_keep_up", async () => {
+    const { page, close } = await openSlow(BUSY_STEP, 4);
+    const told = await toldOf(page);
+    const [, took, word, clock] = told.match(/a step takes ([\d.]+) ms(,| of the) ([\d.]+) ms/) ?? [];
+    assert.equal(clock, "16.7", told);
+    const longer = word === ",";
+    assert.ok(longer ? Number(took) >= 16.7 : Number(took) <= 16.7, told);
     await close();
   });
 

@@ -78,7 +78,11 @@ function whyOf({ player, scene }: App, frames: readonly Frame[]): Why {
   const rest = step - thud - box2d;
   const picture = sum(({ spent }) => spent?.picture ?? 0) / samples.length;
   const budget = (1000 * (scene?.timeStep ?? 1 / 60)) / player.speed;
-  const enough = `${duration(budget)} would keep up`;
+  // A worker may be the reason before it needs more than there is: it has none to spare (BUSY).
+  const ofBudget = (time: number) =>
+    time > budget
+      ? `${duration(time)}, ${duration(budget)} would keep up`
+      : `${duration(time)} of the ${duration(budget)} that there are`;
   if (step + picture < BUSY * budget) {
     const pictures = Math.round(1 / player.interval);
     return {
@@ -91,10 +95,10 @@ function whyOf({ player, scene }: App, frames: readonly Frame[]): Why {
   if (most === picture)
     return {
       kind: "picture",
-      short: `what is shown takes ${duration(picture)} a step, ${enough}`,
+      short: `showing a step takes ${ofBudget(picture)}`,
       advice: "Fewer bodies or overlays take less.",
     };
-  const short = `a step takes ${duration(step)}, ${enough}`;
+  const short = `a step takes ${ofBudget(step)}`;
   if (most === box2d)
     return { kind: "box2d", short, advice: `Box2D takes ${duration(box2d)} of that.` };
   if (most === rest)
