@@ -339,12 +339,14 @@ static double energy_of_drives(const td_island_work *work) {
 }
 
 /* What only locks takes no energy, nor gives any but by closing gaps. `there`: twice the energy
- * that there was as the step began, or could come. */
+ * that there was as the step began, or could come. A motor may move more than its own two bodies,
+ * so that what there was as the last part began counts as well. */
 static bool explodes(const td_island_work *work, double there) {
     double mass = 0.0, pushed = work->pushed + work->problem.unit_speed;
     for (int i = 0; i < work->island->bodies; i++) {
         mass += 1.0 / work->problem.bodies[i].inverse_mass;
     }
+    there = td_max_double(there, energy_of(work, true));
     double most = there + mass * pushed * pushed * work->island->bodies;
     return !(energy_of(work, false) <= ENERGY_MOST * most);
 }
