@@ -130,8 +130,8 @@ static double gained_by(const mechanism *m) {
     return worst;
 }
 
-/* At exact, bisect and swept leave contacts that tied bodies begin a step with to the solver: in one
- * world 14.6 times what was turned over comes in as its loop is pressed against the floor. */
+/* At exact, bisect and swept leave contacts that tied bodies begin a step with to the solver: in
+ * one world 14.6 times what was turned over comes in as its loop is pressed against the floor. */
 static bool is_known(const thud_quality *quality, const thud_detection *detection, bool meets_floor,
                      int seed) {
     return quality == &thud_quality_exact && meets_floor && seed == 33 &&

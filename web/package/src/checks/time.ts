@@ -5,7 +5,7 @@ import { show } from "./show.js";
 /** Seconds; the engine refuses more. */
 const LONGEST = 1e9;
 
-/** Nobody shows a game so many times as fast as it is, and milliseconds are 1000 times as many. */
+/** Nobody shows a game so many times as fast as it is, and milliseconds are a thousand times as many. */
 const FASTEST = 100;
 
 /** When a world last left out time, by the clock of the host. */
