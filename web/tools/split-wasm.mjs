@@ -10,7 +10,9 @@ import { fileURLToPath } from "node:url";
 import { load } from "../package/dist/node.js";
 import { buildScene, FIRST_SCENE, runScene, sceneFile } from "./scenes.mjs";
 
-const STEPS = 300;
+/** What is first needed later than this, a second in, comes with the rest, which is asked for as soon as
+ * there is a picture: a visitor whose rest has not come by then waits for it once. */
+const STEPS = 60;
 
 const path = (name) => fileURLToPath(new URL(`../package/dist/thud${name}`, import.meta.url));
 const time = (file) => statSync(file, { throwIfNoEntry: false })?.mtimeMs ?? 0;
