@@ -13,12 +13,15 @@ import { root, thud } from "../support/package.mjs";
 
 /** Kilobytes (1000 bytes) of the gzipped module: what is reached, and what is aimed at. */
 const PROGRAMS = [
-  { name: "circles", bound: 46, aim: 12 },
-  { name: "boxes", bound: 56, aim: 18 },
-  { name: "islands", bound: 57, aim: 18 },
-  { name: "everything", bound: 88, aim: 40 },
-  // What joints tie is solved alone where its island is too dear: 1.2 kB.
-  { name: "joints", bound: 81.1, aim: 40 },
+  // Sensors that report what passes them take 2 kB of each: a shape's def says only when the program runs
+  // whether it is a sensor, so that no linker can leave them out.
+  { name: "circles", bound: 48.2, aim: 12 },
+  { name: "boxes", bound: 58.2, aim: 18 },
+  { name: "islands", bound: 60.3, aim: 18 },
+  // Queries that leave edits waiting and reasons of refusals take 2 kB.
+  { name: "everything", bound: 92.8, aim: 40 },
+  // Rows solved together, both limits and the bracing of torn joints take 5 kB.
+  { name: "joints", bound: 88.1, aim: 40 },
 ];
 
 const sources = readdirSync(`${root}engine/src`, { recursive: true })
