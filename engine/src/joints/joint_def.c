@@ -61,8 +61,8 @@ void td_joint_look_at_drive(const thud_world *w, int kind, int direction, const 
     static const char *const not_driven[TD_JOINT_DIRECTIONS] = {
         "joint drive: a joint of this kind has none along, where limits, spring and motor do nothing",
         "joint drive: a joint of this kind has none across, where limits, spring and motor do nothing",
-        "joint drive: a joint of this kind has none of turn, where limits, spring and motor do "
-        "nothing"};
+        ("joint drive: a joint of this kind has none of turn, where limits, spring and motor do "
+         "nothing")};
     if (!(td_joint_drivable(kind) >> direction & 1u)) {
         if (d->limited || d->frequency != 0.0f || d->motor_force != 0.0f) {
             td_refuse(w, THUD_OK, not_driven[direction]);
