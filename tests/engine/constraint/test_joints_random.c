@@ -4,6 +4,7 @@
  * move by bending something. Nothing drives them and nothing bounces, so that no energy may come
  * in. */
 #include "every_choice.h"
+#include "joint_random.h"
 #include "joint_support.h"
 
 enum { WORLDS = 40, STEPS = 240, BODIES_MOST = 10 };
@@ -18,34 +19,20 @@ typedef struct mechanism {
     uint64_t seed;
 } mechanism;
 
-static double next(mechanism *m) {
-    m->seed = m->seed * 6364136223846793005ull + 1442695040888963407ull;
-    return (double)(m->seed >> 11) * 0x1p-53;
-}
-
-static double between_two(mechanism *m, double low, double high) {
-    return low + (high - low) * next(m);
-}
-
-/* As often in each octave. */
-static double in_octaves(mechanism *m, double low, double high) {
-    return exp(between_two(m, log(low), log(high)));
-}
-
 /* The first one may be static. They meet the floor alone. */
 static void add_one(mechanism *m, double height, double ratio) {
     int i = m->bodies++;
     thud_shape_def def = thud_default_shape_def();
-    thud_body_kind kind = i == 0 && next(m) < 0.5 ? THUD_STATIC : THUD_DYNAMIC;
-    m->place[i] = (thud_pos){between_two(m, -m->size, m->size), 0};
-    m->place[i].y = height + between_two(m, -m->size, m->size);
-    m->angle[i] = next(m) < 0.5 ? 0 : between_two(m, -3, 3);
+    thud_body_kind kind = i == 0 && next_number(&m->seed) < 0.5 ? THUD_STATIC : THUD_DYNAMIC;
+    m->place[i] = (thud_pos){between_two(&m->seed, -m->size, m->size), 0};
+    m->place[i].y = height + between_two(&m->seed, -m->size, m->size);
+    m->angle[i] = next_number(&m->seed) < 0.5 ? 0 : between_two(&m->seed, -3, 3);
     m->body[i] = add_body(m->world, kind, m->place[i].x, m->place[i].y, m->angle[i]);
-    def.density = (float)in_octaves(m, 1, ratio);
+    def.density = (float)in_octaves(&m->seed, 1, ratio);
     def.filter.category = 2;
     def.filter.mask = 1;
-    bool round = next(m) < 0.4;
-    float hx = (float)in_octaves(m, 0.05, 0.6), hy = (float)in_octaves(m, 0.05, 0.6);
+    bool round = next_number(&m->seed) < 0.4;
+    float hx = (float)in_octaves(&m->seed, 0.05, 0.6), hy = (float)in_octaves(&m->seed, 0.05, 0.6);
     add_shape(m->world, m->body[i], hx, round ? 0 : hy, false, &def);
     m->mass += kind == THUD_DYNAMIC ? state_of(m->world, m->body[i]).mass : 0;
 }
@@ -59,11 +46,12 @@ static thud_joint_frame frame_at(const mechanism *m, int i, double x, double y, 
 
 static void tie(mechanism *m, int a, int b, double height) {
     static const thud_joint_kind kinds[] = {THUD_HINGE, THUD_WELD, THUD_SLIDER, THUD_DISTANCE};
-    thud_joint_def def = thud_default_joint_def(kinds[(int)between_two(m, 0, 4)]);
-    bool middle = next(m) < 0.5;
-    double x = between_two(m, -m->size, m->size), y = between_two(m, -m->size, m->size) + height;
-    double axis = between_two(m, -3, 3), to_x = between_two(m, 0.1, 1),
-           to_y = between_two(m, -1, 1);
+    thud_joint_def def = thud_default_joint_def(kinds[(int)between_two(&m->seed, 0, 4)]);
+    bool middle = next_number(&m->seed) < 0.5;
+    double x = between_two(&m->seed, -m->size, m->size),
+           y = between_two(&m->seed, -m->size, m->size) + height;
+    double axis = between_two(&m->seed, -3, 3), to_x = between_two(&m->seed, 0.1, 1),
+           to_y = between_two(&m->seed, -1, 1);
     if (middle) {
         x = (m->place[a].x + m->place[b].x) / 2;
         y = (m->place[a].y + m->place[b].y) / 2;
@@ -88,18 +76,18 @@ static mechanism make_one(int seed, const thud_quality *quality, const thud_dete
     def.sleeping = false;
     m.world = make_world(def);
     for (int i = 0; i < 8; i++) {
-        next(&m);
+        next_number(&m.seed);
     }
-    m.size = in_octaves(&m, 0.3, 3);
-    double height = meets_floor ? 2 * m.size : 0, ratio = next(&m) < 0.5 ? 1 : 100;
-    int bodies = 2 + (int)between_two(&m, 0, 9);
+    m.size = in_octaves(&m.seed, 0.3, 3);
+    double height = meets_floor ? 2 * m.size : 0, ratio = next_number(&m.seed) < 0.5 ? 1 : 100;
+    int bodies = 2 + (int)between_two(&m.seed, 0, 9);
     for (int i = 0; i < bodies; i++) {
         add_one(&m, height, ratio);
     }
-    int more = next(&m) < 0.5 ? 0 : (int)between_two(&m, 0, bodies + 1);
+    int more = next_number(&m.seed) < 0.5 ? 0 : (int)between_two(&m.seed, 0, bodies + 1);
     for (int i = 1; i < bodies + more; i++) {
-        int b = i < bodies ? i : (int)between_two(&m, 0, bodies);
-        int a = (int)between_two(&m, 0, i < bodies ? i : bodies);
+        int b = i < bodies ? i : (int)between_two(&m.seed, 0, bodies);
+        int a = (int)between_two(&m.seed, 0, i < bodies ? i : bodies);
         if (a != b) {
             tie(&m, a, b, height);
         }

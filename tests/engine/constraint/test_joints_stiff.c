@@ -2,6 +2,7 @@
  * rest length and swing down to a floor, of boxes large and small. Nothing drives them, so that no
  * energy may come in. */
 #include "every_choice.h"
+#include "joint_random.h"
 #include "joint_support.h"
 
 enum { WORLDS = 12, STEPS = 120, BOXES = 6 };
@@ -18,22 +19,8 @@ typedef struct chain {
     uint64_t seed;
 } chain;
 
-static double next(chain *c) {
-    c->seed = c->seed * 6364136223846793005ull + 1442695040888963407ull;
-    return (double)(c->seed >> 11) * 0x1p-53;
-}
-
-static double between_two(chain *c, double low, double high) {
-    return low + (high - low) * next(c);
-}
-
-/* As often in each octave. */
-static double in_octaves(chain *c, double low, double high) {
-    return exp(between_two(c, log(low), log(high)));
-}
-
 static double some_damping(chain *c) {
-    double ratio = between_two(c, -0.5, 2);
+    double ratio = between_two(&c->seed, -0.5, 2);
     return ratio < 0 ? 0 : ratio;
 }
 
@@ -44,7 +31,7 @@ static void tie(chain *c, tie_kind kind, thud_body_id a, thud_body_id b, double 
         between(kinds[kind], a, b, (thud_vec2){(float)arm_a, 0}, (thud_vec2){(float)-arm_b, 0});
     for (int k = 0; k < THUD_DIRECTION_COUNT; k++) {
         if (kind == SOFT_WELD || k == (kind == SPRING ? THUD_ALONG : THUD_TURN)) {
-            def.drive[k].frequency = (float)in_octaves(c, 1, THUD_JOINT_FREQUENCY_MAX);
+            def.drive[k].frequency = (float)in_octaves(&c->seed, 1, THUD_JOINT_FREQUENCY_MAX);
             def.drive[k].damping = (float)some_damping(c);
         }
     }
@@ -60,7 +47,7 @@ static chain hang(int seed, tie_kind kind, const thud_quality *quality,
     thud_world_def def = def_of(quality);
     chain c = {.seed = (uint64_t)seed * 7919 + 13};
     for (int i = 0; i < 8; i++) {
-        next(&c);
+        next_number(&c.seed);
     }
     def.detection = detection;
     def.sleeping = false;
@@ -69,17 +56,17 @@ static chain hang(int seed, tie_kind kind, const thud_quality *quality,
     thud_shape_def shape = thud_default_shape_def();
     shape.filter.category = 2;
     shape.filter.mask = 1; /* they meet the floor alone */
-    double arm = kind == SPRING ? in_octaves(&c, 0.05, 0.25) : in_octaves(&c, 0.1, 0.5);
-    double gap = kind == SPRING ? GAP : 0, slope = between_two(&c, -0.7, 0), along = 0;
+    double arm = kind == SPRING ? in_octaves(&c.seed, 0.05, 0.25) : in_octaves(&c.seed, 0.1, 0.5);
+    double gap = kind == SPRING ? GAP : 0, slope = between_two(&c.seed, -0.7, 0), along = 0;
     c.size = BOXES * (gap + 2 * arm);
     double height = 0.8 * c.size + 0.5;
     thud_body_id above = add_body(c.world, THUD_STATIC, 0, height, slope);
     for (int i = 0; i < BOXES; i++) {
-        double half = in_octaves(&c, kind == SPRING ? arm : 0.05, 0.5);
+        double half = in_octaves(&c.seed, kind == SPRING ? arm : 0.05, 0.5);
         along += gap + arm;
         thud_body_id box =
             add_body(c.world, THUD_DYNAMIC, along * cos(slope), height + along * sin(slope), slope);
-        add_shape(c.world, box, (float)half, (float)(half * between_two(&c, 0.3, 1)), false,
+        add_shape(c.world, box, (float)half, (float)(half * between_two(&c.seed, 0.3, 1)), false,
                   &shape);
         tie(&c, kind, above, box, i ? arm : 0, arm);
         above = box;
