@@ -18,7 +18,7 @@ hash has to be that of the reference row, whose scenes have to end as tests/gold
   --list           names the rows
   --quick          half the steps, and fewer bodies, on every row; emulated ones always have that
   --allow-missing  a row whose tools cannot be installed is left out instead of failing
-  --report         writes the table into README.md; for all rows, on a tree without changes
+  --report         writes the table into docs/platforms.md; for all rows, on a tree without changes
 
 What a row builds and prints stays in build/matrix. With THUD_MATRIX_FLAGS_OF_ROW set to "ROW FLAGS"
 the build of that row gets further compiler flags for the engine: to see that a row can fail.
@@ -307,7 +307,7 @@ $(tail -n 20 build/matrix/reference.log)"
     python3 $MATRIX/verdict.py "$@" $matrix_rows || failed=yes
     if [ "$matrix_report" = yes ]; then
         python3 $MATRIX/verdict.py report "$(git rev-parse --short HEAD)"
-        say "The table is in README.md"
+        say "The table is in docs/platforms.md"
     fi
     [ "${failed:-no}" = no ] || die "rows differ, are refused or missing: see the table"
 }

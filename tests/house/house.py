@@ -3,7 +3,7 @@
   order       a file of engine/src includes only what stands above it in the list of
               engine/CMakeLists.txt, and a stage no other stage; calls.py has the same of calls
   listed      every file of engine/src has its one line in that list, every line has its file
-  folders     the README names each folder of engine/src
+  folders     docs/architecture.md has a row for each folder of engine/src
   cycles      no file includes itself, however far round
   public      a public header includes only public headers and the C library's
   outside     demo/ and web/ speak to the engine through its public headers alone
@@ -112,11 +112,11 @@ def check_listed(root, listing):
 
 def check_folders(root):
     folders = {Path(name).parent.as_posix() for name in source_names(root)}
-    readme = root / "README.md"
-    text = read(readme) if readme.is_file() else ""
+    page = root / "docs/architecture.md"
+    text = read(page) if page.is_file() else ""
     for folder in sorted(folders):
-        if not re.search(rf"^  {re.escape(folder)}/ ", text, re.MULTILINE):
-            yield f"folders: README.md has no line for {SOURCES}/{folder}"
+        if not re.search(rf"^\| `{re.escape(folder)}` \|", text, re.MULTILINE):
+            yield f"folders: docs/architecture.md has no row for {SOURCES}/{folder}"
 
 
 def check_order(graph, listing):

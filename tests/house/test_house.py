@@ -22,10 +22,9 @@ LISTING = """set(THUD_SOURCES
     src/api/step.c
 )
 """
-README = "engine/src/\n" + "".join(f"  {folder}/  files\n"
-                                   for folder in ("base", "solver", "state", "api"))
+ROOMS = "".join(f"| `{folder}` | files |\n" for folder in ("base", "solver", "state", "api"))
 HEALTHY = {
-    "README.md": README,
+    "docs/architecture.md": ROOMS,
     "engine/CMakeLists.txt": LISTING,
     "engine/include/thud/thud.h": '#include "thud_math.h"\n',
     "engine/include/thud/thud_math.h": "#include <stdint.h>\n",
@@ -101,9 +100,9 @@ class HouseTest(unittest.TestCase):
         self.assert_noticed("listed: engine/src/base/base.h has 2 lines", {
             "engine/CMakeLists.txt": LISTING.replace("    # numbers\n", "    src/base/base.h\n")})
 
-    def test_folder_without_a_line_in_the_readme_is_noticed(self):
-        self.assert_noticed("folders: README.md has no line for engine/src/state", {
-            "README.md": README.replace("state", "estate")})
+    def test_folder_without_a_row_in_the_architecture_is_noticed(self):
+        self.assert_noticed("folders: docs/architecture.md has no row for engine/src/state", {
+            "docs/architecture.md": ROOMS.replace("state", "estate")})
 
     def test_public_header_that_includes_src_is_noticed(self):
         self.assert_noticed("public: engine/include/thud/thud.h", {

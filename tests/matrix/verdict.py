@@ -3,7 +3,7 @@
   verdict.py row ROW                        one row's outcome, into its folder, and a line of it
   verdict.py summary [--allow-missing] ROW...  the table of these rows; exits with 1 if any of them
                                             disagrees with the reference
-  verdict.py report COMMIT                  the table of all rows, into README.md
+  verdict.py report COMMIT                  the table of all rows, into docs/platforms.md
 
 The folders are in build/matrix/rows, as tools/matrix.sh leaves them: of each row what it printed
 (own.out), what came of the reference's snapshots (from-reference.out) and of snapshots of its own
@@ -16,6 +16,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+PAGE = "docs/platforms.md"
 BEGIN, END = "<!-- matrix -->", "<!-- end of matrix -->"
 OTHER_BUILD = "refused: restore: the snapshot is of another version or build of thud"
 KINDS = ("scene", "exact", "swept", "level")
@@ -179,11 +180,11 @@ def summary_of(rows, outcomes):
     return "\n".join(text)
 
 
-def with_table(readme, table, commit):
-    """The text of README.md with the table between its marks."""
+def with_table(page, table, commit):
+    """The text of the page with the table between its marks."""
     head = f"By `./run matrix --report`, at {commit}:\n\n"
     return re.sub(f"{re.escape(BEGIN)}.*?{re.escape(END)}",
-                  lambda _: f"{BEGIN}\n{head}{table}{END}", readme, count=1, flags=re.DOTALL)
+                  lambda _: f"{BEGIN}\n{head}{table}{END}", page, count=1, flags=re.DOTALL)
 
 
 def load(names, folders):
@@ -199,10 +200,10 @@ def main(words):
         print(f".. {words[1]}: {verdict_of(outcome)}, {outcome['seconds']} s", flush=True)
         return 0
     if words[0] == "report":
-        readme = ROOT / "README.md"
-        text = with_table(readme.read_text(encoding="utf-8"), table_of(rows, load(rows, folders)),
+        page = ROOT / PAGE
+        text = with_table(page.read_text(encoding="utf-8"), table_of(rows, load(rows, folders)),
                           words[1])
-        readme.write_text(text, encoding="utf-8")
+        page.write_text(text, encoding="utf-8")
         return 0
     allowed = {"agrees", "refused"} | ({"not had"} if "--allow-missing" in words else set())
     outcomes = load([word for word in words[1:] if word != "--allow-missing"], folders)

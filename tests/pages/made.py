@@ -83,20 +83,26 @@ def loose_notes(page):
     return loose_prose("tests/" + NOTES[page], notes, prose.stray_numbers(notes))
 
 
-def loose_readme(docs):
-    text, notes = read(readme.README), read(readme.NOTES)
+def loose_document(name, docs):
+    """What README.md or docs/features.md says otherwise than its notes make it."""
+    text, notes = read(readme.path_of(name)), read(readme.DOCUMENTS[name])
+    notes_name = os.path.relpath(readme.DOCUMENTS[name], measured.ROOT)
     own = readme.GIVEN_THERE.sub("", notes)
-    wrong = loose_prose("tests/pages/readme-notes.md", own, prose.stray_numbers(own))
-    wrong += loose_prose("README.md", text, readme.stray_numbers(text, notes))
-    wrong += [f"README.md: '{phrase}' is given and not written" for found in
+    wrong = loose_prose(notes_name, own, prose.stray_numbers(own))
+    wrong += loose_prose(name, text, readme.stray_numbers(text, notes))
+    wrong += [f"{name}: '{phrase}' is given and not written" for found in
               readme.GIVEN_THERE.findall(notes) for phrase in map(str.strip, found.split(";"))
               if " ".join(phrase.split()) not in " ".join(text.split())]
     try:
         if readme.filled(text, notes, docs) != text:
-            wrong.append("README.md has other figures than docs/: python3 tests/pages/readme.py")
+            wrong.append(f"{name} has other figures than docs/: python3 tests/pages/readme.py")
     except ValueError as error:
-        wrong.append(f"tests/pages/readme-notes.md: {error}")
+        wrong.append(f"{notes_name}: {error}")
     return wrong
+
+
+def loose_documents(docs):
+    return [line for name in readme.DOCUMENTS for line in loose_document(name, docs)]
 
 
 def uncovered(docs):
@@ -124,4 +130,4 @@ def wrong(docs=measured.DOCS):
     found = pictures_without_commit(docs)
     for page in WRITERS:
         found += not_as_made(page, docs) + wrong_commit(page, docs) + loose_notes(page)
-    return found + loose_readme(docs) + sources.wrong(docs) + uncovered(docs)
+    return found + loose_documents(docs) + sources.wrong(docs) + uncovered(docs)

@@ -155,7 +155,7 @@ class Pages(unittest.TestCase):
         self.assertTrue(any("performance.md" in line
                             for line in made.not_as_made("performance", self.docs)))
         self.assertTrue(any("README.md has other figures" in line
-                            for line in made.loose_readme(self.docs)))
+                            for line in made.loose_documents(self.docs)))
 
     def test_figure_changed_in_the_json_is_noticed_in_headers_and_typings(self):
         def dearer(results):
@@ -190,10 +190,11 @@ class Pages(unittest.TestCase):
         self.assertEqual(len(made.pictures_without_commit(self.docs)), 14)
 
     def test_readme_with_an_old_figure_is_noticed(self):
-        text, notes = made.read(readme.README), made.read(readme.NOTES)
-        self.assertEqual(readme.stray_numbers(text, notes), [])
-        extra = text.replace("## The page\n", "## The page\n\nA step takes 4.2 ms.\n")
-        self.assertEqual([found[2] for found in readme.stray_numbers(extra, notes)], ["4.2 ms"])
+        for name, heading in (("README.md", "## In C\n"), ("docs/features.md", "# What thud does\n")):
+            text, notes = made.read(readme.path_of(name)), made.read(readme.DOCUMENTS[name])
+            self.assertEqual(readme.stray_numbers(text, notes), [])
+            extra = text.replace(heading, f"{heading}\nA step takes 4.2 ms.\n")
+            self.assertEqual([found[2] for found in readme.stray_numbers(extra, notes)], ["4.2 ms"])
 
 
 class Commits(unittest.TestCase):

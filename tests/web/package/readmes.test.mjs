@@ -27,7 +27,8 @@ const blocksOf = (file, language) =>
 
 /** What is looked at here or, of the rest, where: embed.c by examples/check.py, CMake by tests/package. */
 const BLOCKS = {
-  "README.md": { sh: 1, c: 1, cmake: 1, "": 1 },
+  "README.md": { sh: 1, c: 1, cmake: 1, js: 1 },
+  "docs/embedding.md": { cmake: 1 },
   "web/README.md": { js: 1, c: 1 },
   "web/package/README.md": { ts: 1 },
 };
@@ -42,16 +43,25 @@ test("every_block_of_code_is_known", () => {
   }
 });
 
+test("program_of_the_readme_prints_where_the_ball_rests", () => {
+  const [program] = blocksOf("README.md", "js");
+  const place = join(folder, "ball.mjs");
+  writeFileSync(place, program.replace('"thud"', JSON.stringify(`${root}web/package/dist/node.js`)));
+  const { status, stdout, stderr } = spawnSync(process.execPath, [place], { encoding: "utf8" });
+  assert.equal(status, 0, stderr);
+  assert.equal(stdout, "the ball rests at y = 0.50\n");
+});
+
 test("verbs_of_the_readme_are_those_of_run", () => {
   const help = execFileSync(`${root}run`, ["help"], { encoding: "utf8" });
-  const verbs = ["README.md", "web/README.md", "web/package/README.md"].flatMap((file) =>
+  const verbs = ["README.md", "docs/embedding.md", "web/README.md", "web/package/README.md"].flatMap((file) =>
     [...read(file).matchAll(/\.\/run ([a-z]+)/g)].map(([, verb]) => verb),
   );
   assert.ok(verbs.includes("package") && verbs.includes("demo"));
   for (const verb of new Set(verbs)) assert.match(help, new RegExp(`^  ${verb}\\b`, "m"), verb);
 });
 
-test("both_readmes_say_that_the_package_is_not_published_and_how_it_is_packed", () => {
+test("readmes_say_that_the_package_is_not_published_and_how_it_is_packed", () => {
   const { version } = JSON.parse(read("web/package/package.json"));
   for (const file of ["README.md", "web/README.md", "web/package/README.md"]) {
     const text = read(file);
@@ -123,9 +133,9 @@ function makeClone() {
   return clone;
 }
 
-test("games_run_on_a_fresh_clone_as_the_readme_says", () => {
+test("games_run_on_a_fresh_clone_as_the_document_says", () => {
   const clone = makeClone();
-  const [, command] = /`(npm install && node \w+\.mjs)`/.exec(read("README.md"));
+  const [, command] = /`(npm install && node \w+\.mjs)`/.exec(read("docs/embedding.md"));
   const offline = command.replace("npm install", "npm install --offline --omit=optional --no-audit --no-fund");
   const { status, stdout, stderr } = spawnSync("sh", ["-c", offline], {
     cwd: join(clone, "examples/games"),
