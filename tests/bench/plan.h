@@ -32,6 +32,7 @@ bench_plan bench_plan_quick(bench_plan plan);
 const scene_info *bench_scene(const char *name);
 
 /* The benchmark's own, in extra_scenes.c and joint_scenes.c. */
-extern const scene_info bench_rubble, bench_overlapping, bench_chains, bench_bridges;
+extern const scene_info bench_rubble, bench_overlapping, bench_chains, bench_bridges, bench_heap,
+    bench_boxed_bridge;
 
 #endif

@@ -37,8 +37,10 @@ static void assert_closed(scene *s) {
 
 static void all_start_with_closed_joints(void **state) {
     (void)state;
-    static void (*const BY_SIZE[])(scene *, int) = {fill_pendulum, fill_ragdolls, fill_joint_grid,
-                                                    fill_chains,   fill_bridges,  fill_cars};
+    static void (*const BY_SIZE[])(scene *, int) = {fill_pendulum,     fill_ragdolls,
+                                                    fill_joint_grid,   fill_chains,
+                                                    fill_bridges,      fill_cars,
+                                                    fill_ragdoll_heap, fill_boxed_bridge};
     static void (*const ALONE[])(scene *) = {fill_door, fill_four_bar};
     scene s;
     for (size_t i = 0; i < sizeof BY_SIZE / sizeof BY_SIZE[0]; i++) {

@@ -62,6 +62,22 @@ void fill_ragdolls(scene *s, int count) {
     }
 }
 
+void fill_ragdoll_heap(scene *s, int count) {
+    int columns = 1;
+    while (2 * columns * columns < count)
+        columns++;
+    double half = 0.75 * columns + 0.75;
+    scene_static_box(s, 0, -0.5, half + 2, 0.5);
+    scene_static_box(s, -half - 1, 20, 1, 20);
+    scene_static_box(s, half + 1, 20, 1, 20);
+    scene_random random = {7};
+    for (int i = 0; i < count; i++) {
+        double x =
+            1.5 * (i % columns - 0.5 * (columns - 1)) + scene_random_range(&random, -0.125, 0.125);
+        add_ragdoll(s, i, x, 0.25 + 2.25 * (i / columns), scene_random_range(&random, -2, 2));
+    }
+}
+
 void fill_joint_grid(scene *s, int side) {
     for (int column = 0; column < side; column++)
         for (int row = 0; row < side; row++) {

@@ -179,6 +179,18 @@ void fill_bridges(scene *s, int count) {
     }
 }
 
+void fill_boxed_bridge(scene *s, int planks) {
+    bridge_scene b = {.planks = planks, .span = 0.96 * planks};
+    int first = add_planks(s, 0, &b, 0, 0);
+    for (int i = 2; i < planks; i += 5) {
+        double x = s->bodies[first + i].x, y = s->bodies[first + i].y;
+        double angle = s->shapes[s->bodies[first + i].first_shape].angle;
+        s->material.density = 20;
+        scene_dynamic_box(s, x - 0.395 * sin(angle), y + 0.395 * cos(angle), 0.25, 0.25);
+        s->shapes[s->shape_count - 1].angle = angle;
+    }
+}
+
 void fill_pendulum(scene *s, int bars) {
     scene_static_box(s, 0, 0, 0.125, 0.125);
     belong(s, 0);

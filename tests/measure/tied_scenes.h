@@ -56,12 +56,16 @@ void fill_spring(scene *s, scene_joint_kind kind, double frequency, double dampi
 
 /* So many figures of 11 bodies and 10 hinges with limits fall on stairs. */
 void fill_ragdolls(scene *s, int count);
+/* The same figures fall into a pit, two as high as wide, where they lie in a heap. */
+void fill_ragdoll_heap(scene *s, int count);
 /* Circles hinged to those above and to the left, hung in the middle of the upper row. */
 void fill_joint_grid(scene *s, int side);
 /* Chains of 50 links with a ball of 10 times a link's mass, starting level. */
 void fill_chains(scene *s, int count);
 /* Bridges of 50 planks, and ten boxes that fall on each. */
 void fill_bridges(scene *s, int count);
+/* One bridge of so many planks, and a box on every fifth one, set down gently. */
+void fill_boxed_bridge(scene *s, int planks);
 /* Cars of a chassis and two wheels on suspensions, on bumps. */
 void fill_cars(scene *s, int count);
 

@@ -43,15 +43,18 @@ typedef struct thud_quality {
                             a body, a pyramid 1.9 µs. An island of joints alone may take eight
                             times what is left. Whatever this allows, islands with joints take a
                             bounded part of a frame together, more in worlds of over a thousand
-                            bodies; where it is spent they are left to the soft solver for some
-                            steps, and for twice as many each time that it happens again */
+                            bodies, and each at least the share of its own bodies of that; one that
+                            spends what it may take is left to the soft solver for some steps, and
+                            for twice as many each time that it happens again */
     int island_patience; /* 0 .. THUD_ISLAND_PATIENCE_MAX: steps in succession in which an island
                             may need more than eight matrices, or twenty times as many while it
                             hardly moves, before it is left to the soft solver for 120 steps, as it
                             is where the direct result is no good. Each time that happens again
                             before it was easy the pause doubles, up to 1920 steps, and where eight
                             matrices are more than island_work it is that at once. 0: any number,
-                            each step tried anew */
+                            each step tried anew; but an island with joints that could not be
+                            solved in eight steps in succession is left to the soft solver for 8,
+                            and for twice as many each time that it happens again, up to 128 */
 } thud_quality;
 
 extern THUD_API const thud_quality thud_quality_draft;

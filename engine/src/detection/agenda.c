@@ -2,6 +2,7 @@
 #include "detection/agenda.h"
 
 #include "constraint/constraint.h"
+#include "constraint/rings.h"
 #include "detection/collide.h"
 #include "detection/gaps.h"
 #include "detection/ghosts.h"
@@ -16,6 +17,13 @@ enum { MOST_GHOSTS = 16 }; /* of a pair, that it may meet on its way */
 
 static double later(double a, double b) {
     return a > b ? a : b;
+}
+
+/* What joints tie to others is left to the solver where it touches, as in td_gap_is_solvers: held
+ * where it presses, a vehicle would stand still for as long as its wheels do. */
+static bool is_tied(const thud_world *w, const td_toi_candidate *e) {
+    return td_is_tied(w, td_body_at(w, e->body[0])->awake) ||
+           td_is_tied(w, td_body_at(w, e->body[1])->awake);
 }
 
 /* Shapes that touch meet at once if they go on into each other. */
@@ -58,7 +66,7 @@ static bool meets_after(thud_world *w, const td_toi_candidate *e, const thud_det
     approach.tolerance = 0.1 * approach.target;
     if (approach.target <= TOUCHING * unit) {
         if (approach.on_ground) {
-            *hit = presses(w, e, now);
+            *hit = !is_tied(w, e) && presses(w, e, now);
             *time = *hit ? now : until;
             return *hit || until < 1.0;
         }

@@ -84,9 +84,9 @@ int64_t td_island_cost(const td_island *island);
 #define TD_COOLDOWN_STEPS 120
 #define TD_PAUSE_STEPS 8 /* the same of what joints hold, which cannot be left for long */
 /* thud_world.slow_steps holds two counts: up to TD_SLOW_STEPS, the steps in succession that took
- * the island's solver long, or while it is left alone, that what its joints tie could not be solved
- * by itself (linkages/linkages.c); and, in multiples of TD_SLOW_ONCE, how often the island was left
- * alone since a step that did not. */
+ * the island's solver long, or where no patience ends, that it could not be solved, or while it is
+ * left alone, that what its joints tie could not be solved by itself (linkages/linkages.c); and, in
+ * multiples of TD_SLOW_ONCE, how often the island was left alone since a step that did not. */
 #define TD_SLOW_STEPS 4095
 #define TD_SLOW_ONCE 4096
 #define TD_SLOW_LEFT(slow_steps) ((slow_steps) / TD_SLOW_ONCE)

@@ -290,7 +290,7 @@ static bool is_calm(const td_island_work *work) {
  * calm may be just being pushed apart, and gets more time. */
 static bool is_slow(const td_island_work *work) {
     int patience = work->w->quality.island_patience * (is_calm(work) ? CALM_PATIENCE : 1);
-    bool easy = work->problem.factorings <= EASY;
+    bool easy = work->problem.factorings <= EASY || patience == 0;
     int most = 0;
     for (int i = 0; i < work->island->bodies; i++) {
         uint16_t *slow_steps = td_slow_steps_at(work->w, work->slots[i]);
@@ -299,6 +299,23 @@ static bool is_slow(const td_island_work *work) {
         most = easy ? 0 : td_max_int(most, steps + 1);
     }
     return patience > 0 && most > td_min_int(patience, TD_SLOW_STEPS);
+}
+
+/* An island with joints that could not be solved in so many steps in succession is jammed: limbs
+ * that are caught in each other, which no velocities part. */
+enum { JAMMED_STEPS = 8 };
+
+/* Counts a step in which it could not be solved, where no patience counts them. Once it was left
+ * alone for that, and was not solved since, one such step will do. */
+static bool is_jammed(const td_island_work *work) {
+    bool jammed = false;
+    for (int i = 0; i < work->island->bodies; i++) {
+        uint16_t *slow_steps = td_slow_steps_at(work->w, work->slots[i]);
+        int steps = *slow_steps % TD_SLOW_ONCE;
+        jammed |= TD_SLOW_LEFT(*slow_steps) > 0 || steps + 1 >= JAMMED_STEPS;
+        *slow_steps = (uint16_t)(*slow_steps + (steps < TD_SLOW_STEPS));
+    }
+    return jammed;
 }
 
 void td_island_write_bodies(const td_island_work *work) {
@@ -329,16 +346,16 @@ static void write(const td_island_work *work) {
 enum { FEW_BODIES = 128 };
 
 /* An island for which even a few matrices cost more than the work of a whole step is left alone for
- * long; one on which all effort of the step was spent rests at any quality. */
-static void leave(thud_world *w, const td_island *island, bool joints, bool spent) {
-    if (w->quality.island_patience > 0 || spent) {
+ * long; one that has spent its effort of the step, or is jammed, rests at any quality. */
+static void leave(thud_world *w, const td_island *island, bool joints, bool rests) {
+    if (w->quality.island_patience > 0 || rests) {
         bool dear = EASY * td_island_cost(island) > w->quality.island_work;
         td_islands_leave(w, island, joints ? TD_PAUSE_STEPS : TD_COOLDOWN_STEPS, !joints && dear);
     }
 }
 
 bool td_island_solve(thud_world *w, const td_island *island) {
-    bool bounces = false, joints = false, spent = false;
+    bool bounces = false, joints = false, rests = false;
     w->stats.direct_islands++;
     w->stats.direct_bodies += island->bodies;
     if (td_island_patience(w, island) > 0) {
@@ -350,11 +367,14 @@ bool td_island_solve(thud_world *w, const td_island *island) {
             write(&work);
             return true;
         }
-        spent = work.problem.spent;
+        bool jammed =
+            w->quality.island_patience == 0 && work.joints > 0 && !bounces && is_jammed(&work);
+        joints |= jammed;
+        rests = work.problem.spent || jammed;
     }
     w->stats.soft_islands++;
     if (!bounces) {
-        leave(w, island, joints, spent);
+        leave(w, island, joints, rests);
     }
     return false;
 }

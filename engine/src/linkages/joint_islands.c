@@ -30,30 +30,44 @@ static bool find(thud_world *w) {
            td_islands_room(w, &s->work, TD_LATE_BODIES) && reserve_system(w);
 }
 
-/* What islands with joints may take in a step, in operations of some 7 ns each, whatever their
- * quality allows: loops that are stretched may take any number of Newton steps, and a matrix in
- * which each body is tied to many takes the cube of their number. In worlds of more bodies than
- * MANY it grows with them. */
-#define EFFORT 4000000
-enum { MANY = 1000 };
+/* Effort of islands with joints in a step, in operations of some 7 ns each, whatever their quality
+ * allows: loops that are stretched may take any number of Newton steps, and a matrix in which each
+ * body is tied to many takes the cube of their number. It is EFFORT_OF_BODY for each body of the
+ * world, or of MANY bodies where there are fewer. */
+enum { EFFORT_OF_BODY = 4000, MANY = 1000 };
 
 static void begin(thud_world *w) {
     td_islands_begin(w);
-    w->islands.effort = (int64_t)EFFORT / MANY * td_max_int(w->body_of.count, MANY);
+    w->islands.effort = (int64_t)EFFORT_OF_BODY * td_max_int(w->body_of.count, MANY);
     memcpy(w->islands.start.data, w->velocity.data, (size_t)w->body_of.count * sizeof(float[4]));
     w->islands.adds_up = w->islands.island.count || td_linkages_may_come(w);
 }
 
 /* ---- after it ---- */
 
-static void end(thud_world *w) {
+/* Each island may take what its own bodies bring, and what islands before it have left: a heap that
+ * takes all it can leaves those that come after it their share. */
+static td_system solve_found(thud_world *w) {
     td_islands *s = &w->islands;
     td_system last = {0};
+    int64_t kept = 0;
+    for (int i = 0; i < s->island.count; i++) {
+        kept += (int64_t)EFFORT_OF_BODY * TD_AT(td_island, &s->island, i)->bodies;
+    }
     for (int i = 0; i < s->island.count; i++) {
         const td_island *island = TD_AT(td_island, &s->island, i);
+        kept -= (int64_t)EFFORT_OF_BODY * island->bodies;
+        s->effort -= kept;
         td_joint_island_solve(w, island);
+        s->effort += kept;
         last = island->system;
     }
+    return last;
+}
+
+static void end(thud_world *w) {
+    td_islands *s = &w->islands;
+    td_system last = solve_found(w);
     if (td_islands_watch(w)) {
         td_late_solve(w, last);
     }

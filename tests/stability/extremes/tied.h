@@ -8,7 +8,7 @@
 static const double DEGREES = 57.295779513082321; /* in a radian */
 
 /* What one entrant made of a scene: any number of figures. */
-enum { TIED_FIGURES = 3 };
+enum { TIED_FIGURES = 4 };
 typedef struct tied_outcome {
     double value[TIED_FIGURES];
 } tied_outcome;
