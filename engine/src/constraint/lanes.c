@@ -72,14 +72,15 @@ static int take_block(thud_world *w, int kind) {
 /* A block is rows of eight words, all but the one that is the block's own. */
 enum { ROW = (int)sizeof(f8), OWN_ROW = (int)offsetof(td_block, next) / ROW };
 
+/* Copies that row along and puts it back, which takes no test in each row. */
 static void copy_lane(td_block *to, int to_lane, const td_block *from, int from_lane, int bytes) {
     uint32_t *t = (uint32_t *)to + to_lane;
     const uint32_t *f = (const uint32_t *)from + from_lane;
+    uint32_t own = t[OWN_ROW * TD_LANES];
     for (int row = 0; row < bytes / ROW; row++) {
-        if (row != OWN_ROW) {
-            t[row * TD_LANES] = f[row * TD_LANES];
-        }
+        t[row * TD_LANES] = f[row * TD_LANES];
     }
+    t[OWN_ROW * TD_LANES] = own;
     to->bouncy |= to->restitution[to_lane] > 0.0f;
     to->armed |= from->armed;
     to->shared |= from->shared;
@@ -89,12 +90,11 @@ static void copy_lane(td_block *to, int to_lane, const td_block *from, int from_
 
 /* An empty lane: no contact, no mass, and both bodies the dummy. */
 static void clear_lane(td_block *block, int lane, int bytes) {
-    uint32_t *t = (uint32_t *)block + lane;
+    uint32_t *t = (uint32_t *)block + lane, own = t[OWN_ROW * TD_LANES];
     for (int row = 0; row < bytes / ROW; row++) {
-        if (row != OWN_ROW) {
-            t[row * TD_LANES] = 0;
-        }
+        t[row * TD_LANES] = 0;
     }
+    t[OWN_ROW * TD_LANES] = own;
     block->constraint[lane] = TD_NONE;
     block->touching &= ~(1u << lane);
 }

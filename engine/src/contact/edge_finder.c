@@ -55,51 +55,80 @@ static unsigned corners_of_face(int face) {
  * either face. */
 #define LEAN 0.01
 
-static bool straightens(const td_internal_edge *s, const thud_shape_instance *box, int neighbour,
-                        bool right, bool top) {
-    double u = right ? 1.0 : -1.0, v = top ? 1.0 : -1.0, x, y, nx, ny, mx, my;
-    double level = 0.5 * LEAN * (box->hx < box->hy ? box->hx : box->hy);
-    td_from_frame(box, u * box->hx, v * box->hy, &x, &y);
-    td_from_frame(box, u, LEAN * v, &nx, &ny);
-    td_from_frame(box, LEAN * u, v, &mx, &my);
-    x += box->x;
-    y += box->y;
-    return td_internal_edge_holds(s, neighbour, x, y, TD_FLUSH * s->unit) &&
-           td_internal_edge_rises(s, neighbour, x, y, nx, ny, level) &&
-           td_internal_edge_rises(s, neighbour, x, y, mx, my, level);
-}
+/* The parts of a box that neighbours are asked about, worked out for the first of them. */
+typedef struct box_parts {
+    bool known;
+    double x[4], y[4]; /* corners: bit 0 of the number tells right, bit 1 top */
+    thud_shape_instance strip[TD_FACES];
+} box_parts;
 
-/* Notes what of a box a neighbour stands at and hides. */
-static void note_box(const td_internal_edge *s, int shape, const thud_shape_instance *box,
-                     int neighbour) {
-    const td_shape *noted = td_shape_at(s->w, shape);
-    unsigned internal_edges = noted->internal_edges, hidden = noted->hidden, held = 0;
-    thud_shape_instance other = td_internal_edge_place(s, neighbour);
-    bool solid = !td_kind_is_line(other.kind) && alike(s->w, shape, neighbour);
+static void find_parts(box_parts *parts, const thud_shape_instance *box, double width) {
+    parts->known = true;
     for (int k = 0; k < 4; k++) {
         double x, y;
         td_from_frame(box, k & 1 ? box->hx : -box->hx, k & 2 ? box->hy : -box->hy, &x, &y);
-        bool here =
-            td_internal_edge_holds(s, neighbour, box->x + x, box->y + y, TD_FLUSH * s->unit);
-        held |= here ? td_corner_bit(k & 1, k >> 1 & 1) : 0;
-        bool straight = here && solid && straightens(s, box, neighbour, k & 1, k >> 1 & 1);
-        hidden |= straight ? td_corner_bit(k & 1, k >> 1 & 1) : 0;
+        parts->x[k] = box->x + x;
+        parts->y[k] = box->y + y;
     }
     for (int f = 0; f < TD_FACES; f++) {
-        thud_shape_instance strip = strip_of(box, f, TD_FLUSH * s->unit);
-        bool covered = td_internal_edge_meets(s, neighbour, strip);
+        parts->strip[f] = strip_of(box, f, width);
+    }
+}
+
+/* Of a corner at (x, y) that the neighbour holds. */
+static bool straightens(const td_internal_edge *s, int neighbour, const thud_shape_instance *placed,
+                        int corner, double x, double y) {
+    const thud_shape_instance *box = &s->a;
+    double u = corner & 1 ? 1.0 : -1.0, v = corner & 2 ? 1.0 : -1.0, nx, ny, mx, my;
+    double level = 0.5 * LEAN * (box->hx < box->hy ? box->hx : box->hy);
+    td_from_frame(box, u, LEAN * v, &nx, &ny);
+    td_from_frame(box, LEAN * u, v, &mx, &my);
+    return td_internal_edge_rises(s, neighbour, placed, x, y, nx, ny, level) &&
+           td_internal_edge_rises(s, neighbour, placed, x, y, mx, my, level);
+}
+
+/* Notes what of a box a neighbour stands at and hides. */
+static bool note_own(const td_internal_edge *s, int neighbour, void *context) {
+    box_parts *parts = context;
+    double width = TD_FLUSH * s->unit;
+    if (!parts->known) {
+        find_parts(parts, &s->a, width);
+    }
+    const td_shape *noted = td_shape_at(s->w, s->shape);
+    unsigned internal_edges = noted->internal_edges, hidden = noted->hidden, held = 0;
+    thud_shape_instance other = td_internal_edge_place(s, neighbour);
+    bool solid = !td_kind_is_line(other.kind) && alike(s->w, s->shape, neighbour);
+    for (int k = 0; k < 4; k++) {
+        double x = parts->x[k], y = parts->y[k];
+        if (td_internal_edge_holds(s, neighbour, &other, x, y, width)) {
+            unsigned bit = td_corner_bit(k & 1, k >> 1 & 1);
+            held |= bit;
+            hidden |= solid && straightens(s, neighbour, &other, k, x, y) ? bit : 0;
+        }
+    }
+    for (int f = 0; f < TD_FACES; f++) {
+        bool covered = td_internal_edge_meets(s, neighbour, &other, &parts->strip[f]);
         internal_edges |= (unsigned)covered << f;
         /* A convex shape that holds both ends of a face holds all of it. */
         bool whole = covered && solid && (held & corners_of_face(f)) == corners_of_face(f);
         hidden |= (unsigned)whole << f;
     }
-    set(s->w, shape, internal_edges | held, hidden);
+    set(s->w, s->shape, internal_edges | held, hidden);
+    return false;
+}
+
+/* Of a box that stands at nothing as far as is noted. */
+static void note_neighbours(const td_internal_edge *s) {
+    box_parts parts;
+    parts.known = false;
+    td_internal_edge_any(s, &s->a, note_own, &parts);
 }
 
 /* A line's end is sealed where a neighbour reaches up to it from outside. */
 static uint8_t ends_at(const td_internal_edge *s, int terrain_shape, int neighbour) {
     thud_terrain t = td_terrain_view(s->w, terrain_shape);
     thud_shape_instance at = td_shape_instance(s->w, terrain_shape, s->origin);
+    thud_shape_instance other = td_internal_edge_place(s, neighbour);
     double out = TD_FLUSH * s->unit;
     if (t.kind == THUD_TERRAIN_FLAT) {
         return 0;
@@ -107,15 +136,10 @@ static uint8_t ends_at(const td_internal_edge *s, int terrain_shape, int neighbo
     double right = td_terrain_x(&t, t.count - 1), left = td_terrain_x(&t, 0);
     double last = t.points[t.count - 1].y, first = t.points[0].y;
     bool at_right =
-        td_internal_edge_holds(s, neighbour, at.x + right + out, at.y + last - out, out);
-    bool at_left = td_internal_edge_holds(s, neighbour, at.x + left - out, at.y + first - out, out);
+        td_internal_edge_holds(s, neighbour, &other, at.x + right + out, at.y + last - out, out);
+    bool at_left =
+        td_internal_edge_holds(s, neighbour, &other, at.x + left - out, at.y + first - out, out);
     return (uint8_t)(at_right << TD_FACE_RIGHT | at_left << TD_FACE_LEFT);
-}
-
-static bool note_own(const td_internal_edge *s, int neighbour, void *context) {
-    (void)context;
-    note_box(s, s->shape, &s->a, neighbour);
-    return false;
 }
 
 static bool reserve(thud_world *w) {
@@ -130,7 +154,7 @@ bool td_internal_edges_see(thud_world *w, int shape) {
     }
     td_shape_at(w, shape)->flags &= (uint8_t)~TD_SHAPE_UNSEEN;
     set(w, shape, 0, 0);
-    td_internal_edge_any(&s, &s.a, note_own, NULL);
+    note_neighbours(&s);
     return true;
 }
 
@@ -244,10 +268,11 @@ bool td_internal_edges_lose(thud_world *w, td_body_index body) {
 void td_internal_edges_join(thud_world *w, td_body_index body) {
     const td_body *b = td_body_at(w, body);
     for (int i = b->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
-        td_internal_edge s = td_internal_edge_of(w, i, TD_NONE);
-        if (td_kind_is_box(s.a.kind) && !(td_shape_at(w, i)->flags & TD_SHAPE_HOLLOW)) {
+        const td_shape *shape = td_shape_at(w, i);
+        if (td_kind_is_box(shape->kind) && !(shape->flags & TD_SHAPE_HOLLOW)) {
+            td_internal_edge s = td_internal_edge_of(w, i, TD_NONE);
             set(w, i, 0, 0);
-            td_internal_edge_any(&s, &s.a, note_own, NULL);
+            note_neighbours(&s);
         }
     }
 }

@@ -51,7 +51,10 @@ bool td_is_ground(const thud_world *w, int shape) {
            !(td_body_at(w, s->body)->flags & TD_BODY_DISABLED);
 }
 
-thud_shape_instance td_internal_edge_own_place(const td_internal_edge *s, int neighbour) {
+thud_shape_instance td_internal_edge_place(const td_internal_edge *s, int neighbour) {
+    if (!s->moves) {
+        return td_shape_instance(s->w, neighbour, s->origin);
+    }
     const td_shape *n = td_shape_at(s->w, neighbour), *first = td_shape_at(s->w, s->shape);
     return (thud_shape_instance){.kind = (thud_shape_kind)n->kind,
                                  .x = (double)(n->x - first->x),
@@ -62,23 +65,22 @@ thud_shape_instance td_internal_edge_own_place(const td_internal_edge *s, int ne
                                  .hy = (double)n->half_y};
 }
 
-bool td_internal_edge_holds(const td_internal_edge *s, int neighbour, double x, double y,
-                            double slack) {
-    thud_shape_instance n = td_internal_edge_place(s, neighbour);
+bool td_internal_edge_holds(const td_internal_edge *s, int neighbour, const thud_shape_instance *n,
+                            double x, double y, double slack) {
     thud_shape_instance point = {.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = slack};
-    switch (n.kind) {
+    switch (n->kind) {
     case THUD_CIRCLE:
-        return thud_shapes_overlap(&n, &point);
+        return thud_shapes_overlap(n, &point);
     case THUD_AABB:
     case THUD_OBB: {
         double u, v;
-        td_to_frame(&n, x - n.x, y - n.y, &u, &v);
-        return td_abs(u) <= n.hx + slack && td_abs(v) <= n.hy + slack;
+        td_to_frame(n, x - n->x, y - n->y, &u, &v);
+        return td_abs(u) <= n->hx + slack && td_abs(v) <= n->hy + slack;
     }
     case THUD_TERRAIN: {
         thud_terrain terrain = td_terrain_view(s->w, neighbour);
-        point.x -= n.x;
-        point.y -= n.y;
+        point.x -= n->x;
+        point.y -= n->y;
         return thud_terrain_overlap(&terrain, &point);
     }
     }
@@ -93,44 +95,44 @@ static bool ends_at(const td_internal_edge *s, const thud_terrain *t, int vertex
     return end && td_abs(at - x) <= 2.0 * TD_FLUSH * s->unit;
 }
 
-bool td_internal_edge_meets(const td_internal_edge *s, int neighbour, thud_shape_instance box) {
-    thud_shape_instance n = td_internal_edge_place(s, neighbour);
-    switch (n.kind) {
+bool td_internal_edge_meets(const td_internal_edge *s, int neighbour, const thud_shape_instance *n,
+                            const thud_shape_instance *box) {
+    switch (n->kind) {
     case THUD_CIRCLE:
-        return thud_shapes_overlap(&n, &box);
+        return thud_shapes_overlap(n, box);
     case THUD_AABB:
     case THUD_OBB:
-        return td_internal_edge_boxes_meet(&n, &box);
+        return td_internal_edge_boxes_meet(n, box);
     case THUD_TERRAIN: {
         thud_terrain terrain = td_terrain_view(s->w, neighbour);
-        box.x -= n.x;
-        box.y -= n.y;
-        return thud_terrain_overlap(&terrain, &box);
+        thud_shape_instance moved = *box;
+        moved.x -= n->x;
+        moved.y -= n->y;
+        return thud_terrain_overlap(&terrain, &moved);
     }
     }
     return false;
 }
 
-bool td_internal_edge_rises(const td_internal_edge *s, int neighbour, double x, double y, double nx,
-                            double ny, double level) {
-    thud_shape_instance n = td_internal_edge_place(s, neighbour);
-    double past = (n.x - x) * nx + (n.y - y) * ny;
-    if (td_kind_is_line(n.kind)) {
+bool td_internal_edge_rises(const td_internal_edge *s, int neighbour, const thud_shape_instance *n,
+                            double x, double y, double nx, double ny, double level) {
+    double past = (n->x - x) * nx + (n->y - y) * ny;
+    if (td_kind_is_line(n->kind)) {
         thud_terrain terrain = td_terrain_view(s->w, neighbour);
         double near = 2.0 * TD_FLUSH * s->unit; /* the ground further away is met on its own */
         int first, last;
-        thud_terrain_segments(&terrain, x - n.x - near, x - n.x + near, &first, &last);
+        thud_terrain_segments(&terrain, x - n->x - near, x - n->x + near, &first, &last);
         bool higher = ny < 0.0;
         for (int i = first; i <= last; i++) {
-            td_segment t = td_terrain_segment(&terrain, i, x - n.x - s->unit, x - n.x + s->unit);
+            td_segment t = td_terrain_segment(&terrain, i, x - n->x - s->unit, x - n->x + s->unit);
             higher |=
-                !ends_at(s, &terrain, i, t.p.x, x - n.x) && past + t.p.x * nx + t.p.y * ny > level;
-            higher |= !ends_at(s, &terrain, i + 1, t.q.x, x - n.x) &&
+                !ends_at(s, &terrain, i, t.p.x, x - n->x) && past + t.p.x * nx + t.p.y * ny > level;
+            higher |= !ends_at(s, &terrain, i + 1, t.q.x, x - n->x) &&
                       past + t.q.x * nx + t.q.y * ny > level;
         }
         return higher;
     }
-    return past + td_half_along(&n, nx, ny) > level;
+    return past + td_half_along(n, nx, ny) > level;
 }
 
 static bool asks(const td_internal_edge *s, int n, td_neighbour_fn *fn, void *context) {

@@ -32,21 +32,21 @@ td_internal_edge td_internal_edge_between(thud_world *w, int shape, int other,
 /* A static shape that others meet. */
 bool td_is_ground(const thud_world *w, int shape);
 
-/* Another shape of the same body. */
-thud_shape_instance td_internal_edge_own_place(const td_internal_edge *s, int neighbour);
+/* Where a neighbour stands, relative to the first shape and along the same axes. */
+thud_shape_instance td_internal_edge_place(const td_internal_edge *s, int neighbour);
 
-static inline thud_shape_instance td_internal_edge_place(const td_internal_edge *s, int neighbour) {
-    return s->moves ? td_internal_edge_own_place(s, neighbour)
-                    : td_shape_instance(s->w, neighbour, s->origin);
-}
+/* Three questions about a neighbour that stands where td_internal_edge_place says, which is asked
+ * once for all of them. */
 
 /* Whether the ground of a neighbour, `slack` thicker, holds a point. */
-bool td_internal_edge_holds(const td_internal_edge *s, int neighbour, double x, double y,
-                            double slack);
+bool td_internal_edge_holds(const td_internal_edge *s, int neighbour,
+                            const thud_shape_instance *placed, double x, double y, double slack);
 /* Whether a neighbour shares a point with a box. */
-bool td_internal_edge_meets(const td_internal_edge *s, int neighbour, thud_shape_instance box);
+bool td_internal_edge_meets(const td_internal_edge *s, int neighbour,
+                            const thud_shape_instance *placed, const thud_shape_instance *box);
 /* Whether a neighbour goes further than `level` past a point that it holds, along (nx, ny). */
-bool td_internal_edge_rises(const td_internal_edge *s, int neighbour, double x, double y, double nx,
+bool td_internal_edge_rises(const td_internal_edge *s, int neighbour,
+                            const thud_shape_instance *placed, double x, double y, double nx,
                             double ny, double level);
 
 typedef bool td_neighbour_fn(const td_internal_edge *s, int neighbour, void *context);

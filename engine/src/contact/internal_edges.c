@@ -33,13 +33,15 @@ typedef struct probe {
 
 static bool covers(const td_internal_edge *s, int neighbour, void *context) {
     const probe *p = context;
-    return td_internal_edge_holds(s, neighbour, p->x, p->y, 0.5 * TD_FLUSH * s->unit);
+    thud_shape_instance n = td_internal_edge_place(s, neighbour);
+    return td_internal_edge_holds(s, neighbour, &n, p->x, p->y, 0.5 * TD_FLUSH * s->unit);
 }
 
 static bool hides_corner(const td_internal_edge *s, int neighbour, void *context) {
     const probe *p = context;
-    return td_internal_edge_holds(s, neighbour, p->x, p->y, TD_FLUSH * s->unit) &&
-           td_internal_edge_rises(s, neighbour, p->x, p->y, p->nx, p->ny, LEVEL * s->unit);
+    thud_shape_instance n = td_internal_edge_place(s, neighbour);
+    return td_internal_edge_holds(s, neighbour, &n, p->x, p->y, TD_FLUSH * s->unit) &&
+           td_internal_edge_rises(s, neighbour, &n, p->x, p->y, p->nx, p->ny, LEVEL * s->unit);
 }
 
 /* A shape that covers a place touches the point there, so that no others need to be asked. */

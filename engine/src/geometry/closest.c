@@ -141,11 +141,17 @@ static double gap_along(const thud_shape_instance *a, const thud_shape_instance 
            td_shadow(b, c->nx, c->ny);
 }
 
-static void box_box(const thud_shape_instance *a, const thud_shape_instance *b, thud_closest *out) {
-    thud_closest corners = {.distance = 1e300};
+/* Separation along the axes of both boxes; whether the best is one of b's. */
+static bool try_all_axes(const thud_shape_instance *a, const thud_shape_instance *b,
+                         thud_closest *out) {
     out->distance = -1e300;
     try_axes(a, a, b, out);
-    bool face_of_b = try_axes(b, a, b, out);
+    return try_axes(b, a, b, out);
+}
+
+static void box_box(const thud_shape_instance *a, const thud_shape_instance *b, thud_closest *out) {
+    thud_closest corners = {.distance = 1e300};
+    bool face_of_b = try_all_axes(a, b, out);
     if (out->distance > 0.0) {
         try_corners(a, b, false, &corners);
         try_corners(b, a, true, &corners);
@@ -200,5 +206,13 @@ thud_result thud_shapes_closest(const thud_shape_instance *a, const thud_shape_i
 
 bool thud_shapes_overlap(const thud_shape_instance *a, const thud_shape_instance *b) {
     thud_closest closest;
+    if (a && b && td_kind_is_box(a->kind) && td_kind_is_box(b->kind)) {
+        /* A gap along an axis tells that they are apart, without the closest corners. One that may
+         * be rounding is left to those, which td_closest goes by. */
+        try_all_axes(a, b, &closest);
+        if (closest.distance > 1e-12 * (td_reach(a) + td_reach(b))) {
+            return false;
+        }
+    }
     return thud_shapes_closest(a, b, &closest) == THUD_OK && closest.distance <= 0.0;
 }

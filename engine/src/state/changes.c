@@ -29,13 +29,13 @@ static bool wake_touching(thud_world *w, td_body_index body) {
     return true;
 }
 
-/* Room for the end events of all its contacts. */
+/* Room for the end events of all its contacts, beyond what there is for a step that ends few. */
 static bool reserve_ends(thud_world *w, td_body_index body) {
     int count = 0;
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         count++;
     }
-    return td_contact_end_reserve(w, count);
+    return count == 0 || td_contact_end_reserve(w, count);
 }
 
 /* All contacts of the body, or of one of its shapes; `joints` too: and all else that ties it. */
@@ -176,7 +176,9 @@ static bool apply(thud_world *w, td_body_index index) {
     int changes = body->changes;
     int edits = TD_CHANGE_LEAVE | TD_CHANGE_SHAPES | TD_CHANGE_PLACE | TD_CHANGE_ENABLE;
     if (!reserve_ends(w, index) ||
-        ((changes & edits) && w->internal_edges && !w->internal_edges->lose(w, index)) ||
+        /* What enters has no neighbours yet. */
+        ((changes & edits) && !(changes & TD_CHANGE_ENTER) && w->internal_edges &&
+         !w->internal_edges->lose(w, index)) ||
         ((changes & edits || body->kind == THUD_KINEMATIC) && !wake_touching(w, index)) ||
         (changes != TD_CHANGE_SLEEP && !(changes & TD_CHANGE_LEAVE) && !td_wake(w, index))) {
         return false;
@@ -252,6 +254,9 @@ bool td_changes_apply(thud_world *w) {
     }
     w->paired = false;
     w->narrowed = 0;
+    if (!td_contact_end_reserve(w, 0)) {
+        return false;
+    }
     int done = 0;
     td_body_index *changed = w->changed.data;
     while (done < w->changed.count && apply(w, changed[done])) {

@@ -3,8 +3,13 @@
 
 #include "hostile_memory.h"
 
+#include "base/memory.h"
 #include "build_thud.h"
 #include "scenes.h"
+
+#if defined(__linux__)
+#include <sys/resource.h>
+#endif
 
 static thud_world *build(const char *name, int size) {
     scene s;
@@ -120,11 +125,62 @@ static void settled_world_allocates_nothing(void **state) {
     }
 }
 
+/* A step in which much grows pays a page fault for each page that is written to, so that room in
+ * arrays that nothing is in yet must not be. */
+static void room_that_nothing_is_in_touches_no_page(void **state) {
+    (void)state;
+#if defined(__linux__)
+    enum { BYTES = 64 << 20, PAGE = 4096 };
+    struct rusage before, after;
+    td_memory memory = td_memory_make((thud_allocator){0});
+    td_array array = {.stride = 64};
+    assert_int_equal(getrusage(RUSAGE_SELF, &before), 0);
+    assert_true(td_array_reserve(&memory, &array, BYTES / 64));
+    assert_int_equal(getrusage(RUSAGE_SELF, &after), 0);
+    long faults = after.ru_minflt - before.ru_minflt;
+    print_message("%ld page faults for %d MB of room\n", faults, BYTES >> 20);
+    assert_true(faults < BYTES / PAGE / 4); /* some are a sanitizer's, of its notes on the room */
+    for (int i = 0; i < BYTES; i += PAGE) {
+        assert_int_equal(((char *)array.data)[i], 0);
+    }
+    td_array_free(&memory, &array);
+    assert_int_equal(memory.bytes, 0);
+#else
+    skip(); /* nothing else tells page faults alike */
+#endif
+}
+
+static void rooms_of_all_sizes_are_zeroed_and_begin_a_cache_line(void **state) {
+    (void)state;
+    enum { ROOMS = 200 };
+    td_memory memory = td_memory_make((thud_allocator){0});
+    for (int round = 0; round < 3;
+         round++) { /* what was released comes again, and was written to */
+        char *rooms[ROOMS];
+        for (int i = 0; i < ROOMS; i++) {
+            size_t bytes = (size_t)(1 + i * i * 7);
+            rooms[i] = td_memory_get(&memory, bytes);
+            assert_non_null(rooms[i]);
+            assert_int_equal((uintptr_t)rooms[i] % 64, 0);
+            for (size_t k = 0; k < bytes; k++) {
+                assert_true(rooms[i][k] == 0);
+            }
+            memset(rooms[i], 0xff, bytes);
+        }
+        for (int i = 0; i < ROOMS; i++) {
+            td_memory_put(&memory, rooms[i], (size_t)(1 + i * i * 7));
+        }
+    }
+    assert_int_equal(memory.bytes, 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(step_after_failed_ones_is_the_same_step),
         cmocka_unit_test(creation_that_fails_leaves_nothing_behind),
         cmocka_unit_test(settled_world_allocates_nothing),
+        cmocka_unit_test(room_that_nothing_is_in_touches_no_page),
+        cmocka_unit_test(rooms_of_all_sizes_are_zeroed_and_begin_a_cache_line),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
