@@ -60,14 +60,17 @@ TD_INLINE void pull(td_block *const *blocks, int count, const td_solve_context *
 TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context *c, bool fixed) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
-        td_point *p = &block->point[0];
+        if (c->brace != TD_BRACE_GIVE) {
+            brace_given(block, c, fixed);
+            continue;
+        }
         td_hold_rows *h = td_hold_rows_of(block);
-        f8 length;
+        f8 length, u = block->point[0].normal_impulse;
         sides v = read_sides(c->velocity, block, fixed), d = read_sides(c->delta, block, fixed);
-        frame8 f = line_now(block, &d, fixed, p->base + h->turn_base, f8_all(0.0f), &length);
-        f8 kept = c->brace == TD_BRACE_KEEP ? p->separation : f8_all(1.0f);
-        f8 u = p->normal_impulse = kept * p->normal_impulse;
-        brace_lane(block, c, fixed, &v, &h->given, f.x * u, f.y * u, f.a_u * u, f.b_u * u);
+        frame8 f =
+            line_now(block, &d, fixed, block->point[0].base + h->turn_base, f8_all(0.0f), &length);
+        give_anew(block, fixed, &v, &h->given, f.x * u, f.y * u, f.a_u * u, f.b_u * u);
+        write_sides(c, block, fixed, &v);
     }
 }
 
