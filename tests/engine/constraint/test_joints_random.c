@@ -6,6 +6,7 @@
 #include "every_choice.h"
 #include "joint_random.h"
 #include "joint_support.h"
+#include "pool.h"
 
 enum { WORLDS = 40, FREE_WORLDS = 300, STEPS = 240, BODIES_MOST = 10 };
 
@@ -74,13 +75,9 @@ static void tie(mechanism *m, int a, int b, double height) {
     make(m->world, def);
 }
 
-static mechanism make_one(int seed, const thud_quality *quality, const thud_detection *detection,
-                          bool meets_floor) {
-    thud_world_def def = def_of(quality);
-    mechanism m = {.seed = (uint64_t)seed * 7919 + 13};
-    def.detection = detection;
-    def.sleeping = false;
-    m.world = make_world(def);
+/* Puts the mechanism of a seed into a world. */
+static mechanism add_mechanism(thud_world *world, int seed, bool meets_floor) {
+    mechanism m = {.world = world, .seed = (uint64_t)seed * 7919 + 13};
     for (int i = 0; i < 8; i++) {
         next_number(&m.seed);
     }
@@ -98,6 +95,15 @@ static mechanism make_one(int seed, const thud_quality *quality, const thud_dete
             tie(&m, a, b, height);
         }
     }
+    return m;
+}
+
+static mechanism make_one(int seed, const thud_quality *quality, const thud_detection *detection,
+                          bool meets_floor) {
+    thud_world_def def = def_of(quality);
+    def.detection = detection;
+    def.sleeping = false;
+    mechanism m = add_mechanism(make_world(def), seed, meets_floor);
     if (meets_floor) {
         add_floor(m.world, NULL);
     }
@@ -176,10 +182,39 @@ static void mechanisms_on_a_floor_gain_no_energy(void **state) {
     }
 }
 
+/* Enough of them that workers share the blocks; many gape, and are braced after the relax pass. */
+static uint64_t hash_of_many(const thud_quality *quality, pool *threads) {
+    thud_world_def def = def_of(quality);
+    def.sleeping = false;
+    def.job_system = pool_job_system(threads);
+    thud_world *world = make_world(def);
+    add_floor(world, NULL);
+    for (int seed = 0; seed < 4 * WORLDS; seed++) {
+        add_mechanism(world, seed, true);
+    }
+    run(world, STEPS / 4);
+    uint64_t hash = thud_world_hash(world);
+    thud_world_destroy(world);
+    return hash;
+}
+
+static void torn_mechanisms_move_alike_with_any_number_of_workers(void **state) {
+    (void)state;
+    for (int q = 0; q < QUALITIES && is_soft(qualities[q]); q++) {
+        uint64_t alone = hash_of_many(qualities[q], NULL);
+        for (int workers = 2; workers <= 4; workers++) {
+            pool *threads = pool_create(workers);
+            assert_true(hash_of_many(qualities[q], threads) == alone);
+            pool_destroy(threads);
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(free_mechanisms_gain_no_energy),
         cmocka_unit_test(mechanisms_on_a_floor_gain_no_energy),
+        cmocka_unit_test(torn_mechanisms_move_alike_with_any_number_of_workers),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
