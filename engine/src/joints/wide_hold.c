@@ -147,7 +147,7 @@ TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context 
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         if (c->brace != TD_BRACE_GIVE) {
-            brace_given(block, c, fixed);
+            TD_WIDE(td_brace_given)(block, c, fixed);
             continue;
         }
         td_point *p = &block->point[0], *q = &block->point[1];
