@@ -160,7 +160,7 @@ static const td_array_place ARRAYS[] = {
     ARRAY(scratch.odd, td_awake_slot),
     ARRAY(scratch.order, int32_t),
     ARRAY(scratch.rings, td_awake_slot),
-    ARRAY(scratch.powers, double[2]),
+    ARRAY(scratch.powers, double[3]),
     ARRAY(scratch.legs, td_leg),
     ARRAY(scratch.first_legs, int),
     ARRAY(scratch.held_at, double),

@@ -39,7 +39,7 @@ typedef struct td_point {
 } td_point;
 
 /* The part of a contact point that the passes of a substep mostly leave alone, kept apart so that
- * td_point stays small. */
+ * td_point stays small. Of what joints lock it has rings and powers: joints/joint_brace.c. */
 typedef struct td_point_history {
     f8 approach; /* normal velocity at the start of the step; negative: closing */
     f8 total;    /* normal impulse of the step; kept only where td_solve_context asks */
@@ -272,9 +272,10 @@ typedef struct td_collide_context {
 /* Passes of restitution: the first and others before all substeps, and the one after them. */
 typedef enum td_bounce { TD_BOUNCE_FIRST, TD_BOUNCE_AGAIN, TD_BOUNCE_LAST } td_bounce;
 
-/* Passes that keep a warm start from adding energy where joints are torn: joints/joint_brace.c. */
+/* Passes that keep joints that are torn from adding energy, by their warm start or by the end of a
+ * substep: joints/joint_brace.c. */
 typedef enum td_brace {
-    TD_BRACE_GIVE,   /* give the impulses along the directions as they are now, */
+    TD_BRACE_GIVE,   /* give the warm start along the directions as they are now, */
     TD_BRACE_AFTER,  /* measure their power; and where they may have added energy */
     TD_BRACE_TAKE,   /* take back what was given, */
     TD_BRACE_BEFORE, /* measure the power at the velocities without them, */
@@ -289,6 +290,13 @@ enum { TD_BRACE_STAGES = TD_BRACE_KEEP + 1, TD_BRACE_TASKS = 2 };
  * since what it is open by is what it pulls with. Both chosen. */
 #define TD_JOINT_CLOSING 3.0f
 #define TD_JOINT_HASTE 30.0f
+
+/* How soft a joint is: its angle in a substep, with a damping ratio of 1, as solve.c has them for
+ * contacts; and the part of a gap that closes in a substep. What swings loses less energy the
+ * stiffer joints are; from some 2.2 on chains and lattices that hang never come to rest, and shake
+ * the harder. */
+#define TD_JOINT_ANGLE 2.0f
+#define TD_JOINT_PULL (TD_JOINT_ANGLE / (2.0f + TD_JOINT_ANGLE))
 
 /* A spring goes on by at most this phase in a substep, rad: faster ones act as one that does. With
  * a = q (q + 2 d) of phase q and damping d a row keeps a / (1 + a) of what it corrects, and moves
@@ -312,18 +320,20 @@ typedef struct td_solve_context {
     float fall;          /* a length: gravity times the square of time_step */
     float bias_rate[2];  /* soft contact against a moving [0] and a static body [1] */
     float mass_scale[2], impulse_scale[2];
-    bool keep_totals;       /* somebody will read td_point_history.total */
-    bool keep_tangents;     /* somebody will read td_surface.total */
-    bool surface_speeds;    /* a lane has a surface speed */
-    bool last;              /* this is the last substep, whose relax pass tallies */
-    bool first;             /* this is the first substep, where totals start anew */
-    bool bounces;           /* some lane may bounce: totals of bouncy blocks began anew then */
-    td_bounce bounce;       /* which pass */
-    atomic_bool *bounced;   /* set by it where a pair bounces */
-    td_brace brace;         /* which pass */
-    atomic_bool *adds;      /* set where the warm start of a torn joint may have added energy */
-    atomic_bool *torn;      /* set by the warm start where a joint is open by more than
-                               TD_JOINT_CLOSING takes out of it in a substep */
+    bool keep_totals;     /* somebody will read td_point_history.total */
+    bool keep_tangents;   /* somebody will read td_surface.total */
+    bool surface_speeds;  /* a lane has a surface speed */
+    bool last;            /* this is the last substep, whose relax pass tallies */
+    bool again;           /* this relax pass comes on top of another one of its substep */
+    bool first;           /* this is the first substep, where totals start anew */
+    bool bounces;         /* some lane may bounce: totals of bouncy blocks began anew then */
+    td_bounce bounce;     /* which pass */
+    atomic_bool *bounced; /* set by it where a pair bounces */
+    td_brace brace;       /* which pass */
+    atomic_bool *adds;    /* set where what torn joints gave may have added energy: of this bracing
+                             and those after it in the step */
+    atomic_bool *torn;    /* set by the warm start where a joint is open by more than
+                             TD_JOINT_CLOSING takes out of it in a substep */
     struct td_tally *tally; /* the last relax pass notes approaches there */
 } td_solve_context;
 

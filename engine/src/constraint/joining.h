@@ -29,10 +29,12 @@ typedef struct td_joining_ops {
     void (*ring)(thud_world *w);
     /* A body was held at a part of its motion: those that joints tie to it go back as far. */
     void (*hold_back)(thud_world *w, td_awake_slot slot, double time);
-    /* joint_brace.c: between passes of the solver that brace joints: whether the warm start may
-     * have added energy, and the share of it that each ring keeps. */
-    bool (*adds_energy)(thud_world *w);
-    void (*weigh)(thud_world *w);
+    /* joint_brace.c: between passes of the solver that brace joints: whether the warm start, or
+     * what was given by the end of the relax pass, may have added energy; the share of it that each
+     * ring keeps; and whether a ring gapes, which is known once the warm start was judged. */
+    bool (*adds_energy)(thud_world *w, bool relaxed);
+    void (*weigh)(thud_world *w, bool relaxed);
+    bool (*gape)(const thud_world *w);
     /* After the epilogue: events of the joints that bear too much, which are destroyed. */
     void (*break_up)(thud_world *w);
     /* Adds up how far joints are open that are in force, asleep or awake. */
@@ -56,8 +58,9 @@ void td_joints_suspend(thud_world *w, td_body_index body);
 void td_joints_follow(thud_world *w, td_body_index body);
 void td_joints_ring(thud_world *w);
 void td_joints_hold_back(thud_world *w, td_awake_slot slot, double time);
-bool td_joints_add_energy(thud_world *w);
-void td_joints_weigh(thud_world *w);
+bool td_joints_add_energy(thud_world *w, bool relaxed);
+void td_joints_weigh(thud_world *w, bool relaxed);
+bool td_joints_gape(const thud_world *w);
 void td_joints_break_up(thud_world *w);
 void td_joints_draw(const struct td_drawing *drawing);
 void td_joints_measure(const thud_world *w, td_joint_gaps *gaps);

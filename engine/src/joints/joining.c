@@ -114,7 +114,7 @@ static void end_idle_gears(thud_world *w) {
 
 bool td_joints_engage(thud_world *w) {
     int bodies = w->bodies.live + 1; /* awake slots of this step, whoever wakes in it */
-    w->scratch.rings.count = 0;
+    w->scratch.rings.count = w->scratch.powers.count = 0;
     if (!td_array_reserve(&w->memory, &w->broken, w->breakable) ||
         !td_array_reserve(&w->memory, &w->scratch.parents, bodies) ||
         !td_array_reserve(&w->memory, &w->scratch.rings, bodies) ||

@@ -3,92 +3,193 @@
  * The solver begins with the impulses of the substep before. One pass over the rows corrects little
  * of what all rows of a mechanism share where it is stiff against them one by one: long arms, loops
  * that have to fold. There these impulses swing, grow as directions turn, and add energy without
- * end. Each row's own correction takes energy out; only the warm start can bring it in. For
- * impulses p of all the locks of a ring (constraint/rings.h) and relative speeds u that they act
- * on, with u' after them, it brings p.(u + u') / 2. Where that is more than nothing the share s of
- * p is kept that brings least: E(s) = s p.u + s^2 p.(u' - u) / 2 is least at s = -p.u / p.(u' - u),
- * within
- * 0 .. 1. The gaps of such a ring close at TD_JOINT_CLOSING for the rest of the step, since a bias
- * in many rows that hardly move would add as much. Steps that begin with no joint torn do without
- * all this, and so do substeps in which p.u' is not positive in any ring. */
+ * end. Each row's own correction takes energy out; the warm start can bring it in, and so can the
+ * bias that closes gaps, which one relax pass takes back in part.
+ *
+ * For impulses p of all the locks of a ring (constraint/rings.h) and relative speeds u that they
+ * act on, with u' after them, the energy that they bring is p.(u + u') / 2. The share s of them
+ * brings E(s) = s p.u + s^2 p.(u' - u) / 2. Where a warm start would bring more than nothing, the
+ * share is kept that brings least, s = -p.u / p.(u' - u) within 0 .. 1, and gaps of such a ring
+ * close at TD_JOINT_CLOSING for the rest of the step, since a bias in many rows that hardly move
+ * would add as much.
+ *
+ * After the relax pass p is all that the locks gave in the substep. A ring that gapes keeps the
+ * greatest share of it that brings nothing, s = -2 p.u / p.(u' - u); what rows then miss another
+ * relax pass corrects, contacts too. Other rings may bring energy then: their gaps are springs,
+ * which give back what opened them.
+ *
+ * Steps that begin with no joint torn do without all this. */
 #include "constraint/joining.h"
 #include "constraint/lanes.h"
 #include "constraint/rings.h"
+#include "joints/joint.h"
 
-static double *powers_at(const thud_world *w, td_awake_slot slot) {
-    return (double *)w->scratch.powers.data + (size_t)2 * (size_t)slot.at;
+#include <string.h>
+
+/* What is known of a ring, in scratch.powers: p.u, p.u', and 1 where it gapes. */
+enum { BEFORE, AFTER, GAPES };
+
+static double *ring_at(const thud_world *w, float number) {
+    return (double *)w->scratch.powers.data + 3 * (size_t)number;
 }
 
-/* scratch.parents gets the first slot of the ring of each. */
-static void name_rings(thud_world *w) {
-    td_awake_slot *name = w->scratch.parents.data;
-    td_joints_ring(w);
-    for (td_awake_slot slot = {0}; slot.at < w->body_of.count; slot.at++) {
-        powers_at(w, slot)[0] = powers_at(w, slot)[1] = 0.0;
-        name[slot.at] = (td_awake_slot){TD_NONE};
-    }
-    for (td_awake_slot slot = {0}; slot.at < w->body_of.count; slot.at++) {
-        for (td_awake_slot i = slot; name[i.at].at == TD_NONE; i = *td_next_tied(w, i)) {
-            name[i.at] = slot;
-        }
-    }
-}
-
-/* Of the ring of a lane's dynamic side. */
-static double *powers_of(const thud_world *w, const td_block *block, int lane) {
-    const td_awake_slot *name = w->scratch.parents.data;
-    td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
-    return powers_at(w, name[(td_row(&w->velocity, b)[3] > 0.0f ? b : a).at]);
-}
-
-static void add_powers_before(const thud_world *w, td_block *block) {
-    for (int lane = 0; lane < block->used; lane++) {
-        powers_of(w, block, lane)[0] += (double)block->point[0].separation[lane];
-    }
-}
-
-static void add_powers_after(const thud_world *w, td_block *block) {
-    for (int lane = 0; lane < block->used; lane++) {
-        powers_of(w, block, lane)[1] += (double)block->point[1].separation[lane];
-    }
-}
-
-static float share_of(const double power[2]) {
-    double share = -power[0] / (power[1] - power[0]);
-    bool adds = power[0] + power[1] > 0.0 && power[1] > power[0];
-    return !adds || share > 1.0 ? 1.0f : share > 0.0 ? (float)share : 0.0f;
-}
-
-static void set_shares(const thud_world *w, td_block *block) {
-    for (int lane = 0; lane < block->used; lane++) {
-        float share = share_of(powers_of(w, block, lane));
-        block->point[0].separation[lane] = share;
-        td_hold_rows_of(block)->haste[lane] = share < 1.0f ? 1.0f : TD_JOINT_HASTE;
-    }
-}
-
-static void walk(thud_world *w, void (*visit)(const thud_world *w, td_block *block)) {
+/* Calls for the blocks of what joints lock; whether any call returned true. */
+static bool walk(thud_world *w, bool (*visit)(thud_world *w, td_block *block)) {
+    bool any = false;
     for (int i = 0; i < w->scratch.blocks.count; i++) {
         td_block *block = *TD_AT(td_block *, &w->scratch.blocks, i);
         int kind = block->used ? td_constraint_at(w, block->constraint[0])->kind : 0;
         if (kind == TD_CONSTRAINT_ROD || kind == TD_CONSTRAINT_HOLD) {
-            visit(w, block);
+            any |= visit(w, block);
         }
-    }
-}
-
-/* p.(u + u') is less than 2 p.u', since impulses do not slow down what they act along. */
-bool td_joints_add_energy(thud_world *w) {
-    bool any = false;
-    name_rings(w);
-    walk(w, add_powers_after);
-    for (td_awake_slot slot = {0}; slot.at < w->body_of.count && !any; slot.at++) {
-        any = powers_at(w, slot)[1] > 0.0;
     }
     return any;
 }
 
-void td_joints_weigh(thud_world *w) {
+/* Lanes know their ring by its number, a float. */
+static float *rings_of(td_block *block) {
+    return (float *)&td_history_of(block, 2)[0].approach;
+}
+
+/* 1 where all lanes have the same one. */
+static float *same_ring(td_block *block) {
+    return (float *)&td_history_of(block, 2)[1].approach;
+}
+
+/* Rings get their numbers as lanes ask for them; scratch.parents has -1 minus the number. */
+static float number_of(thud_world *w, td_awake_slot slot) {
+    td_awake_slot *number = w->scratch.parents.data;
+    if (number[slot.at].at >= 0) {
+        td_awake_slot given = {-1 - w->scratch.powers.count++};
+        for (td_awake_slot i = slot; number[i.at].at >= 0; i = *td_next_tied(w, i)) {
+            number[i.at] = given;
+        }
+        ring_at(w, (float)(-1 - given.at))[GAPES] = 0.0;
+    }
+    return (float)(-1 - number[slot.at].at);
+}
+
+/* The lane is open by more than even haste closes in a substep: what it pulls with grows no more
+ * with its gap. */
+static bool gapes(const thud_world *w, td_block *block, int lane) {
+    float most =
+        TD_JOINT_HASTE * TD_JOINT_CLOSING / TD_JOINT_PULL * (float)(w->def.time_step / w->substeps);
+    bool rod = td_constraint_at(w, block->constraint[0])->kind == TD_CONSTRAINT_ROD;
+    bool turns = !rod && block->tangent_mass[lane] > 0.0f;
+    float gap = td_max_float(td_joint_size(block->point[0].base[lane]),
+                             rod ? 0.0f : td_joint_size(block->point[1].separation[lane]));
+    float turn = turns ? td_joint_size(td_hold_rows_of(block)->turn_base[lane]) : 0.0f;
+    return gap > most * w->unit || turn > most;
+}
+
+/* By the dynamic side of each lane. */
+static bool number_lanes(thud_world *w, td_block *block) {
+    float *ring = rings_of(block);
+    *same_ring(block) = 1.0f;
+    for (int lane = 0; lane < block->used; lane++) {
+        td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
+        ring[lane] = number_of(w, td_row(&w->velocity, b)[3] > 0.0f ? b : a);
+        *same_ring(block) = ring[lane] == ring[0] ? *same_ring(block) : 0.0f;
+        if (gapes(w, block, lane)) {
+            ring_at(w, ring[lane])[GAPES] = 1.0;
+        }
+    }
+    return false;
+}
+
+/* Once a step, in its first substep, while gaps are those at its start. */
+static void number_rings(thud_world *w) {
+    td_awake_slot *number = w->scratch.parents.data;
+    if (w->scratch.powers.count > 0) {
+        return;
+    }
+    td_joints_ring(w);
+    for (int i = 0; i < w->body_of.count; i++) {
+        number[i] = (td_awake_slot){0};
+    }
+    walk(w, number_lanes);
+}
+
+/* Adds powers of a block's lanes to those of their rings. */
+static void add_powers(const thud_world *w, td_block *block, int which) {
+    const float *ring = rings_of(block);
+    const float *power = (const float *)&td_history_of(block, 2)[which].total;
+    if (*same_ring(block) > 0.0f) {
+        double sum = 0.0;
+        for (int lane = 0; lane < block->used; lane++) {
+            sum += (double)power[lane];
+        }
+        ring_at(w, ring[0])[which] += sum;
+        return;
+    }
+    for (int lane = 0; lane < block->used; lane++) {
+        ring_at(w, ring[lane])[which] += (double)power[lane];
+    }
+}
+
+static bool add_powers_before(thud_world *w, td_block *block) {
+    add_powers(w, block, BEFORE);
+    return false;
+}
+
+static bool add_powers_after(thud_world *w, td_block *block) {
+    add_powers(w, block, AFTER);
+    return false;
+}
+
+/* `most`: times the share that brings least, which brings nothing where it is 2. */
+static float share_of(const double *ring, double most) {
+    double share = -most * ring[BEFORE] / (ring[AFTER] - ring[BEFORE]);
+    bool adds = ring[BEFORE] + ring[AFTER] > 0.0 && ring[AFTER] > ring[BEFORE];
+    return !adds || share > 1.0 ? 1.0f : share > 0.0 ? (float)share : 0.0f;
+}
+
+static bool set_shares(thud_world *w, td_block *block, bool relaxed) {
+    const float *ring = rings_of(block);
+    float *share = (float *)&td_history_of(block, 2)[0].total;
+    float *haste = (float *)&td_hold_rows_of(block)->haste;
+    bool any = false;
+    for (int lane = 0; lane < block->used; lane++) {
+        const double *own = ring_at(w, ring[lane]);
+        share[lane] = !relaxed ? share_of(own, 1.0) : own[GAPES] > 0.0 ? share_of(own, 2.0) : 1.0f;
+        haste[lane] = share[lane] < 1.0f ? 1.0f : haste[lane];
+        any |= share[lane] < 1.0f;
+    }
+    return any;
+}
+
+static bool set_first_shares(thud_world *w, td_block *block) {
+    return set_shares(w, block, false);
+}
+
+static bool set_last_shares(thud_world *w, td_block *block) {
+    return set_shares(w, block, true);
+}
+
+/* p.(u + u') is less than 2 p.u', since impulses do not slow down what they act along. */
+bool td_joints_add_energy(thud_world *w, bool relaxed) {
+    bool any = false;
+    number_rings(w);
+    for (int ring = 0; ring < w->scratch.powers.count; ring++) {
+        ring_at(w, (float)ring)[BEFORE] = ring_at(w, (float)ring)[AFTER] = 0.0;
+    }
+    walk(w, add_powers_after);
+    for (int ring = 0; ring < w->scratch.powers.count && !any; ring++) {
+        const double *own = ring_at(w, (float)ring);
+        any = own[AFTER] > 0.0 && (!relaxed || own[GAPES] > 0.0);
+    }
+    return any;
+}
+
+void td_joints_weigh(thud_world *w, bool relaxed) {
     walk(w, add_powers_before);
-    walk(w, set_shares);
+    walk(w, relaxed ? set_last_shares : set_first_shares);
+}
+
+bool td_joints_gape(const thud_world *w) {
+    bool any = false;
+    for (int ring = 0; ring < w->scratch.powers.count; ring++) {
+        any |= ring_at(w, (float)ring)[GAPES] > 0.0;
+    }
+    return any;
 }

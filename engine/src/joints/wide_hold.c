@@ -146,17 +146,19 @@ TD_INLINE void ease(td_block *const *blocks, int count, const td_solve_context *
 TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context *c, bool fixed) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
+        if (c->brace != TD_BRACE_GIVE) {
+            TD_WIDE(td_brace_given)(block, c, fixed);
+            continue;
+        }
         td_point *p = &block->point[0], *q = &block->point[1];
         td_hold_rows *h = td_hold_rows_of(block);
         sides v = read_sides(c->velocity, block, fixed), d = read_sides(c->delta, block, fixed);
         frame8 f = frame_now(block, &d, fixed, p->base, q->base, h->frame);
-        f8 kept = c->brace == TD_BRACE_KEEP ? p->separation : f8_all(1.0f);
-        f8 u = p->normal_impulse = kept * p->normal_impulse;
-        f8 w = q->normal_impulse = kept * q->normal_impulse;
-        block->tangent_impulse = kept * block->tangent_impulse;
+        f8 u = p->normal_impulse, w = q->normal_impulse;
         f8 turn = h->turn_sign * block->tangent_impulse;
-        brace_lane(block, c, fixed, &v, &h->given, f.x * u - f.y * w, f.y * u + f.x * w,
-                   turn + f.a_u * u + f.a_v * w, turn + f.b_u * u + f.b_v * w);
+        give_anew(block, fixed, &v, &h->given, f.x * u - f.y * w, f.y * u + f.x * w,
+                  turn + f.a_u * u + f.a_v * w, turn + f.b_u * u + f.b_v * w);
+        write_sides(c, block, fixed, &v);
     }
 }
 

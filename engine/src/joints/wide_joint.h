@@ -7,11 +7,8 @@
 #include "base/rotation.h"
 #include "solver/wide_solve.h"
 
-/* How soft a joint is: its angle in a substep, and a damping ratio of 1, as solve.c has them for
- * contacts. What swings loses less energy the stiffer joints are; from some 2.2 on chains and
- * lattices that hang never come to rest, and shake the harder. */
-#define ANGLE 2.0f
-#define PULL (ANGLE / (2.0f + ANGLE)) /* part of a gap that closes in a substep */
+#define ANGLE TD_JOINT_ANGLE
+#define PULL TD_JOINT_PULL
 #define LOST                                                                             \
     (1.0f / (1.0f + ANGLE * (2.0f + ANGLE))) /* part of its impulse that it loses in one \
                                               */
@@ -159,25 +156,16 @@ TD_INLINE void write_sides(const td_solve_context *c, const td_block *block, boo
     td_scatter(c->velocity, block->b, v->b);
 }
 
-/* A pass of bracing, for a lane that would give this; where it measures, the first point's
- * separation gets the power before, the second one's that after. */
-TD_INLINE void brace_lane(td_block *block, const td_solve_context *c, bool fixed, sides *v,
-                          td_given *given, f8 x, f8 y, f8 moment_a, f8 moment_b) {
+TD_INLINE void forget_given(td_given *given) {
     f8 zero = f8_all(0.0f);
-    if (c->brace == TD_BRACE_TAKE) {
-        give_anew(block, fixed, v, given, zero, zero, zero, zero);
-    } else if (c->brace == TD_BRACE_BEFORE || c->brace == TD_BRACE_AFTER) {
-        f8 power = x * v->b.x + y * v->b.y + moment_b * v->b.z;
-        if (!fixed) {
-            power -= x * v->a.x + y * v->a.y + moment_a * v->a.z;
-        }
-        block->point[c->brace == TD_BRACE_AFTER].separation = power;
-        return;
-    } else {
-        give_anew(block, fixed, v, given, x, y, moment_a, moment_b);
-    }
-    write_sides(c, block, fixed, v);
+    *given = (td_given){zero, zero, zero, zero};
 }
+
+/* wide_rod.c: a pass of bracing over what lanes of any kind were given. Where it measures, the
+ * totals of their points get the power before and after; the first one has the share that is kept.
+ */
+typedef void td_brace_fn(td_block *block, const td_solve_context *c, bool fixed);
+td_brace_fn TD_WIDE(td_brace_given);
 
 /* Tells whether gaps at the start of the step are beyond what a bias may close. */
 TD_INLINE void look_for_tears(const td_solve_context *c, f8 gap, f8 turn) {
@@ -187,11 +175,6 @@ TD_INLINE void look_for_tears(const td_solve_context *c, f8 gap, f8 turn) {
     if (i8_bits(torn)) {
         atomic_store_explicit(c->torn, true, memory_order_relaxed);
     }
-}
-
-TD_INLINE void forget_given(td_given *given) {
-    f8 zero = f8_all(0.0f);
-    *given = (td_given){zero, zero, zero, zero};
 }
 
 /* 1 / x, and 0 for 0. */

@@ -57,17 +57,48 @@ TD_INLINE void pull(td_block *const *blocks, int count, const td_solve_context *
     }
 }
 
+void TD_WIDE(td_brace_given)(td_block *block, const td_solve_context *c, bool fixed) {
+    td_given *g = &td_hold_rows_of(block)->given;
+    td_point_history *powers = td_history_of(block, 2);
+    sides v = read_sides(c->velocity, block, fixed);
+    if (c->brace == TD_BRACE_BEFORE || c->brace == TD_BRACE_AFTER) {
+        f8 power = g->x * v.b.x + g->y * v.b.y + g->moment_b * v.b.z;
+        if (!fixed) {
+            power -= g->x * v.a.x + g->y * v.a.y + g->moment_a * v.a.z;
+        }
+        powers[c->brace == TD_BRACE_AFTER].total = power;
+        return;
+    }
+    td_given none;
+    forget_given(&none);
+    if (c->brace == TD_BRACE_TAKE) {
+        give(block, fixed, &v, &none, -g->x, -g->y, -g->moment_a, -g->moment_b);
+    } else {
+        f8 kept = powers[0].total;
+        block->point[0].normal_impulse *= kept;
+        block->point[1].normal_impulse *= kept;
+        block->tangent_impulse *= kept;
+        give(block, fixed, &v, &none, kept * g->x, kept * g->y, kept * g->moment_a,
+             kept * g->moment_b);
+        *g = none;
+    }
+    write_sides(c, block, fixed, &v);
+}
+
 TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context *c, bool fixed) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
-        td_point *p = &block->point[0];
+        if (c->brace != TD_BRACE_GIVE) {
+            TD_WIDE(td_brace_given)(block, c, fixed);
+            continue;
+        }
         td_hold_rows *h = td_hold_rows_of(block);
-        f8 length;
+        f8 length, u = block->point[0].normal_impulse;
         sides v = read_sides(c->velocity, block, fixed), d = read_sides(c->delta, block, fixed);
-        frame8 f = line_now(block, &d, fixed, p->base + h->turn_base, f8_all(0.0f), &length);
-        f8 kept = c->brace == TD_BRACE_KEEP ? p->separation : f8_all(1.0f);
-        f8 u = p->normal_impulse = kept * p->normal_impulse;
-        brace_lane(block, c, fixed, &v, &h->given, f.x * u, f.y * u, f.a_u * u, f.b_u * u);
+        frame8 f =
+            line_now(block, &d, fixed, block->point[0].base + h->turn_base, f8_all(0.0f), &length);
+        give_anew(block, fixed, &v, &h->given, f.x * u, f.y * u, f.a_u * u, f.b_u * u);
+        write_sides(c, block, fixed, &v);
     }
 }
 

@@ -97,6 +97,7 @@ typedef struct solving {
     td_worker worker;
     pass which;      /* of the pass that is being walked */
     int first_chunk; /* of its phase */
+    bool relaxed;    /* after the relax pass of a substep */
 } solving;
 
 /* Solves blocks of which the last may have empty lanes. These read slot 0, and write it back as it
@@ -150,7 +151,7 @@ static void solve_chunk(void *work, int index) {
     if (!solve) {
         return;
     }
-    if (s->which == RELAX && s->contacts.last && run->kind < TD_PAIR_COUNT) {
+    if (s->which == RELAX && s->contacts.last && !s->contacts.again && run->kind < TD_PAIR_COUNT) {
         solve_and_tally(s, run, solve, blocks, chunk->count);
     } else {
         solve_part(s, run, solve, blocks, chunk->count);
@@ -239,13 +240,14 @@ static bool bounce(solving *s) {
 static void judge(void *work, int chunk) {
     const solving *s = work;
     (void)chunk;
-    atomic_store_explicit(s->contacts.adds, s->w->joining->adds_energy(s->w), memory_order_relaxed);
+    bool adds = s->w->joining->adds_energy(s->w, s->relaxed);
+    atomic_store_explicit(s->contacts.adds, adds, memory_order_relaxed);
 }
 
 static void weigh(void *work, int chunk) {
     const solving *s = work;
     (void)chunk;
-    s->w->joining->weigh(s->w);
+    s->w->joining->weigh(s->w, s->relaxed);
 }
 
 static void brace_by(solving *s, td_brace stage) {
@@ -253,17 +255,32 @@ static void brace_by(solving *s, td_brace stage) {
     walk(s, BRACE);
 }
 
-/* Keeps the warm start of joints that are torn from adding energy. */
-static void brace(solving *s) {
-    brace_by(s, TD_BRACE_GIVE);
+/* Keeps what joints that are torn gave in this substep from having added energy; false where it
+ * surely did not. */
+static bool brace(solving *s) {
     brace_by(s, TD_BRACE_AFTER);
     td_worker_walk(&s->worker, 1, judge, s);
-    if (atomic_load_explicit(s->contacts.adds, memory_order_relaxed)) {
+    /* A worker that is late still reads this flag, so that each brace has its own. */
+    bool adds = atomic_load_explicit(s->contacts.adds, memory_order_relaxed);
+    s->contacts.adds++;
+    if (adds) {
         brace_by(s, TD_BRACE_TAKE);
         brace_by(s, TD_BRACE_BEFORE);
         td_worker_walk(&s->worker, 1, weigh, s);
         brace_by(s, TD_BRACE_KEEP);
     }
+    return adds;
+}
+
+static bool is_torn(const solving *s) {
+    return atomic_load_explicit(s->contacts.torn, memory_order_relaxed);
+}
+
+/* After bracing: rows correct what they miss without what it took, which takes energy out. */
+static void ease(solving *s) {
+    s->contacts.again = true;
+    walk(s, RELAX);
+    s->contacts.again = false;
 }
 
 /* One worker's way through all substeps. */
@@ -280,13 +297,21 @@ static void substeps(void *argument) {
         if (i == 0) {
             walk(s, WARM_START);
         }
-        if (atomic_load_explicit(s->contacts.torn, memory_order_relaxed)) {
+        if (is_torn(s)) {
+            if (i > 0) {
+                brace_by(s, TD_BRACE_GIVE);
+            }
             brace(s);
         }
         walk(s, SOLVE);
         td_worker_walk(&s->worker, bodies, positions, s);
         s->contacts.last = i == last;
         walk(s, RELAX);
+        s->relaxed = true;
+        if (is_torn(s) && s->w->joining->gape(s->w) && brace(s)) {
+            ease(s);
+        }
+        s->relaxed = false;
     }
     if (bounced) {
         s->contacts.bounce = TD_BOUNCE_LAST;
@@ -298,7 +323,8 @@ static void substeps(void *argument) {
 
 void td_solve(thud_world *w) {
     td_tally tallies[THUD_WORKERS_MAX];
-    atomic_bool bounced[TD_BOUNCE_PASSES + 1] = {false}, torn = false, adds = false;
+    atomic_bool bounced[TD_BOUNCE_PASSES + 1] = {false}, torn = false;
+    atomic_bool adds[2 * THUD_SUBSTEPS_MAX] = {false};
     atomic_flag dummy = ATOMIC_FLAG_INIT;
     float h = (float)(w->def.time_step / w->substeps);
     refresh_push(w, h);
@@ -321,7 +347,7 @@ void td_solve(thud_world *w) {
         .dummy = &dummy,
     };
     s.contacts.torn = &torn;
-    s.contacts.adds = &adds;
+    s.contacts.adds = adds;
     memset(tallies, 0, (size_t)task.workers * sizeof *tallies);
     td_error_begin(w);
     td_job_run(w, &task, substeps, &s);

@@ -187,7 +187,7 @@ TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_c
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         td_fetch_early(blocks, i, count, points);
-        bool anew = c->first && !(c->bounces && block->bouncy);
+        bool anew = c->first && !c->again && !(c->bounces && block->bouncy);
         sides v = read_sides(c->velocity, block, fixed), d = read_sides(c->delta, block, fixed);
         f8 nx = block->nx, ny = block->ny;
         impulses change = {.tangent = zero};
@@ -196,7 +196,8 @@ TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_c
         }
         if (c->keep_tangents) {
             td_surface *surface = td_surface_at(block, points);
-            surface->total = block->tangent_impulse + (anew ? zero : surface->total);
+            f8 more = c->again ? change.tangent : block->tangent_impulse;
+            surface->total = more + (anew ? zero : surface->total);
         }
         f8 closing = centres_along(&v, fixed, nx, ny), opened = centres_along(&d, fixed, nx, ny);
         for (int k = 0; k < points; k++) {
@@ -220,7 +221,8 @@ TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_c
             change.normal[k] = now - old;
             if (c->keep_totals) {
                 td_point_history *history = &td_history_of(block, points)[k];
-                history->total = anew ? now : history->total + now;
+                f8 more = c->again ? now - old : now;
+                history->total = anew ? more : history->total + more;
             }
         }
         push(c, block, points, arms, fixed, true, v, change);

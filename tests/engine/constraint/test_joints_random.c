@@ -6,8 +6,15 @@
 #include "every_choice.h"
 #include "joint_random.h"
 #include "joint_support.h"
+#include "pool.h"
 
-enum { WORLDS = 40, STEPS = 240, BODIES_MOST = 10 };
+enum { WORLDS = 40, FREE_WORLDS = 300, STEPS = 240, BODIES_MOST = 10 };
+
+/* Most of what a world may gain of what was turned over, its speed, length/s, and its gap, in parts
+ * of its size. */
+typedef struct bounds {
+    double gain, speed, gap;
+} bounds;
 
 typedef struct mechanism {
     thud_world *world;
@@ -68,13 +75,9 @@ static void tie(mechanism *m, int a, int b, double height) {
     make(m->world, def);
 }
 
-static mechanism make_one(int seed, const thud_quality *quality, const thud_detection *detection,
-                          bool meets_floor) {
-    thud_world_def def = def_of(quality);
-    mechanism m = {.seed = (uint64_t)seed * 7919 + 13};
-    def.detection = detection;
-    def.sleeping = false;
-    m.world = make_world(def);
+/* Puts the mechanism of a seed into a world. */
+static mechanism add_mechanism(thud_world *world, int seed, bool meets_floor) {
+    mechanism m = {.world = world, .seed = (uint64_t)seed * 7919 + 13};
     for (int i = 0; i < 8; i++) {
         next_number(&m.seed);
     }
@@ -92,27 +95,39 @@ static mechanism make_one(int seed, const thud_quality *quality, const thud_dete
             tie(&m, a, b, height);
         }
     }
+    return m;
+}
+
+static mechanism make_one(int seed, const thud_quality *quality, const thud_detection *detection,
+                          bool meets_floor) {
+    thud_world_def def = def_of(quality);
+    def.detection = detection;
+    def.sleeping = false;
+    mechanism m = add_mechanism(make_world(def), seed, meets_floor);
     if (meets_floor) {
         add_floor(m.world, NULL);
     }
     return m;
 }
 
-/* The energy that came in, in parts of what had been turned over until then. */
-static double gained_by(const mechanism *m) {
-    double little = 0.5 * m->mass * m->size, worst = 0; /* M g times a twentieth of the size */
+/* The worst of a world's steps: the energy that came in, in parts of what had been turned over
+ * until then, the speed of a body, and the gap of a joint in parts of the size. */
+static bounds worst_of(const mechanism *m) {
+    double little = 0.5 * m->mass * m->size; /* M g times a twentieth of the size */
+    bounds worst = {0, 0, 0};
     thud_measure start = thud_world_measure(m->world);
     for (int i = 0; i < STEPS; i++) {
         run(m->world, 1);
         thud_measure now = thud_world_measure(m->world);
         double fallen = start.potential_energy - now.potential_energy;
         double gained = now.kinetic_energy - start.kinetic_energy - fallen;
-        worst = fmax(worst, gained / (little + fmax(fallen, 0)));
+        worst.gain = fmax(worst.gain, gained / (little + fmax(fallen, 0)));
+        worst.gap = fmax(worst.gap, thud_world_error(m->world).joint_gap_max / m->size);
         assert_true(isfinite(now.kinetic_energy));
         for (int k = 0; k < m->bodies; k++) {
             thud_body_state s = state_of(m->world, m->body[k]);
             assert_false(s.quarantined);
-            assert_true(hypot(s.velocity.x, s.velocity.y) < 1000);
+            worst.speed = fmax(worst.speed, hypot(s.velocity.x, s.velocity.y));
         }
     }
     return worst;
@@ -126,34 +141,72 @@ static bool is_known(const thud_quality *quality, const thud_detection *detectio
            (detection == &thud_detection_bisect || detection == &thud_detection_swept);
 }
 
-/* A mechanism that draft or default cannot hold together may gain what the gaps that they let open
- * give back; high and exact hold nearly all. Without bounds it is up to 10^15 in a fifth of the
- * worlds at draft. */
-static void check(const thud_quality *quality, const thud_detection *detection, bool meets_floor) {
-    bool soft = quality == &thud_quality_draft || quality == &thud_quality_default;
+static bool is_soft(const thud_quality *quality) {
+    return quality == &thud_quality_draft || quality == &thud_quality_default;
+}
+
+/* Draft and default cannot hold every mechanism together, and add no energy as they try: 5 % at
+ * most, where it was up to 14.5 times. High and exact hold nearly all; what they gain is the direct
+ * solver's, where a loop is nearly straight. */
+static void check(const thud_quality *quality, const thud_detection *detection, bool meets_floor,
+                  int worlds, double gap) {
     int gained = 0;
-    for (int seed = 0; seed < WORLDS; seed++) {
+    for (int seed = 0; seed < worlds; seed++) {
         mechanism m = make_one(seed, quality, detection, meets_floor);
-        double gain = gained_by(&m);
-        double known = is_known(quality, detection, meets_floor, seed) ? 15 : 2;
-        assert_true(gain < (soft ? 100 : known));
-        gained += gain > 0.1;
+        bounds worst = worst_of(&m);
+        double most = is_known(quality, detection, meets_floor, seed) ? 15 : 2;
+        assert_true(worst.gain < (is_soft(quality) ? 0.05 : most));
+        assert_true(worst.speed < 100);
+        assert_true(worst.gap < gap);
+        gained += worst.gain > 0.05;
         thud_world_destroy(m.world);
     }
-    assert_true(gained <= (soft ? WORLDS / 8 : WORLDS / 20));
+    assert_true(gained <= worlds / 20);
 }
 
 static void free_mechanisms_gain_no_energy(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
-        check(qualities[q], &thud_detection_overlap, false);
+        bool soft = is_soft(qualities[q]);
+        check(qualities[q], &thud_detection_overlap, false, soft ? FREE_WORLDS : WORLDS,
+              soft ? 200 : 0.02);
     }
 }
 
+/* What opens on the floor is bounded by it. */
 static void mechanisms_on_a_floor_gain_no_energy(void **state) {
     (void)state;
     for (int i = 0; i < 4 * QUALITIES; i++) {
-        check(qualities[i / 4], detections[i % 4], true);
+        const thud_quality *quality = qualities[i / 4];
+        check(quality, detections[i % 4], true, WORLDS, is_soft(quality) ? 8 : 0.3);
+    }
+}
+
+/* Enough of them that workers share the blocks; many gape, and are braced after the relax pass. */
+static uint64_t hash_of_many(const thud_quality *quality, pool *threads) {
+    thud_world_def def = def_of(quality);
+    def.sleeping = false;
+    def.job_system = pool_job_system(threads);
+    thud_world *world = make_world(def);
+    add_floor(world, NULL);
+    for (int seed = 0; seed < 4 * WORLDS; seed++) {
+        add_mechanism(world, seed, true);
+    }
+    run(world, STEPS / 4);
+    uint64_t hash = thud_world_hash(world);
+    thud_world_destroy(world);
+    return hash;
+}
+
+static void torn_mechanisms_move_alike_with_any_number_of_workers(void **state) {
+    (void)state;
+    for (int q = 0; q < QUALITIES && is_soft(qualities[q]); q++) {
+        uint64_t alone = hash_of_many(qualities[q], NULL);
+        for (int workers = 2; workers <= 4; workers++) {
+            pool *threads = pool_create(workers);
+            assert_true(hash_of_many(qualities[q], threads) == alone);
+            pool_destroy(threads);
+        }
     }
 }
 
@@ -161,6 +214,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(free_mechanisms_gain_no_energy),
         cmocka_unit_test(mechanisms_on_a_floor_gain_no_energy),
+        cmocka_unit_test(torn_mechanisms_move_alike_with_any_number_of_workers),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
