@@ -96,6 +96,9 @@ static void solve(thud_world *w) {
     w->stats.direct_islands = w->stats.direct_bodies = w->stats.soft_islands = w->stats.factorings =
         0;
     w->stats.island_work = 0;
+    if (w->joining) {
+        w->joining->share_caps(w);
+    }
     if (w->quality.islands) {
         w->quality.islands->begin(w);
     }
