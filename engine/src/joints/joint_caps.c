@@ -35,7 +35,7 @@ static wants wants_of(const thud_world *w, td_lane at) {
                        w->def.time_step};
 }
 
-/* Whether two caps are of one vector: both directions act, and one of them has a cap at all. */
+/* Whether two caps are of one vector: both directions act, and both have a cap. */
 static bool is_shared(bool both, float most_u, float most_v) {
     float most = td_max_float(most_u, most_v);
     return both && most > 0.0f && most < THUD_JOINT_FORCE_MAX;

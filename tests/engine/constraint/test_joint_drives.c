@@ -319,6 +319,23 @@ static void weaker_direction_of_a_target_keeps_its_own_cap(void **state) {
     }
 }
 
+/* Once the other one no more acts. */
+static void direction_that_is_left_alone_has_its_whole_cap(void **state) {
+    (void)state;
+    for (int i = 0; i < PULLS; i++) {
+        pull how = pull_number(i);
+        how.most[0] = how.most[1] = 50;
+        pulled p = begin_pull(how, PI / 4);
+        run(p.world, 5);
+        thud_drive none = thud_default_joint_def(THUD_TARGET).drive[THUD_ALONG];
+        OK(thud_joint_set_drive(p.world, p.target, THUD_ALONG, &none));
+        run(p.world, 5);
+        near_to(force_now(&p).x, 0, 1e-6);
+        near_to(force_now(&p).y, 50, 0.5);
+        thud_world_destroy(p.world);
+    }
+}
+
 /* Its direction goes round by 5 degrees a step, through each axis, and its force with it. */
 static void force_of_a_target_turns_with_its_direction(void **state) {
     (void)state;
@@ -382,6 +399,7 @@ int main(void) {
         cmocka_unit_test(springs_and_motors_keep_their_caps_in_a_pile),
         cmocka_unit_test(target_pulls_with_its_cap_in_any_direction),
         cmocka_unit_test(weaker_direction_of_a_target_keeps_its_own_cap),
+        cmocka_unit_test(direction_that_is_left_alone_has_its_whole_cap),
         cmocka_unit_test(force_of_a_target_turns_with_its_direction),
         cmocka_unit_test(motor_of_both_directions_is_friction),
     };
