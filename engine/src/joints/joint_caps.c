@@ -41,8 +41,12 @@ static bool is_shared(bool both, float most_u, float most_v) {
     return both && most > 0.0f && most < THUD_JOINT_FORCE_MAX;
 }
 
-/* The bounds for wanted forces (u, v), whose directions have these caps. */
-static void share(double u, double v, float most_u, float most_v, float *bound_u, float *bound_v) {
+typedef struct bounds {
+    float u, v;
+} bounds;
+
+/* For wanted forces (u, v), whose directions have these caps. */
+static bounds share(double u, double v, float most_u, float most_v) {
     double most = (double)td_max_float(most_u, most_v);
     u = td_abs(u) / most;
     v = td_abs(v) / most;
@@ -61,8 +65,7 @@ static void share(double u, double v, float most_u, float most_v, float *bound_u
         v = (double)most_v / most;
         u = __builtin_sqrt(1.0 - v * v);
     }
-    *bound_u = (float)(most * u);
-    *bound_v = (float)(most * v);
+    return (bounds){(float)(most * u), (float)(most * v)};
 }
 
 static void share_of_joint(const thud_world *w, const td_joint *joint, td_lane u, td_lane v) {
@@ -77,12 +80,14 @@ static void share_of_joint(const thud_world *w, const td_joint *joint, td_lane u
     }
     wants want_u = wants_of(w, u), want_v = wants_of(w, v);
     if (springs) {
-        share(want_u.spring, want_v.spring, along->spring_force, across->spring_force,
-              &rows_u->spring_most[u.lane], &rows_v->spring_most[v.lane]);
+        bounds b = share(want_u.spring, want_v.spring, along->spring_force, across->spring_force);
+        rows_u->spring_most[u.lane] = b.u;
+        rows_v->spring_most[v.lane] = b.v;
     }
     if (motors) {
-        share(want_u.motor, want_v.motor, along->motor_force, across->motor_force,
-              &rows_u->motor_most[u.lane], &rows_v->motor_most[v.lane]);
+        bounds b = share(want_u.motor, want_v.motor, along->motor_force, across->motor_force);
+        rows_u->motor_most[u.lane] = b.u;
+        rows_v->motor_most[v.lane] = b.v;
     }
 }
 
