@@ -11,45 +11,49 @@
 #include "constraint/joining.h"
 #include "joints/joint.h"
 
-/* The forces that a lane's spring and motor would give if they had no caps. */
-typedef struct wants {
-    double spring, motor;
-} wants;
-
-/* The spring's force is that of where it is and how fast; the motor goes on with the force of the
- * last substep, and with what would take its bodies to its speed by the end of the step. */
-static wants wants_of(const thud_world *w, td_lane at) {
+/* The force that a lane's motor or spring would give if it had no cap, of either sign. The spring's
+ * is that of where it is and how fast; the motor goes on with the force of the last substep, and
+ * with what would take its bodies to its speed by the end of the step. */
+static double wanted(const thud_world *w, td_lane at, bool motor) {
     const td_block *block = at.block;
     const td_drive_rows *r = td_drive_rows_at(block);
-    const double still[3] = {0.0, 0.0, 0.0};
-    td_joint_frame f = td_joint_frame_after(block, at.lane, (double)r->gap_u[at.lane],
-                                            (double)r->gap_v[at.lane], true, still, still);
-    double speed = (double)td_joint_speed(w, block, at.lane, f.x, f.y, f.a_u, f.b_u);
-    float inverse = td_joint_inverse_mass(w, block, at.lane, 1.0f, (float)f.a_u, (float)f.b_u);
+    float cross_a = block->point[0].cross_a[at.lane] - r->gap_v[at.lane];
+    float cross_b = block->point[0].cross_b[at.lane];
+    float inverse = td_joint_inverse_mass(w, block, at.lane, 1.0f, cross_a, cross_b);
     double mass = inverse > 0.0f ? 1.0 / (double)inverse : 0.0;
+    double speed =
+        (double)td_joint_speed(w, block, at.lane, (double)block->nx[at.lane],
+                               (double)block->ny[at.lane], (double)cross_a, (double)cross_b);
+    if (motor) {
+        double lack = mass * ((double)r->motor_speed[at.lane] - speed);
+        return (w->substeps * (double)block->tangent_impulse[at.lane] + lack) / w->def.time_step;
+    }
     double omega = td_spring_omega(w, r->frequency[at.lane]);
-    double drag = 2.0 * (double)r->damping[at.lane] * speed;
-    double lack = mass * ((double)r->motor_speed[at.lane] - speed);
-    return (wants){mass * omega * (omega * (double)block->point[1].base[at.lane] + drag),
-                   (w->substeps * (double)block->tangent_impulse[at.lane] + lack) /
-                       w->def.time_step};
+    return mass * omega *
+           (omega * (double)block->point[1].base[at.lane] +
+            2.0 * (double)r->damping[at.lane] * speed);
 }
 
-/* Whether two caps are of one vector: both directions act, and both have a cap. */
-static bool is_shared(bool both, float most_u, float most_v) {
-    float most = td_max_float(most_u, most_v);
-    return both && most > 0.0f && most < THUD_JOINT_FORCE_MAX;
+static double cap_of(const td_drive *d, bool motor) {
+    return (double)(motor ? d->motor_force : d->frequency > 0.0f ? d->spring_force : 0.0f);
 }
 
-typedef struct bounds {
-    float u, v;
-} bounds;
+static f8 *bounds_of(td_lane at, bool motor) {
+    td_drive_rows *r = td_drive_rows_of(at.block);
+    return motor ? &r->motor_most : &r->spring_most;
+}
 
-/* For wanted forces (u, v), whose directions have these caps. */
-static bounds share(double u, double v, float most_u, float most_v) {
-    double most = (double)td_max_float(most_u, most_v);
-    u = td_abs(u) / most;
-    v = td_abs(v) / most;
+/* Nothing is shared where only one direction acts, or one has no cap. */
+static void share(const thud_world *w, const td_joint *joint, td_lane along, td_lane across,
+                  bool motor) {
+    double cap_u = cap_of(&joint->drive[THUD_ALONG], motor);
+    double cap_v = cap_of(&joint->drive[THUD_ACROSS], motor);
+    double most = td_max_double(cap_u, cap_v);
+    if (!(cap_u > 0.0 && cap_v > 0.0 && most < (double)THUD_JOINT_FORCE_MAX)) {
+        return;
+    }
+    double u = td_abs(wanted(w, along, motor)) / most;
+    double v = td_abs(wanted(w, across, motor)) / most;
     double length = __builtin_sqrt(u * u + v * v);
     if (!td_finite(length)) {
         u = v = length = 0.0;
@@ -58,37 +62,15 @@ static bounds share(double u, double v, float most_u, float most_v) {
     double room = length < 1.0 ? 0.5 * (__builtin_sqrt(2.0 - (u - v) * (u - v)) - (u + v)) : 0.0;
     u = scale * u + room;
     v = scale * v + room;
-    if (most * u > (double)most_u) {
-        u = (double)most_u / most;
+    if (most * u > cap_u) {
+        u = cap_u / most;
         v = __builtin_sqrt(1.0 - u * u);
-    } else if (most * v > (double)most_v) {
-        v = (double)most_v / most;
+    } else if (most * v > cap_v) {
+        v = cap_v / most;
         u = __builtin_sqrt(1.0 - v * v);
     }
-    return (bounds){(float)(most * u), (float)(most * v)};
-}
-
-static void share_of_joint(const thud_world *w, const td_joint *joint, td_lane u, td_lane v) {
-    td_drive_rows *rows_u = td_drive_rows_of(u.block), *rows_v = td_drive_rows_of(v.block);
-    const td_drive *along = &joint->drive[THUD_ALONG], *across = &joint->drive[THUD_ACROSS];
-    bool springs = is_shared(along->frequency > 0.0f && across->frequency > 0.0f,
-                             along->spring_force, across->spring_force);
-    bool motors = is_shared(along->motor_force > 0.0f && across->motor_force > 0.0f,
-                            along->motor_force, across->motor_force);
-    if (!springs && !motors) {
-        return;
-    }
-    wants want_u = wants_of(w, u), want_v = wants_of(w, v);
-    if (springs) {
-        bounds b = share(want_u.spring, want_v.spring, along->spring_force, across->spring_force);
-        rows_u->spring_most[u.lane] = b.u;
-        rows_v->spring_most[v.lane] = b.v;
-    }
-    if (motors) {
-        bounds b = share(want_u.motor, want_v.motor, along->motor_force, across->motor_force);
-        rows_u->motor_most[u.lane] = b.u;
-        rows_v->motor_most[v.lane] = b.v;
-    }
+    (*bounds_of(along, motor))[along.lane] = (float)(most * u);
+    (*bounds_of(across, motor))[across.lane] = (float)(most * v);
 }
 
 static void share_of_block(const thud_world *w, td_block *block) {
@@ -97,7 +79,8 @@ static void share_of_block(const thud_world *w, td_block *block) {
         bool across = td_drive_rows_of(block)->across[lane] != 0;
         if (across && joint->part[THUD_ALONG] != TD_NONE) {
             td_lane along = td_lane_of(w, td_constraint_at(w, joint->part[THUD_ALONG]));
-            share_of_joint(w, joint, along, (td_lane){block, lane});
+            share(w, joint, along, (td_lane){block, lane}, false);
+            share(w, joint, along, (td_lane){block, lane}, true);
         }
     }
 }
