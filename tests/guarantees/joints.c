@@ -127,6 +127,87 @@ static void joints_close_before_they_sleep(trial *t) {
     }
 }
 
+/* A target along and across from a post, whose springs or motors have caps of some multiples of the
+ * body's weight. */
+typedef struct capped {
+    thud_joint_id joint;
+    bool motors;
+    double most[2];
+} capped;
+
+static capped pull_at(trial *t, thud_world *world, thud_body_id body) {
+    capped c = {.motors = trial_pick(t, 2)};
+    thud_body_state state = {.mass = 0};
+    DO(t, thud_body_get(world, body, &state));
+    double weight = state.mass * hypot(0, (double)trial_def(t).gravity.y);
+    bool same = trial_pick(t, 2);
+    thud_joint_def def = between(t, THUD_TARGET, hook_at(t, world, 0, 0), body, 0);
+    def.frame_a.angle = trial_draw(t, -3, 3);
+    for (int k = THUD_ALONG; k <= THUD_ACROSS; k++) {
+        thud_drive *d = &def.drive[k];
+        float most = (float)(weight * trial_draw(t, 0.5, 8)), way = (float)trial_draw(t, -20, 20);
+        c.most[k] = k == THUD_ACROSS && same ? c.most[THUD_ALONG] : (double)most;
+        d->frequency = c.motors ? 0 : (float)trial_draw(t, 1, 20);
+        d->target = way * (float)t->scale;
+        d->motor_speed = way * (float)t->scale;
+        d->spring_force = (float)c.most[k];
+        d->motor_force = c.motors ? (float)c.most[k] : 0;
+    }
+    c.joint = make(t, world, &def);
+    return c;
+}
+
+static void look_at_forces(trial *t, const thud_world *world, const capped *c, int step) {
+    thud_joint_state s = state_of(t, world, c->joint);
+    double force[2], room = 1.0001;
+    for (int k = THUD_ALONG; k <= THUD_ACROSS; k++) {
+        force[k] = (double)fabsf(c->motors ? s.drive[k].motor : s.drive[k].spring) / c->most[k];
+    }
+    double along = force[0] * c->most[0], across = force[1] * c->most[1];
+    double both = hypot(along, across) / fmax(c->most[0], c->most[1]);
+    if (!(force[0] <= room) || !(force[1] <= room) || !(both <= room)) {
+        trial_fault(t, "step %d: %s of %g and %g times the caps, together %g of the greater one",
+                    step, c->motors ? "motors" : "springs", force[0], force[1], both);
+    }
+}
+
+/* Targets pull at what lies at the bottom, in the middle and on top of a heap, and at the end of a
+ * chain. */
+static void drives_keep_their_forces(trial *t) {
+    enum { COLUMNS = 3, ROWS = 3, LINKS_PULLED = 3, TARGETS = 4 };
+    thud_world *world = trial_make(t, trial_def(t));
+    thud_body_id body[TARGETS], last;
+    capped pull[TARGETS];
+    if (!world) {
+        return;
+    }
+    trial_wall(t, world, 0, -1, 20, 1);
+    for (int i = 0; i < COLUMNS * ROWS; i++) {
+        form kind = i % 2 ? TURNED : UPRIGHT;
+        thud_body_id id =
+            trial_drop(t, world, kind, 0.9 * (i % COLUMNS), 0.4 + 0.8 * (i / COLUMNS), 0.4);
+        body[i / COLUMNS] = i % COLUMNS == 1 ? id : body[i / COLUMNS];
+    }
+    last = hook_at(t, world, 8, 6);
+    for (int i = 0; i < LINKS_PULLED; i++) {
+        thud_body_id link = trial_drop(t, world, TURNED, 8.4 + 0.8 * i, 6, 0.1);
+        thud_joint_def def = between(t, THUD_HINGE, last, link, 0.4);
+        def.frame_a.position = i ? def.frame_a.position : (thud_vec2){0, 0};
+        make(t, world, &def);
+        body[ROWS] = last = link;
+    }
+    trial_run(t, world, trial_steps(t, 0.25));
+    for (int i = 0; i < TARGETS; i++) {
+        pull[i] = pull_at(t, world, body[i]);
+    }
+    for (int k = 0; k < trial_steps(t, 1.5) && !trial_failed(t); k++) {
+        DO(t, thud_world_step(world));
+        for (int i = 0; i < TARGETS; i++) {
+            look_at_forces(t, world, &pull[i], k);
+        }
+    }
+}
+
 /* A box rests on what it is not tied to, and falls through what it is. */
 static void tied_bodies_pass_through_each_other(trial *t) {
     thud_joint_kind kind = trial_pick(t, 2) ? THUD_FILTER : THUD_DISTANCE;
@@ -204,6 +285,7 @@ static void joints_are_gone_with_their_bodies(trial *t) {
 }
 
 const guarantee guarantees_of_joints[] = {
+    {"drives_keep_their_forces", drives_keep_their_forces, {{0}}},
     {"joints_are_gone_with_their_bodies", joints_are_gone_with_their_bodies, {{0}}},
     {"joints_break_where_they_bear_too_much", joints_break_where_they_bear_too_much, {{0}}},
     {"joints_close_before_they_sleep", joints_close_before_they_sleep, {{0}}},

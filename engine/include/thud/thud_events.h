@@ -21,7 +21,9 @@
  * not disturb. Two static bodies alone are nothing to each other, since neither ever comes or goes:
  * thud_world_overlap_shape tells what stands where. Of two sensors each reports the other. They go
  * by where bodies stand as a step ends: what moves in or out within a step is told by that step.
- * (Where memory is short it is told by a later one.)
+ * Where more come near sensors at once than 512, one for each body that is awake and as many as are
+ * near some already, all that do so in that step are told of by the next one, so that a step asks
+ * for no memory once bodies have moved.
  *
  * What passes a sensor altogether within a step is told as begun and ended where a detection looks
  * at ways: thud_detection_continuous at those of bodies past the sensors of static ones,

@@ -86,12 +86,16 @@ typedef struct thud_drive {
     float target;       /* where the spring pulls to; in the range of limits: THUD_JOINT_TURN_MAX,
                            THUD_JOINT_LENGTH_MAX. Default 0; of a distance -INFINITY, which stands
                            for its length, as set by thud_joint_set_length too */
-    float spring_force; /* which the spring does not exceed, in each direction by itself,
-                           [0, THUD_JOINT_FORCE_MAX]; default that: none */
+    float spring_force; /* which the spring does not exceed, [0, THUD_JOINT_FORCE_MAX]; default
+                           that: none. Where springs act along and across, each keeps its own cap,
+                           and the force of both together is no longer than the greater one: with
+                           the same cap for both it is that of the force, whichever way it points.
+                           Once a step the direction that both want decides on their parts */
     float motor_speed;  /* of b seen from a, |.| <= THUD_JOINT_LENGTH_MAX length scales a second, or
                            THUD_JOINT_SPIN_MAX */
     float motor_force;  /* up to which the motor acts, [0, THUD_JOINT_FORCE_MAX]; default 0: none;
-                           of a speed without force the log hears */
+                           of a speed without force the log hears. Along and across together as
+                           springs are: with speed 0 and the same cap it is friction */
 } thud_drive;
 
 /* A place and an axis in a body. */

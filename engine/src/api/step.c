@@ -68,17 +68,20 @@ static void forget_motions(thud_world *w) {
     w->scratch.legs.count = w->scratch.first_legs.count = 0;
 }
 
+/* A sensor that a callback makes takes part from the next step on. */
 static bool reserve_sensing(thud_world *w) {
     const td_sensing *sensing = td_sensing_of(w);
+    w->scratch.sensed_room = 0;
     return w->sensors == 0 ||
            (td_sensed_reserve(w) && td_sensors_reserve(w) && (!sensing || sensing->reserve(w)));
 }
 
 /* Sensors go by where bodies stand now: what was passed on the way first, then what is there. */
 static void sense(thud_world *w) {
-    if (w->sensors == 0 || !td_sensed_list(w)) {
+    if (w->scratch.sensed_room == 0) {
         return;
     }
+    td_sensed_list(w);
     const td_sensing *sensing = td_sensing_of(w);
     if (sensing) {
         sensing->pass(w);
@@ -96,6 +99,9 @@ static void solve(thud_world *w) {
     w->stats.direct_islands = w->stats.direct_bodies = w->stats.soft_islands = w->stats.factorings =
         0;
     w->stats.island_work = 0;
+    if (w->joining) {
+        w->joining->share_caps(w);
+    }
     if (w->quality.islands) {
         w->quality.islands->begin(w);
     }

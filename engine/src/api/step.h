@@ -27,7 +27,7 @@ void td_finalize(thud_world *w);
 /* sensed_pairs.c: lists the bodies with sensors that are awake; and makes a contact of each new
  * pair of a sensor. Where memory is short the next step does, and tells of it. */
 bool td_sensed_reserve(thud_world *w);
-bool td_sensed_list(thud_world *w);
+void td_sensed_list(thud_world *w);
 bool td_sensed_pairs(thud_world *w);
 /* sensor_events.c: what is in sensors, by where bodies stand now. */
 bool td_sensors_reserve(thud_world *w);

@@ -5,26 +5,22 @@
 #include "broadphase/pairs.h"
 #include "constraint/constraint.h"
 #include "contact/contact.h"
+#include "contact/sensors.h"
 #include "state/shape.h"
 
-/* Room for so many new pairs in a step; for more, memory is asked for as they come. */
-enum { SPARE = 256 };
-
 bool td_sensed_reserve(thud_world *w) {
-    int more[TD_CONSTRAINT_KINDS] = {[TD_PAIR_SENSOR] = SPARE};
+    int room = w->scratch.sensed_room = td_sensors_expect(w);
+    int more[TD_CONSTRAINT_KINDS] = {[TD_PAIR_SENSOR] = room};
     int shapes = w->awake_shapes.ids.count + w->rest_shapes.ids.count;
     return td_array_reserve(&w->memory, &w->scratch.sensing, w->body_of.count) &&
            td_array_reserve(&w->memory, &w->scratch.hits, 3 * shapes + 4 * TD_LANES) &&
-           td_array_reserve(&w->memory, &w->scratch.pairs, 2 * SPARE) &&
+           td_array_reserve(&w->memory, &w->scratch.pairs, 2 * room) &&
            td_constraints_reserve(w, more);
 }
 
-bool td_sensed_list(thud_world *w) {
+void td_sensed_list(thud_world *w) {
     td_array *list = &w->scratch.sensing;
     list->count = 0;
-    if (!td_sensed_reserve(w)) { /* again, since callbacks may have made sensors */
-        return false;
-    }
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         int i = td_body_at(w, td_body_of(w, slot))->first_shape;
         while (i != TD_NONE && !td_senses(w, i)) {
@@ -34,7 +30,6 @@ bool td_sensed_list(thud_world *w) {
             td_push_slot(list, slot);
         }
     }
-    return true;
 }
 
 static bool moved(const thud_world *w, int shape) {
@@ -47,7 +42,7 @@ static bool is_here(const thud_world *w, int shape) {
            !(*td_marks_at(w, shape) & TD_MARK_FRESH);
 }
 
-/* The next broadphase finds the pair as well. */
+/* The next broadphase finds the pair as well. False where there is no room for another one. */
 static bool add(thud_world *w, int shape, int other, int child) {
     td_new_pair pair = {td_min_int(shape, other), td_max_int(shape, other), child};
     td_pair_of(w, &pair.a, &pair.b);
@@ -55,7 +50,8 @@ static bool add(thud_world *w, int shape, int other, int child) {
         return true;
     }
     *td_marks_at(w, shape) |= TD_MARK_WOKEN;
-    return td_pairs_add(w, pair.a, pair.b, child);
+    return w->scratch.pairs.count < w->scratch.sensed_room &&
+           td_pairs_add(w, pair.a, pair.b, child);
 }
 
 static bool try_pair(thud_world *w, int shape, int other) {
@@ -131,6 +127,8 @@ static bool add_moved(thud_world *w, int shape) {
     return done;
 }
 
+/* Where there are more than there is room for none is made: which of them came first would depend
+ * on the broadphase. The next one finds all of them. */
 bool td_sensed_pairs(thud_world *w) {
     bool done = true;
     w->scratch.pairs.count = 0;

@@ -35,6 +35,9 @@ typedef struct td_joining_ops {
     bool (*adds_energy)(thud_world *w, bool relaxed);
     void (*weigh)(thud_world *w, bool relaxed);
     bool (*gape)(const thud_world *w);
+    /* joint_caps.c, before solving: bounds of springs and motors whose cap is of both directions.
+     */
+    void (*share_caps)(thud_world *w);
     /* After the epilogue: events of the joints that bear too much, which are destroyed. */
     void (*break_up)(thud_world *w);
     /* Adds up how far joints are open that are in force, asleep or awake. */
@@ -61,6 +64,7 @@ void td_joints_hold_back(thud_world *w, td_awake_slot slot, double time);
 bool td_joints_add_energy(thud_world *w, bool relaxed);
 void td_joints_weigh(thud_world *w, bool relaxed);
 bool td_joints_gape(const thud_world *w);
+void td_joints_share_caps(thud_world *w);
 void td_joints_break_up(thud_world *w);
 void td_joints_draw(const struct td_drawing *drawing);
 void td_joints_measure(const thud_world *w, td_joint_gaps *gaps);

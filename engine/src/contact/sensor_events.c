@@ -33,10 +33,8 @@ static void end(thud_world *w, int index) {
     }
 }
 
-enum { SPARE = 256 }; /* pairs that come in one step, for which there is room in any case */
-
 bool td_sensors_reserve(thud_world *w) {
-    return td_sensor_room(w, w->waiting[TD_PAIR_SENSOR].count + SPARE);
+    return td_sensor_room(w, w->waiting[TD_PAIR_SENSOR].count + w->scratch.sensed_room);
 }
 
 /* One that rests gives its place to the last. Where bounds have parted, the next narrowphase ends

@@ -17,6 +17,19 @@ bool td_sensor_overlaps(const thud_world *w, int shape_a, int shape_b) {
     return thud_shapes_overlap(&placed_a, &placed_b);
 }
 
+/* Pairs that come in a step for which there is room in any world; and, beside one for each body
+ * that is awake and as many as there are already, in one of many sensors. Both chosen: a pair takes
+ * some 250 bytes. */
+enum { FEW = 256, MANY = 512 };
+
+/* Each shape may be near several segments of a line. */
+int td_sensors_expect(const thud_world *w) {
+    int64_t likely = (int64_t)MANY + w->body_of.count + w->constraint_count[TD_PAIR_SENSOR];
+    int64_t possible = (int64_t)w->sensors * w->shapes.live;
+    int64_t pairs = w->terrains.live == 0 && possible < likely ? possible : likely;
+    return pairs > FEW ? (int)pairs : FEW;
+}
+
 bool td_sensor_room(thud_world *w, int more) {
     td_event_lists *e = &w->events;
     int begins = e->sensor_begin.count + 2 * more, ends = e->sensor_end.count + 2 * more;
@@ -29,6 +42,7 @@ bool td_sensor_room(thud_world *w, int more) {
 void td_sensor_passed(thud_world *w, int shape_a, int shape_b, float from, float until) {
     if (td_sensor_room(w, 1)) {
         td_event_lists *e = &w->events;
+        w->scratch.sensed_room--;
         td_sensor_tell(w, &e->sensor_begin, &e->sensor_begin_time, shape_a, shape_b, from);
         td_sensor_tell(w, &e->sensor_end, &e->sensor_end_time, shape_a, shape_b, until);
     }

@@ -291,11 +291,6 @@ void td_hold_at(thud_world *w, td_awake_slot slot, double time) {
     float *delta = td_row(&w->delta, slot), *velocity = td_row(&w->velocity, slot);
     const float *push = td_row(&w->push, slot);
     float x = (float)rest * delta[0], y = (float)rest * delta[1];
-    td_trajectory way = {.place = pose.center,
-                         .angle = pose.angle,
-                         .body = body,
-                         .motion = {(double)delta[0], (double)delta[1], (double)delta[2]}};
-    td_leg_note(w, &way, time);
     td_error_fall_short(w, x, y);
     td_error_follow(w, slot, x, y);
     for (int k = 0; k < 3; k++) {
@@ -337,6 +332,25 @@ static void sweep_body(thud_world *w, td_awake_slot slot) {
     }
 }
 
+/* Notes for sensors how far each body that was held went: at the speed that it had, up to the part
+ * of the step that all holds together have left. */
+static void note_legs(thud_world *w) {
+    for (td_awake_slot slot = {1}; slot.at < w->scratch.held_at.count; slot.at++) {
+        double end = *TD_AT(double, &w->scratch.held_at, slot.at);
+        if (end < 1.0 && end > 0.0) {
+            td_pose start = start_of(w, slot);
+            const float *delta = td_row(&w->delta, slot);
+            td_trajectory way = {.place = start.center,
+                                 .angle = start.angle,
+                                 .body = td_body_of(w, slot)};
+            for (int k = 0; k < 3; k++) {
+                way.motion[k] = (double)delta[k] / end;
+            }
+            td_leg_note(w, &way, end);
+        }
+    }
+}
+
 /* A query asks for room as if every shape of the ranges that it scans were a hit. */
 static bool reserve(thud_world *w) {
     return td_held_reserve(w) && td_array_reserve(&w->memory, &w->scratch.ahead,
@@ -354,6 +368,9 @@ static void run(thud_world *w) {
     }
     if (w->stats.held_bodies) {
         td_error_settle(w);
+        if (w->scratch.sensed_room > 0) {
+            note_legs(w);
+        }
     }
 }
 

@@ -294,7 +294,8 @@ static bool reserve(thud_world *w) {
     int hits = w->scratch.begins.count; /* of contacts */
     int shapes =
         w->awake_shapes.ids.count + w->rest_shapes.ids.count; /* each may be found, and asked for */
-    int legs = w->sensors > 0 ? 2 * most + awake : 0; /* two an impact, and all to the end */
+    /* Two an impact, and all to the end; before, those that continuous.c holds. */
+    int legs = w->sensors > 0 ? 2 * most + 2 * awake : 0;
     return td_held_reserve(w) && td_array_reserve(&w->memory, &w->scratch.legs, legs) &&
            td_array_reserve(&w->memory, &w->scratch.hits, 2 * shapes + 4 * TD_LANES) &&
            td_array_reserve(&w->memory, &w->scratch.trajectories, awake) &&

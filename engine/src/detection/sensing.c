@@ -228,7 +228,8 @@ static void among_resting(thud_world *w, td_awake_slot slot) {
     }
 }
 
-/* Links the legs of each body, which were noted in the order of time. */
+/* Links the legs of each body, which were noted in the order of time. One that continuous.c held
+ * and impacts.c moved on the way that this left has the legs of impacts.c. */
 static void link_legs(thud_world *w) {
     td_array *first = &w->scratch.first_legs;
     first->count = w->body_of.count;
@@ -237,9 +238,11 @@ static void link_legs(thud_world *w) {
     }
     for (int i = w->scratch.legs.count - 1; i >= 0; i--) {
         td_leg *leg = TD_AT(td_leg, &w->scratch.legs, i);
-        int slot = td_body_at(w, leg->way.body)->awake.at;
-        leg->next = td_int_at(first, slot);
-        td_int_set(first, slot, i);
+        int slot = td_body_at(w, leg->way.body)->awake.at, next = td_int_at(first, slot);
+        if (next == TD_NONE || TD_AT(td_leg, &w->scratch.legs, next)->way.since > leg->way.since) {
+            leg->next = next;
+            td_int_set(first, slot, i);
+        }
     }
 }
 
@@ -252,9 +255,6 @@ bool td_sensing_reserve(thud_world *w) {
 }
 
 void td_sensing_pass(thud_world *w) {
-    if (!td_sensing_reserve(w)) { /* the prologue made the first sensor */
-        return;
-    }
     void (*among_awake)(thud_world *, td_awake_slot) = td_sensing_of(w)->among_awake;
     link_legs(w);
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {

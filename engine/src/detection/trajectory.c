@@ -41,7 +41,8 @@ static double way_of(const td_trajectory *f, int axis, double time) {
 
 void td_leg_note(thud_world *w, const td_trajectory *way, double end) {
     td_array *legs = &w->scratch.legs;
-    if (w->sensors > 0 && end > way->since && td_array_reserve(&w->memory, legs, legs->count + 1)) {
+    if (w->scratch.sensed_room > 0 && end > way->since &&
+        td_array_reserve(&w->memory, legs, legs->count + 1)) {
         TD_PUSH(td_leg, legs) = (td_leg){*way, end, TD_NONE};
     }
 }

@@ -93,6 +93,12 @@ static inline float td_joint_target(const td_joint *joint, int direction) {
     return td_target_is_length(target) ? joint->length : target;
 }
 
+/* Of a spring, rad/s, as the soft solver has it: a spring is the same whichever solves it. */
+static inline double td_spring_omega(const thud_world *w, float frequency) {
+    double most = (double)TD_SPRING_PHASE * w->substeps / w->def.time_step;
+    return td_min_double(2.0 * TD_PI * (double)frequency, most);
+}
+
 static inline bool td_drive_acts(const td_drive *d) {
     return d->limited || d->frequency > 0.0f || d->motor_force > 0.0f;
 }

@@ -19,11 +19,22 @@ bool td_joint_reserve(thud_world *w, int kind) {
     return td_constraints_reserve(w, more);
 }
 
-static const td_joining_ops joining = {
-    td_joints_engage, td_joints_suspend,      td_joints_follow,     td_joints_keep_apart,
-    td_joints_leave,  td_joints_ring,         td_joints_hold_back,  td_joints_add_energy,
-    td_joints_weigh,  td_joints_gape,         td_joints_break_up,   td_joints_measure,
-    td_joints_draw,   td_island_solve_joints, &td_islands_of_joints};
+static const td_joining_ops joining = {.engage = td_joints_engage,
+                                       .suspend = td_joints_suspend,
+                                       .follow = td_joints_follow,
+                                       .keeps_apart = td_joints_keep_apart,
+                                       .leave = td_joints_leave,
+                                       .ring = td_joints_ring,
+                                       .hold_back = td_joints_hold_back,
+                                       .adds_energy = td_joints_add_energy,
+                                       .weigh = td_joints_weigh,
+                                       .gape = td_joints_gape,
+                                       .share_caps = td_joints_share_caps,
+                                       .break_up = td_joints_break_up,
+                                       .measure = td_joints_measure,
+                                       .draw = td_joints_draw,
+                                       .solve = td_island_solve_joints,
+                                       .islands = &td_islands_of_joints};
 
 static void plug(thud_world *w) {
     w->kinds[TD_CONSTRAINT_ROD] = td_rod_ops(w);

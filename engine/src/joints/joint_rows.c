@@ -244,19 +244,13 @@ static double mass_of(const thud_world *w, const td_block *block, int lane) {
     return inverse > 0.0f ? 1.0 / (double)inverse : 0.0;
 }
 
-/* As the soft solver has it: a spring is the same whichever solves it. */
-static double omega_of(const thud_world *w, float frequency) {
-    double most = (double)TD_SPRING_PHASE * w->substeps / w->def.time_step;
-    return td_min_double(2.0 * TD_PI * (double)frequency, most);
-}
-
 /* Sets a spring's weight for a part of the step, and returns the speed at which it would not push:
  * its mean force is the one in the middle of the part, which keeps its energy. The impulses of the
  * problem are half of those of the part. `moved`: how far it is from where the step began. */
 static double spring_speed(const thud_world *w, const td_block *block, int lane, td_direct_row *row,
                            double moved, double time) {
     const td_drive_rows *r = td_drive_rows_at(block);
-    double omega = omega_of(w, r->frequency[lane]), mass = mass_of(w, block, lane);
+    double omega = td_spring_omega(w, r->frequency[lane]), mass = mass_of(w, block, lane);
     double stiffness = mass * omega * omega, drag = 2.0 * (double)r->damping[lane] * mass * omega;
     double both = 0.5 * time * stiffness + drag;
     row->weight = 0.5 * time * both;

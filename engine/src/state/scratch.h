@@ -38,6 +38,8 @@ typedef struct td_scratch {
     td_array legs;                /* td_leg, in the order of time: detection/sensing.c */
     td_array first_legs;          /* int, by awake slot: the first of its legs, or TD_NONE */
     td_array sensing;             /* td_awake_slot: bodies with sensors */
+    int sensed_room;              /* pairs of sensors that may still come or be passed in this
+                                     step; 0 where it began without sensors */
     td_array order;               /* while a proxy set is put into its order */
 } td_scratch;
 

@@ -135,8 +135,9 @@ static void limit_spring_and_motor_are_told_apart(void **state) {
 
 /* ---- caps ---- */
 
-/* The greatest force of a spring or a motor of a target, in parts of what it may be, which draws a
- * box near the top of a pyramid of 78; *direct: the steps in which that was solved directly. */
+/* The greatest force of the springs or the motors of a target, in parts of what it may be, which
+ * draws a box near the top of a pyramid of 78; *direct: the steps in which that was solved
+ * directly. */
 static double worst_pull(const thud_quality *quality, thud_vec2 to, bool motors, int *direct) {
     enum { ROWS = 12, PULLED = 8, STEPS = 90 };
     const float most = 200;
@@ -162,10 +163,12 @@ static double worst_pull(const thud_quality *quality, thud_vec2 to, bool motors,
     for (int i = 0; i < STEPS; i++) {
         run(world, 1);
         thud_joint_state now = joint_of(world, target);
+        double pull[2];
         for (int k = THUD_ALONG; k <= THUD_ACROSS; k++) {
             thud_drive_forces force = now.drive[k];
-            worst = fmax(worst, fabs((double)(motors ? force.motor : force.spring) / (double)most));
+            pull[k] = (double)(motors ? force.motor : force.spring);
         }
+        worst = fmax(worst, hypot(pull[0], pull[1]) / (double)most);
         *direct += thud_world_stats(world).direct_islands > 0;
     }
     thud_world_destroy(world);
@@ -187,6 +190,206 @@ static void springs_and_motors_keep_their_caps_in_a_pile(void **state) {
     }
 }
 
+/* ---- one cap of both directions ---- */
+
+static const thud_detection *const detections[] = {&thud_detection_overlap,
+                                                   &thud_detection_continuous,
+                                                   &thud_detection_bisect, &thud_detection_swept};
+enum { DETECTIONS = sizeof detections / sizeof *detections };
+
+/* What keeps the box that a target pulls at from following: nothing, two walls in whose corner it
+ * stands, or a weld to one of them. */
+typedef enum holding { FREE, CORNER, WELDED, HOLDINGS } holding;
+
+typedef struct pull {
+    const thud_quality *quality;
+    const thud_detection *detection;
+    holding by;
+    bool motors;    /* else springs */
+    bool kinematic; /* the post; else static */
+    float most[2];
+} pull;
+
+typedef struct pulled {
+    thud_world *world;
+    thud_body_id box;
+    thud_joint_id target;
+    pull how;
+} pulled;
+
+static void aim(const pulled *p, double angle) {
+    for (int k = THUD_ALONG; k <= THUD_ACROSS; k++) {
+        double part = k == THUD_ALONG ? cos(angle) : sin(angle);
+        thud_drive drive = thud_default_joint_def(THUD_TARGET).drive[k];
+        drive.frequency = p->how.motors ? 0 : 3;
+        drive.target = (float)(1000 * part);
+        drive.spring_force = p->how.most[k];
+        drive.motor_force = p->how.motors ? p->how.most[k] : 0;
+        drive.motor_speed = (float)(1000 * part);
+        OK(thud_joint_set_drive(p->world, p->target, (thud_direction)k, &drive));
+    }
+}
+
+static pulled begin_pull(pull how, double angle) {
+    thud_world_def def = weightless();
+    def.quality = how.quality;
+    def.detection = how.detection;
+    pulled p = {.world = make_world(def), .how = how};
+    thud_body_id post = add_body(p.world, how.kinematic ? THUD_KINEMATIC : THUD_STATIC, 0, 0, 0);
+    thud_shape_def smooth = thud_default_shape_def();
+    smooth.friction = 0;
+    p.box = add_body(p.world, THUD_DYNAMIC, 0, 0, 0); /* of mass 1 */
+    add_shape(p.world, p.box, 0.5f, 0.5f, false, &smooth);
+    if (how.by == CORNER) {
+        add_shape(p.world, add_body(p.world, THUD_STATIC, 1.5, 0, 0), 1, 3, false, &smooth);
+        add_shape(p.world, add_body(p.world, THUD_STATIC, 0, 1.5, 0), 3, 1, false, &smooth);
+    } else if (how.by == WELDED) {
+        make(p.world, between(THUD_WELD, post, p.box, middle, middle));
+    }
+    p.target = make(p.world, between(THUD_TARGET, post, p.box, middle, middle));
+    aim(&p, angle);
+    return p;
+}
+
+/* On the box. */
+static thud_vec2 force_now(const pulled *p) {
+    thud_joint_state now = joint_of(p->world, p->target);
+    thud_vec2 force = {0, 0};
+    for (int k = THUD_ALONG; k <= THUD_ACROSS; k++) {
+        thud_drive_forces all = now.drive[k];
+        *(k ? &force.y : &force.x) = p->how.motors ? all.motor : all.spring;
+    }
+    return force;
+}
+
+static double length_of(thud_vec2 v) {
+    return hypot((double)v.x, (double)v.y);
+}
+
+static pull pull_number(int i) {
+    return (pull){.kinematic = i % 2,
+                  .motors = i / 2 % 2,
+                  .by = i / 4 % HOLDINGS,
+                  .detection = detections[i / (4 * HOLDINGS) % DETECTIONS],
+                  .quality = qualities[i / (4 * HOLDINGS * DETECTIONS)]};
+}
+enum { PULLS = 4 * HOLDINGS * DETECTIONS * QUALITIES };
+
+static void target_pulls_with_its_cap_in_any_direction(void **state) {
+    (void)state;
+    enum { STEPS = 30, ANGLES = 7 };
+    for (int i = 0; i < PULLS; i++) {
+        for (int k = 0; k < ANGLES; k++) {
+            double angle = 0.5 * PI * k / (ANGLES - 1), worst = 0;
+            pull how = pull_number(i);
+            how.most[0] = how.most[1] = 50;
+            pulled p = begin_pull(how, angle);
+            for (int n = 0; n < STEPS; n++) {
+                run(p.world, 1);
+                worst = fmax(worst, length_of(force_now(&p)));
+            }
+            thud_vec2 force = force_now(&p), v = state_of(p.world, p.box).velocity;
+            assert_true(worst < 1.0001 * 50); /* 1.41 times where each direction has its own */
+            assert_true(length_of(force) > 0.99 * 50);
+            near_to(force.x, 50 * cos(angle), 0.02 * 50);
+            near_to(force.y, 50 * sin(angle), 0.02 * 50);
+            near_to(length_of(v), how.by == FREE ? 50 * STEPS * STEP : 0, 0.01 * 50 * STEPS * STEP);
+            thud_world_destroy(p.world);
+        }
+    }
+}
+
+/* The weaker direction keeps its own cap, and the force of both is that of the stronger one. */
+static void weaker_direction_of_a_target_keeps_its_own_cap(void **state) {
+    (void)state;
+    for (int i = 0; i < PULLS; i++) {
+        pull how = pull_number(i);
+        how.most[0] = 50;
+        how.most[1] = 20;
+        for (int k = 0; k < 3; k++) {
+            double angle = k * PI / 6;
+            pulled p = begin_pull(how, angle);
+            run(p.world, 20);
+            thud_vec2 force = force_now(&p);
+            double across = fmin(20, 50 * sin(angle));
+            near_to(force.y, across, 0.02 * 50);
+            near_to(force.x, sqrt(50 * 50 - across * across), 0.02 * 50);
+            thud_world_destroy(p.world);
+        }
+    }
+}
+
+/* Once the other one no more acts. */
+static void direction_that_is_left_alone_has_its_whole_cap(void **state) {
+    (void)state;
+    for (int i = 0; i < PULLS; i++) {
+        pull how = pull_number(i);
+        how.most[0] = how.most[1] = 50;
+        pulled p = begin_pull(how, PI / 4);
+        run(p.world, 5);
+        thud_drive none = thud_default_joint_def(THUD_TARGET).drive[THUD_ALONG];
+        OK(thud_joint_set_drive(p.world, p.target, THUD_ALONG, &none));
+        run(p.world, 5);
+        near_to(force_now(&p).x, 0, 1e-6);
+        near_to(force_now(&p).y, 50, 0.5);
+        thud_world_destroy(p.world);
+    }
+}
+
+/* Its direction goes round by 5 degrees a step, through each axis, and its force with it. */
+static void force_of_a_target_turns_with_its_direction(void **state) {
+    (void)state;
+    enum { STEPS = 72, FIRST = 10 };
+    for (int i = 0; i < PULLS; i++) {
+        pull how = pull_number(i);
+        how.most[0] = how.most[1] = 50;
+        if (how.by != WELDED) {
+            continue;
+        }
+        pulled p = begin_pull(how, 0.1);
+        thud_vec2 before = {0, 0};
+        for (int n = 0; n < STEPS + FIRST; n++) {
+            aim(&p, 0.1 + 2 * PI * n / STEPS);
+            run(p.world, 1);
+            thud_vec2 force = force_now(&p);
+            thud_vec2 change = {force.x - before.x, force.y - before.y};
+            double length = length_of(force), turned = length_of(change);
+            assert_true(length < 1.0001 * 50);
+            assert_true(n < FIRST || (length > 0.9 * 50 && turned < 0.2 * 50));
+            before = force;
+        }
+        thud_world_destroy(p.world);
+    }
+}
+
+/* A motor of speed 0 in both directions is friction with the ground seen from above: it holds what
+ * is pushed by less than its force, whichever way, and what it slows down goes straight on. */
+static void motor_of_both_directions_is_friction(void **state) {
+    (void)state;
+    for (int i = 0; i < 2 * QUALITIES; i++) {
+        for (int k = 0; k < 7; k++) {
+            thud_world_def def = weightless();
+            def.quality = qualities[i / 2];
+            double angle = k * PI / 12, push = i % 2 ? 9.5 : 12;
+            def.gravity = (thud_vec2){(float)(push * cos(angle)), (float)(push * sin(angle))};
+            thud_world *world = make_world(def);
+            thud_body_id ground = add_body(world, THUD_STATIC, 0, 0, 0);
+            thud_body_id box = add_box(world, 0, 0, 0.5f, 0.5f); /* of mass 1 */
+            thud_joint_def rub = between(THUD_TARGET, ground, box, middle, middle);
+            rub.drive[THUD_ALONG].motor_force = rub.drive[THUD_ACROSS].motor_force = 10;
+            make(world, rub);
+            run(world, 60);
+            thud_body_state s = state_of(world, box);
+            double speed = push > 10 ? 2 : 0, along = speed * 0.5;
+            near_to(s.velocity.x, speed * cos(angle), 0.06);
+            near_to(s.velocity.y, speed * sin(angle), 0.06);
+            near_to(s.position.x, along * cos(angle), 0.06);
+            near_to(s.position.y, along * sin(angle), 0.06);
+            thud_world_destroy(world);
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(spring_of_a_distance_rests_at_its_length),
@@ -194,6 +397,11 @@ int main(void) {
         cmocka_unit_test(limits_and_targets_reach_pi),
         cmocka_unit_test(limit_spring_and_motor_are_told_apart),
         cmocka_unit_test(springs_and_motors_keep_their_caps_in_a_pile),
+        cmocka_unit_test(target_pulls_with_its_cap_in_any_direction),
+        cmocka_unit_test(weaker_direction_of_a_target_keeps_its_own_cap),
+        cmocka_unit_test(direction_that_is_left_alone_has_its_whole_cap),
+        cmocka_unit_test(force_of_a_target_turns_with_its_direction),
+        cmocka_unit_test(motor_of_both_directions_is_friction),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,6 +4,7 @@
 #include "every_choice.h"
 
 #include <thud/thud_detection.h>
+#include <thud/thud_joint.h>
 
 static thud_shape_def sensor_def(void) {
     thud_shape_def def = thud_default_shape_def();
@@ -381,6 +382,65 @@ static void gates_are_passed_on_the_way_and_back(void **state) {
     }
 }
 
+/* Two circles of radius 0.1 fly side by side, by 10 in a step, with a rod between them. Walls stop
+ * the first after a part of its way, and the second after another; where one stops both do, so that
+ * the rest of the way of either is cut twice. Each passes gates of half width 0.05 before both
+ * stop, at x = 1, and would have passed more of them after. */
+static void body_that_is_held_twice_in_a_step_passes_what_it_did_when_it_did(void **state) {
+    (void)state;
+    const double stops[][2] = {{5, 2}, {3, 2.2}, {2, 5}, {9, 2}, {5, 4.9}};
+    for (int i = 0; i < 5 * 3 * 2 * 2; i++) {
+        thud_world_def def = weightless();
+        def.maximum_speed = 1000;
+        def.broadphase = broadphases[i % 3];
+        bool swept = i >= 5 * 3 * 2;
+        thud_world *world = make_world(def);
+        thud_shape_def gate = sensor_def(), plain = thud_default_shape_def();
+        thud_body_id ball[2];
+        const double *stop = stops[i / 6 % 5];
+        for (int k = 0; k < 2; k++) {
+            int side = i / 3 % 2 ? !k : k; /* which one is made first is looked at first */
+            double y = 3 * side;
+            thud_body_def body = thud_default_body_def();
+            body.kind = THUD_DYNAMIC;
+            body.position = (thud_pos){0, y};
+            body.velocity = (thud_vec2){600, 0};
+            body.detection = swept && side ? &thud_detection_swept : NULL;
+            OK(thud_body_create(world, &body, &ball[side]));
+            add_shape(world, ball[side], 0.1f, 0, false, &plain);
+            add_shape(world, add_body(world, THUD_STATIC, stop[side] + 0.6, y, 0), 0.5f, 1, true,
+                      &plain);
+            for (int x = 1; x < 9; x++) {
+                thud_body_id at = add_body(world, THUD_STATIC, x == 1 ? 1 : x + 0.5, y, 0);
+                add_shape(world, at, 0.05f, 1, true, &gate);
+            }
+        }
+        thud_joint_def rod = thud_default_joint_def(THUD_DISTANCE);
+        rod.body_a = ball[0];
+        rod.body_b = ball[1];
+        rod.length = 3;
+        OK(thud_joint_create(world, &rod, NULL));
+        run(world, 1);
+        double end = fmin(stop[0], stop[1]);
+        int gates = 2 * (1 + (int)fmax(0, floor(end - 0.65 - 1)));
+        thud_events e = thud_world_events(world);
+        for (int k = 0; k < 2; k++) {
+            near_to(state_of(world, ball[k]).position.x, end, 0.03);
+        }
+        assert_int_equal(e.sensor_begin_count, gates);
+        assert_int_equal(e.sensor_end_count, gates);
+        for (int k = 0; k < gates; k++) {
+            double at = k % (gates / 2) ? 1.5 + k % (gates / 2) : 1;
+            if (!swept) {
+                near_to(e.sensor_begin_time[k], (at - 0.15) / 10, 2e-3);
+                near_to(e.sensor_end_time[k], (at + 0.15) / 10, 2e-3);
+            }
+            assert_true(e.sensor_begin_time[k] < e.sensor_end_time[k]);
+        }
+        thud_world_destroy(world);
+    }
+}
+
 /* A box sleeps until another comes to touch it, in the step in which a quick sensor passes it. */
 static void what_wakes_as_a_sensor_passes_it_is_told_of_once(void **state) {
     (void)state;
@@ -426,6 +486,7 @@ int main(void) {
         cmocka_unit_test(sensor_wakes_nobody),
         cmocka_unit_test(what_moves_in_or_out_is_told_by_the_same_step),
         cmocka_unit_test(gates_are_passed_on_the_way_and_back),
+        cmocka_unit_test(body_that_is_held_twice_in_a_step_passes_what_it_did_when_it_did),
         cmocka_unit_test(what_wakes_as_a_sensor_passes_it_is_told_of_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -20,8 +20,9 @@ const PROGRAMS = [
   { name: "islands", bound: 60.3, aim: 18 },
   // Queries that leave edits waiting and reasons of refusals take 2 kB.
   { name: "everything", bound: 92.8, aim: 40 },
-  // Rows solved together, both limits and the bracing of torn joints take 5 kB.
-  { name: "joints", bound: 88.1, aim: 40 },
+  // Rows solved together, both limits and the bracing of torn joints take 5 kB; the cap of both directions
+  // together 0.6 kB.
+  { name: "joints", bound: 88.4, aim: 40 },
 ];
 
 const sources = readdirSync(`${root}engine/src`, { recursive: true })

@@ -47,7 +47,10 @@ export interface Drive {
   damping?: number;
   /** Where the spring pulls to. Default 0, of a distance -Infinity: its length. */
   target?: number;
-  /** The spring pulls no harder. Default: as hard as it takes. */
+  /**
+   * The spring pulls no harder. Default: as hard as it takes. Where springs act along and across,
+   * both together pull no harder than the greater of the two.
+   */
   springForce?: number;
   /**
    * How fast a motor moves or turns b, seen from a: length/s or radians/s. Default 0, a brake.
@@ -55,7 +58,8 @@ export interface Drive {
    */
   motorSpeed?: number;
   /**
-   * The motor pushes no harder. Default 0, no motor.
+   * The motor pushes no harder. Default 0, no motor. Where motors act along and across, both
+   * together push no harder than the greater of the two.
    * @example motorForce: 100
    */
   motorForce?: number;

@@ -1,0 +1,227 @@
+/* test_sensors_memory.c: however many shapes come into sensors in a step, it asks for no memory
+ * once bodies have moved. */
+#include "engine_support.h"
+#include "every_choice.h"
+
+#include <thud/thud_detection.h>
+
+/* ---- when a step asks ---- */
+
+static int marks; /* of its clock: after as many as MARKS the narrowphase is done */
+static int late;  /* allocations since then */
+enum { MARKS = 4 };
+
+static double mark(void *context) {
+    (void)context;
+    return ++marks;
+}
+
+static void *get(size_t bytes, void *context) {
+    (void)context;
+    late += marks >= MARKS;
+    return aligned_alloc(64, bytes);
+}
+
+static void put(void *block, size_t bytes, void *context) {
+    (void)bytes, (void)context;
+    free(block);
+}
+
+static void step(thud_world *world) {
+    marks = late = 0;
+    OK(thud_world_step(world));
+    assert_true(marks > MARKS);
+    marks = 0;
+    assert_int_equal(late, 0);
+}
+
+/* ---- crowds that come ---- */
+
+typedef struct crowd {
+    int zones, balls;
+    bool zones_move; /* to the balls; else the balls to them */
+    int detection, broadphase;
+} crowd;
+
+static thud_shape_def shape_of(bool zone) {
+    thud_shape_def def = thud_default_shape_def();
+    def.sensor = zone;
+    def.filter = zone ? (thud_filter){2, 4, 0} : (thud_filter){4, 2, 0};
+    return def;
+}
+
+enum { BODIES = 4000 };
+
+/* Zones about x = 0 and balls about x = 100, of which the one or the other moves by `way` in a
+ * step. */
+typedef struct scene {
+    thud_world *world;
+    thud_body_id body[BODIES];
+    int count;
+} scene;
+
+static scene make_crowd(const crowd *c, float half) {
+    thud_world_def def = weightless();
+    def.detection = detections[c->detection];
+    def.broadphase = broadphases[c->broadphase];
+    def.maximum_speed = 50000;
+    def.allocator = (thud_allocator){get, put, NULL};
+    def.clock = mark;
+    scene s = {.world = make_world(def), .count = c->zones + c->balls};
+    thud_shape_def zone = shape_of(true), ball = shape_of(false);
+    for (int i = 0; i < s.count; i++) {
+        bool is_zone = i < c->zones;
+        int n = i - c->zones;
+        thud_body_kind kind = is_zone == c->zones_move ? THUD_DYNAMIC : THUD_STATIC;
+        if (is_zone) {
+            s.body[i] = add_body(s.world, kind, 0, 0, 0);
+            add_shape(s.world, s.body[i], half, 5, true, &zone);
+        } else {
+            s.body[i] = add_body(s.world, kind, 100 + n % 40 * 0.05, n / 40 * 0.05, 0);
+            add_shape(s.world, s.body[i], 0.02f, 0, false, &ball);
+        }
+    }
+    return s;
+}
+
+static void set_off(const scene *s, const crowd *c, double way) {
+    for (int i = 0; i < s->count; i++) {
+        if ((i < c->zones) == c->zones_move) {
+            thud_vec2 velocity = {(float)((c->zones_move ? 60 : -60) * way), 0};
+            OK(thud_body_set_velocity(s->world, s->body[i], velocity, 0));
+        }
+    }
+}
+
+/* Calls a check for crowds of so many zones and balls, with every choice. */
+static void for_crowds(void (*check)(const crowd *), int zones, int balls) {
+    for (int i = 0; i < 4 * 3 * 2; i++) {
+        crowd c = {zones, balls, i % 2, i / 2 % 4, i / 8};
+        check(&c);
+    }
+}
+
+/* ---- what comes in ---- */
+
+/* All come to overlap in one step, which tells. */
+static void come_in(const crowd *c) {
+    scene s = make_crowd(c, 4);
+    step(s.world);
+    set_off(&s, c, 101);
+    step(s.world);
+    thud_events e = thud_world_events(s.world);
+    assert_int_equal(e.sensor_begin_count, c->zones * c->balls);
+    assert_int_equal(e.sensor_end_count, 0);
+    set_off(&s, c, 0);
+    step(s.world);
+    e = thud_world_events(s.world);
+    assert_int_equal(e.sensor_begin_count + e.sensor_end_count, 0);
+    set_off(&s, c, 101);
+    step(s.world);
+    assert_int_equal(thud_world_events(s.world).sensor_end_count, c->zones * c->balls);
+    thud_world_destroy(s.world);
+}
+
+static void crowd_that_comes_into_sensors_asks_for_no_memory_late(void **state) {
+    (void)state;
+    for (int i = 0; i < 4 * 3; i++) {
+        come_in(&(crowd){1, 3000, false, i % 4, i / 4});
+        come_in(&(crowd){3000, 1, true, i % 4, i / 4});
+    }
+    for_crowds(come_in, 1, 500);
+    for_crowds(come_in, 500, 1);
+    for_crowds(come_in, 22, 22);
+}
+
+/* More than there is room for: 15 times as many pairs as shapes. The next step tells. */
+static void come_in_late(const crowd *c) {
+    scene s = make_crowd(c, 4);
+    step(s.world);
+    set_off(&s, c, 101);
+    step(s.world);
+    int told = thud_world_events(s.world).sensor_begin_count;
+    set_off(&s, c, 0);
+    step(s.world);
+    told += thud_world_events(s.world).sensor_begin_count;
+    assert_int_equal(told, c->zones * c->balls);
+    assert_int_equal(thud_world_events(s.world).sensor_end_count, 0);
+    step(s.world);
+    assert_int_equal(thud_world_events(s.world).sensor_begin_count, 0);
+    thud_world_destroy(s.world);
+}
+
+static void what_there_is_no_room_for_is_told_by_the_next_step(void **state) {
+    (void)state;
+    for_crowds(come_in_late, 30, 30);
+}
+
+/* ---- what passes ---- */
+
+static void pass(const crowd *c) {
+    scene s = make_crowd(c, 0.05f);
+    bool looks = c->detection > 1 || (c->detection == 1 && !c->zones_move);
+    step(s.world);
+    set_off(&s, c, 200);
+    step(s.world);
+    thud_events e = thud_world_events(s.world);
+    assert_int_equal(e.sensor_begin_count, looks ? c->zones * c->balls : 0);
+    assert_int_equal(e.sensor_end_count, e.sensor_begin_count);
+    thud_world_destroy(s.world);
+}
+
+static void crowd_that_passes_sensors_asks_for_no_memory_late(void **state) {
+    (void)state;
+    for (int i = 0; i < 4 * 3; i++) {
+        pass(&(crowd){1, 3000, false, i % 4, i / 4});
+        pass(&(crowd){3000, 1, true, i % 4, i / 4});
+    }
+    for_crowds(pass, 1, 500);
+    for_crowds(pass, 500, 1);
+    for_crowds(pass, 22, 22);
+}
+
+/* ---- first sensor ---- */
+
+static bool make_sensor(thud_world *world, const thud_contact *contact,
+                        thud_contact_settings *settings, void *context) {
+    (void)settings;
+    bool *made = context;
+    if (!*made) {
+        thud_shape_def zone = thud_default_shape_def();
+        zone.sensor = true;
+        int before = late;
+        add_shape(world, contact->body_b, 1, 0, false, &zone);
+        late = before; /* the call's own */
+        *made = true;
+    }
+    return true;
+}
+
+/* It takes part from the next step on. */
+static void first_sensor_made_by_a_callback_asks_for_no_memory_late(void **state) {
+    (void)state;
+    for (int i = 0; i < 12; i++) {
+        crowd c = {0, 2, false, i % 4, i / 4};
+        scene s = make_crowd(&c, 1);
+        bool made = false;
+        add_box(s.world, -50, 0, 0.5f, 0.5f);
+        add_box(s.world, -50, 0.99, 0.5f, 0.5f);
+        set_listeners(s.world, make_sensor, NULL, &made);
+        step(s.world);
+        assert_true(made);
+        assert_int_equal(thud_world_events(s.world).sensor_begin_count, 0);
+        step(s.world);
+        assert_int_equal(thud_world_events(s.world).sensor_begin_count, 1);
+        thud_world_destroy(s.world);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(crowd_that_comes_into_sensors_asks_for_no_memory_late),
+        cmocka_unit_test(what_there_is_no_room_for_is_told_by_the_next_step),
+        cmocka_unit_test(crowd_that_passes_sensors_asks_for_no_memory_late),
+        cmocka_unit_test(first_sensor_made_by_a_callback_asks_for_no_memory_late),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
