@@ -55,18 +55,19 @@ typedef uint64_t v2 __attribute__((vector_size(16)));
 typedef uint64_t v4 __attribute__((vector_size(32)));
 
 /* Kernels are made of small pieces; where size counts more than time, the compiler may share them.
- */
+ * Pieces of one or two instructions a vector are TD_INLINE_SMALL: eight lanes are passed and
+ * returned through memory, so that a call takes more bytes than they do. */
 #if defined(__OPTIMIZE_SIZE__)
 #define TD_INLINE static inline
 #else
 #define TD_INLINE static inline __attribute__((always_inline))
 #endif
 
-TD_INLINE f8 f8_all(float x) {
+TD_INLINE_SMALL f8 f8_all(float x) {
     return (f8){x, x, x, x, x, x, x, x};
 }
 
-TD_INLINE i8 i8_all(int32_t x) {
+TD_INLINE_SMALL i8 i8_all(int32_t x) {
     return (i8){x, x, x, x, x, x, x, x};
 }
 
@@ -124,7 +125,7 @@ static inline void td_mode_give_back(const td_mode *mode) {
 #endif
 
 /* Masks are all ones or all zeros a lane, as comparisons give them. */
-TD_INLINE f8 f8_pick(i8 mask, f8 yes, f8 no) {
+TD_INLINE_SMALL f8 f8_pick(i8 mask, f8 yes, f8 no) {
 #if defined(__AVX2__)
     return (f8)_mm256_blendv_ps((__m256)no, (__m256)yes, (__m256)mask);
 #else
@@ -132,11 +133,11 @@ TD_INLINE f8 f8_pick(i8 mask, f8 yes, f8 no) {
 #endif
 }
 
-TD_INLINE i8 i8_pick(i8 mask, i8 yes, i8 no) {
+TD_INLINE_SMALL i8 i8_pick(i8 mask, i8 yes, i8 no) {
     return (mask & yes) | (~mask & no);
 }
 
-TD_INLINE f8 f8_keep(i8 mask, f8 x) /* x where the mask is set, else 0 */
+TD_INLINE_SMALL f8 f8_keep(i8 mask, f8 x) /* x where the mask is set, else 0 */
 {
     return (f8)(mask & (i8)x);
 }
@@ -162,11 +163,11 @@ TD_INLINE f8 f8_clamp(f8 x, f8 low, f8 high) {
     return f8_min(f8_max(x, low), high);
 }
 
-TD_INLINE f8 f8_abs(f8 x) {
+TD_INLINE_SMALL f8 f8_abs(f8 x) {
     return (f8)((i8)x & i8_all(0x7fffffff));
 }
 
-TD_INLINE f8 f8_flip(f8 x, i8 mask) /* -x where the mask is set */
+TD_INLINE_SMALL f8 f8_flip(f8 x, i8 mask) /* -x where the mask is set */
 {
     return (f8)((i8)x ^ (mask & i8_all((int32_t)0x80000000u)));
 }
@@ -227,12 +228,12 @@ TD_INLINE unsigned i8_bits(i8 x) {
 #endif
 }
 
-TD_INLINE i8 i8_wrap_sub(i8 a, i8 b) /* wraps around, as bounds do */
+TD_INLINE_SMALL i8 i8_wrap_sub(i8 a, i8 b) /* wraps around, as bounds do */
 {
     return (i8)((u8)a - (u8)b);
 }
 
-TD_INLINE f8 f8_load(const float *p) {
+TD_INLINE_SMALL f8 f8_load(const float *p) {
     f8 r;
     __builtin_memcpy(&r, p, sizeof r);
     return r;
@@ -288,7 +289,7 @@ typedef struct td_rows {
     f8 x, y, z, w;
 } td_rows;
 
-TD_INLINE f8 f8_two(const float *low, const float *high) {
+TD_INLINE_SMALL f8 f8_two(const float *low, const float *high) {
     f4 a, b;
     __builtin_memcpy(&a, low, sizeof a);
     __builtin_memcpy(&b, high, sizeof b);

@@ -54,27 +54,18 @@ static bool add(thud_world *w, int shape, int other, int child) {
            td_pairs_add(w, pair.a, pair.b, child);
 }
 
+static bool may_pair(const thud_world *w, int shape, int other) {
+    return (td_senses(w, shape) || td_senses(w, other)) && is_here(w, other) &&
+           td_pair_allowed(w, shape, other);
+}
+
 static bool try_pair(thud_world *w, int shape, int other) {
-    bool may = (td_senses(w, shape) || td_senses(w, other)) && is_here(w, other) &&
-               td_pair_meets(w, shape, other) && td_pair_allowed(w, shape, other);
+    bool may = td_pair_meets(w, shape, other) && may_pair(w, shape, other);
     return !may || add(w, shape, other, 0);
 }
 
 static bool try_line(thud_world *w, int shape, int line) {
-    if (!(td_senses(w, shape) || td_senses(w, line)) || !is_here(w, line) ||
-        !td_pair_allowed(w, shape, line)) {
-        return true;
-    }
-    thud_terrain terrain = w->ground->view(w, line);
-    td_position at = td_shape_proxy_at(w, shape)->center;
-    const td_bounds *fat = td_fat_at(w, shape);
-    int first, last;
-    w->ground->segments_of(w, line, &terrain, at, fat, &first, &last);
-    bool done = true;
-    for (int i = first; i <= last && done; i++) {
-        done = !w->ground->reaches(w, line, &terrain, at, fat, i) || add(w, shape, line, i);
-    }
-    return done;
+    return !may_pair(w, shape, line) || w->ground->each(w, line, shape, add);
 }
 
 /* Sets hold the bounds of what did not move. */

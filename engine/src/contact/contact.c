@@ -65,20 +65,14 @@ bool td_pair_meets(const thud_world *w, int a, int b) {
     return !w->vast || (x < most && x > -most && y < most && y > -most);
 }
 
-static bool reaches(const thud_world *w, int terrain_shape, int shape, int child) {
-    thud_terrain terrain = w->ground->view(w, terrain_shape);
-    const td_shape_proxy *proxy = td_shape_proxy_at(w, shape);
-    return w->ground->reaches(w, terrain_shape, &terrain, proxy->center, &proxy->fat, child);
-}
-
 bool td_contact_bounds_meet(const thud_world *w, const td_contact *contact) {
     int a = contact->shape_a, b = contact->shape_b, kind = contact->kind;
     bool sensor = kind == TD_PAIR_SENSOR;
     if (td_pair_is_on_line(kind) || (sensor && td_kind_is_line(td_shape_at(w, a)->kind))) {
-        return reaches(w, a, b, contact->child);
+        return w->ground->reaches(w, a, b, contact->child);
     }
     if (sensor && td_kind_is_line(td_shape_at(w, b)->kind)) {
-        return reaches(w, b, a, contact->child);
+        return w->ground->reaches(w, b, a, contact->child);
     }
     return td_pair_meets(w, a, b);
 }

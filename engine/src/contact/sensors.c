@@ -10,8 +10,7 @@ bool td_sensor_overlaps(const thud_world *w, int shape_a, int shape_b) {
     td_position origin = td_shape_proxy_at(w, a)->center;
     thud_shape_instance placed_b = td_shape_instance(w, b, origin);
     if (td_kind_is_line(td_shape_at(w, a)->kind)) {
-        thud_terrain terrain = w->ground->view(w, a);
-        return w->ground->overlap(&terrain, &placed_b);
+        return w->ground->overlap(w, a, &placed_b);
     }
     thud_shape_instance placed_a = td_shape_instance(w, a, origin);
     return thud_shapes_overlap(&placed_a, &placed_b);

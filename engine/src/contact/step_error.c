@@ -24,8 +24,7 @@ static float distance_of(const thud_world *w, const td_constraint *contact, floa
     thud_shape_instance shape = td_shape_instance(w, contact->shape_b, origin);
     thud_closest closest;
     if (td_kind_is_line(td_shape_at(w, contact->shape_a)->kind)) {
-        thud_terrain ground = w->ground->view(w, contact->shape_a);
-        return w->ground->overlap(&ground, &shape) ? known : 0.0f;
+        return w->ground->overlap(w, contact->shape_a, &shape) ? known : 0.0f;
     }
     thud_shape_instance other = td_shape_instance(w, contact->shape_a, origin);
     td_closest(&other, &shape, &closest);

@@ -29,43 +29,27 @@ typedef struct sweep {
     td_awake_slot slot;
     td_body_index body;
     int shape;
-    td_position start;          /* of the body's centre */
-    thud_shape_instance placed; /* relative to start; smaller than the shape */
-    thud_shape_instance core;   /* a small circle in its middle */
-    thud_motion motion;
+    /* From where the body's centre was: `placed` is smaller than the shape, and `core` a small
+     * circle in its middle. */
+    td_swept way;
     double shrink;
     meeting last, next;     /* the one let through last, and the first after it so far */
-    td_bounds bounds;       /* of the whole sweep, about start */
     const td_array *shapes; /* int: all static ones near it, and others */
 } sweep;
-
-/* The ground below the middle of the shape stands for where they meet. */
-static thud_closest ground_below(const thud_world *w, int terrain_shape,
-                                 const thud_shape_instance *shape) {
-    thud_terrain terrain = w->ground->view(w, terrain_shape);
-    thud_terrain_sample ground = {.height = shape->y, .ny = 1.0};
-    w->ground->sample_at(&terrain, shape->x, &ground);
-    return (thud_closest){.nx = ground.nx,
-                          .ny = ground.ny,
-                          .ax = shape->x,
-                          .ay = ground.height,
-                          .bx = shape->x,
-                          .by = ground.height};
-}
 
 /* The pair as the prologue sees it: the shape at `time`, in its full size. */
 static thud_contact view(const sweep *s, int other, double time) {
     const thud_world *w = s->w;
     bool ground = td_kind_is_line(td_shape_at(w, other)->kind);
-    td_position origin = ground ? td_shape_proxy_at(w, other)->center : s->start;
-    thud_shape_instance shape = td_placed_at(&s->placed, &s->motion, time);
-    shape.x += (double)(s->start.x - origin.x) / w->to_fixed;
-    shape.y += (double)(s->start.y - origin.y) / w->to_fixed;
+    td_position origin = ground ? td_shape_proxy_at(w, other)->center : s->way.start;
+    thud_shape_instance shape = td_placed_at(&s->way.placed, &s->way.motion, time);
+    shape.x += (double)(s->way.start.x - origin.x) / w->to_fixed;
+    shape.y += (double)(s->way.start.y - origin.y) / w->to_fixed;
     shape.hx += s->shrink;
     shape.hy = td_kind_grown_hy(shape.kind, shape.hy, s->shrink);
     thud_closest c;
     if (ground) {
-        c = ground_below(w, other, &shape);
+        c = w->ground->below(w, other, &shape);
     } else {
         thud_shape_instance b = td_shape_instance(w, other, origin);
         td_closest(&b, &shape, &c);
@@ -103,21 +87,18 @@ static bool is_sooner(const meeting *a, const meeting *b) {
 }
 
 /* `inside`: the core met it. The smaller shape meets a little later than the real one does. */
-static void meet(sweep *s, int other, bool inside, bool hit, double time) {
-    const thud_motion *m = &s->motion;
-    if (!inside) {
+static void meet(sweep *s, int other, const td_swept_hit *hit) {
+    const thud_motion *m = &s->way.motion;
+    double time = hit->time;
+    if (!hit->inside) {
         time -= s->shrink / __builtin_sqrt(m->dx * m->dx + m->dy * m->dy);
         time = time > 0.0 ? time : 0.0;
     }
     meeting met = {time, (int64_t)s->shape << 32 | other};
-    if (hit && !(inside && time <= 0.0) && is_sooner(&met, &s->next) && is_sooner(&s->last, &met)) {
+    if (hit->hit && !(hit->inside && time <= 0.0) && is_sooner(&met, &s->next) &&
+        is_sooner(&s->last, &met)) {
         s->next = met;
     }
-}
-
-/* Where even the smaller shape overlaps at the start, the core goes alone, and does not turn. */
-static thud_motion motion_of(const sweep *s, bool inside) {
-    return (thud_motion){s->motion.dx, s->motion.dy, inside ? 0.0 : s->motion.turn};
 }
 
 /* Whether the shape of the sweep stops at another one. */
@@ -128,59 +109,25 @@ static bool stops_at(const sweep *s, int other) {
 }
 
 static void against_shape(sweep *s, int other) {
-    const thud_world *w = s->w;
     if (!stops_at(s, other)) {
         return;
     }
-    bool hit = false;
-    double time = 1.0;
-    thud_motion still = {0.0, 0.0, 0.0};
-    thud_shape_instance b = td_shape_instance(w, other, s->start);
-    bool inside = thud_shapes_overlap(&s->placed, &b);
-    thud_shapes_time_of_impact(inside ? &s->core : &s->placed, motion_of(s, inside), &b, still, 0.0,
-                               &hit, &time);
-    meet(s, other, inside, hit, time);
+    const td_swept *way = &s->way;
+    thud_motion motion = way->motion, still = {0.0, 0.0, 0.0};
+    thud_shape_instance b = td_shape_instance(s->w, other, way->start);
+    td_swept_hit hit = {thud_shapes_overlap(&way->placed, &b), false, 1.0};
+    motion.turn = hit.inside ? 0.0 : motion.turn;
+    thud_shapes_time_of_impact(hit.inside ? &way->core : &way->placed, motion, &b, still, 0.0,
+                               &hit.hit, &hit.time);
+    meet(s, other, &hit);
 }
 
-/* Whether the bounds of the sweep come down to any segment at all; most falling bodies' do not. */
-static bool reaches_terrain(const sweep *s, int other, const thud_terrain *terrain) {
-    int first, last;
-    if (s->shapes != &s->w->scratch.ahead) {
-        return true;
+static void against_terrain(sweep *s, int line) {
+    if (stops_at(s, line)) {
+        td_swept_hit hit = {.time = 1.0};
+        s->w->ground->sweep(s->w, line, &s->way, &hit);
+        meet(s, line, &hit);
     }
-    if (s->w->ground->below(s->w, other, s->start, &s->bounds)) {
-        return false;
-    }
-    s->w->ground->segments_of(s->w, other, terrain, s->start, &s->bounds, &first, &last);
-    while (first <= last &&
-           !s->w->ground->reaches(s->w, other, terrain, s->start, &s->bounds, first)) {
-        first++;
-    }
-    return first <= last;
-}
-
-static void against_terrain(sweep *s, int other) {
-    const thud_world *w = s->w;
-    if (!stops_at(s, other)) {
-        return;
-    }
-    thud_terrain terrain = w->ground->view(w, other);
-    if (!reaches_terrain(s, other, &terrain)) {
-        return;
-    }
-    const td_position *origin = &td_shape_proxy_at(w, other)->center;
-    double ox = (double)(s->start.x - origin->x) / w->to_fixed;
-    double oy = (double)(s->start.y - origin->y) / w->to_fixed;
-    thud_shape_instance placed = s->placed;
-    placed.x += ox, placed.y += oy;
-    bool hit = false, inside = w->ground->overlap(&terrain, &placed);
-    double time = 1.0;
-    if (inside) {
-        placed = s->core;
-        placed.x += ox, placed.y += oy;
-    }
-    w->ground->time_of_impact(&terrain, &placed, motion_of(s, inside), 0.0, &hit, &time);
-    meet(s, other, inside, hit, time);
 }
 
 /* Bounds of the whole sweep, for the grid. */
@@ -188,7 +135,7 @@ static td_bounds swept_bounds(const sweep *s, td_position end) {
     const thud_world *w = s->w;
     double reach = (double)td_row(&w->reach, s->slot)[1] + (double)w->unit * (double)TD_SPECULATIVE;
     int32_t half = (int32_t)(reach * w->to_coarse) + 1;
-    td_bounds a = td_bounds_about(s->start, half, half), b = td_bounds_about(end, half, half);
+    td_bounds a = td_bounds_about(s->way.start, half, half), b = td_bounds_about(end, half, half);
     return td_bounds_around(&a, &b);
 }
 
@@ -201,7 +148,7 @@ static void set_shape(sweep *s, int index, const float *delta, float c, float si
     bool turns = td_kind_turns(shape->kind);
     s->shape = index;
     s->shrink = (double)shrink;
-    s->placed =
+    s->way.placed =
         (thud_shape_instance){.kind = (thud_shape_kind)shape->kind,
                               .x = (double)(c * arm_x - sine * arm_y),
                               .y = (double)(sine * arm_x + c * arm_y),
@@ -211,17 +158,17 @@ static void set_shape(sweep *s, int index, const float *delta, float c, float si
                                          : 0.0,
                               .hx = (double)(hx - shrink),
                               .hy = td_kind_is_round(shape->kind) ? 0.0 : (double)(hy - shrink)};
-    s->core = (thud_shape_instance){.kind = THUD_CIRCLE,
-                                    .x = s->placed.x,
-                                    .y = s->placed.y,
-                                    .c = 1.0,
-                                    .hx = (double)(0.25f * least)};
+    s->way.core = (thud_shape_instance){.kind = THUD_CIRCLE,
+                                        .x = s->way.placed.x,
+                                        .y = s->way.placed.y,
+                                        .c = 1.0,
+                                        .hx = (double)(0.25f * least)};
     /* The centre of an offset shape also moves as the body turns. */
     float end_c, end_s;
     td_angle_turn(td_pose_at(w, s->body)->angle, &end_c, &end_s);
-    s->motion =
-        (thud_motion){(double)delta[0] + (double)(end_c * arm_x - end_s * arm_y) - s->placed.x,
-                      (double)delta[1] + (double)(end_s * arm_x + end_c * arm_y) - s->placed.y,
+    s->way.motion =
+        (thud_motion){(double)delta[0] + (double)(end_c * arm_x - end_s * arm_y) - s->way.placed.x,
+                      (double)delta[1] + (double)(end_s * arm_x + end_c * arm_y) - s->way.placed.y,
                       turns ? (double)delta[2] : 0.0};
 }
 
@@ -232,19 +179,19 @@ static bool looks_around(sweep *s) {
     const float *delta = td_row(&w->delta, s->slot);
     float most = 0x1p15f * w->unit;
     if (delta[0] * delta[0] + delta[1] * delta[1] > most * most) {
-        s->shapes = &w->rest_shapes.ids; /* it is longer than bounds can tell */
+        s->shapes = &w->rest_shapes.ids;
+        s->way.far = true;
         return true;
     }
     s->shapes = hits;
     hits->count = 0;
     td_find_fn *find = w->def.broadphase->find[w->wide];
     bool near_any =
-        find(&w->rest_shapes, &w->memory, &s->bounds, s->start, hits) && hits->count > 0;
+        find(&w->rest_shapes, &w->memory, &s->way.bounds, s->way.start, hits) && hits->count > 0;
     for (int t = 0; t < w->terrains.count && !near_any; t++) {
         const td_terrain_record *record = td_terrain_record_at(w, t);
         if (record->shape != TD_NONE) {
-            thud_terrain terrain = w->ground->view(w, record->shape);
-            near_any = reaches_terrain(s, record->shape, &terrain);
+            near_any = w->ground->near_sweep(w, record->shape, &s->way);
         }
     }
     return near_any;
@@ -311,9 +258,12 @@ void td_hold_at(thud_world *w, td_awake_slot slot, double time) {
 static void sweep_body(thud_world *w, td_awake_slot slot) {
     td_body_index index = td_body_of(w, slot);
     td_pose start = start_of(w, slot);
-    sweep swept = {
-        .w = w, .slot = slot, .body = index, .start = start.center, .next = {.time = -1.0}};
-    swept.bounds = swept_bounds(&swept, td_pose_at(w, index)->center);
+    sweep swept = {.w = w,
+                   .slot = slot,
+                   .body = index,
+                   .way = {.start = start.center},
+                   .next = {.time = -1.0}};
+    swept.way.bounds = swept_bounds(&swept, td_pose_at(w, index)->center);
     if (!looks_around(&swept)) {
         return;
     }

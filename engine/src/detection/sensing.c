@@ -90,8 +90,7 @@ static bool meet(const thud_world *w, const couple *c, double from, double to, d
     bool hit = false;
     piece b = piece_of(w, c->b, from, to, c->origin);
     if (c->line) {
-        thud_terrain terrain = w->ground->view(w, c->a);
-        w->ground->time_of_impact(&terrain, &b.at, b.motion, 0.0, &hit, time);
+        w->ground->time_of_impact(w, c->a, &b.at, b.motion, &hit, time);
     } else {
         piece a = piece_of(w, c->a, from, to, c->origin);
         thud_shapes_time_of_impact(&a.at, a.motion, &b.at, b.motion, 0.0, &hit, time);

@@ -43,7 +43,9 @@ void td_leg_note(thud_world *w, const td_trajectory *way, double end) {
     td_array *legs = &w->scratch.legs;
     if (w->scratch.sensed_room > 0 && end > way->since &&
         td_array_reserve(&w->memory, legs, legs->count + 1)) {
-        TD_PUSH(td_leg, legs) = (td_leg){*way, end, TD_NONE};
+        td_leg *leg = td_append(legs, sizeof *leg);
+        leg->way = *way;
+        leg->end = end;
     }
 }
 

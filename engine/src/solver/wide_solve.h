@@ -98,7 +98,8 @@ TD_INLINE f8 centres_along(const sides *v, bool fixed, f8 x, f8 y) {
 
 /* Normal speed that a unit of impulse along the first row brings to the point of another one, whose
  * crosses are given. */
-TD_INLINE f8 coupling(const td_block *block, bool fixed, f8 from_a, f8 from_b, f8 to_a, f8 to_b) {
+TD_INLINE_SMALL f8 coupling(const td_block *block, bool fixed, f8 from_a, f8 from_b, f8 to_a,
+                            f8 to_b) {
     f8 k = block->inv_inertia_b * from_b * to_b;
     return fixed ? k : k + block->inv_inertia_a * from_a * to_a;
 }

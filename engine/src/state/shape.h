@@ -58,22 +58,46 @@ thud_shape_instance td_shape_instance(const thud_world *w, int shape, td_positio
 thud_shape_instance td_shape_instance_of(const thud_world *w, int shape,
                                          const td_shape_proxy *proxy, td_position origin);
 
-/* What is asked of a line; plugged into a world with the first one, see kinds.h. Those below by
- * their names as well, for files that only a program with lines links. */
+/* A shape on its way from `start`, which `placed` is relative to. */
+typedef struct td_swept {
+    td_position start;
+    thud_shape_instance placed;
+    thud_shape_instance core; /* goes alone, and does not turn, where `placed` overlaps already */
+    thud_motion motion;
+    td_bounds bounds; /* of the whole way, about `start`; where it is too long for them: */
+    bool far;         /* it is looked at whatever they say */
+} td_swept;
+
+/* What a swept shape meets. */
+typedef struct td_swept_hit {
+    bool inside; /* the core met it */
+    bool hit;
+    double time; /* part of the motion; 1 where it met nothing */
+} td_swept_hit;
+
+/* What is asked of a line, with its shape in `line` and other shapes relative to its origin;
+ * plugged into a world with the first line, see kinds.h, so that no other program links what
+ * answers. */
 typedef struct td_ground_ops {
-    bool (*overlap)(const thud_terrain *terrain, const thud_shape_instance *shape);
-    thud_result (*time_of_impact)(const thud_terrain *terrain, const thud_shape_instance *shape,
-                                  thud_motion motion, double target, bool *hit, double *time);
-    thud_result (*sample_at)(const thud_terrain *terrain, double x, thud_terrain_sample *out);
-    thud_terrain (*view)(const thud_world *w, int shape);
-    bool (*below)(const thud_world *w, int terrain_shape, td_position near_place,
-                  const td_bounds *bounds);
-    void (*segments_of)(const thud_world *w, int terrain_shape, const thud_terrain *terrain,
-                        td_position near_place, const td_bounds *bounds, int *first, int *last);
-    bool (*reaches)(const thud_world *w, int terrain_shape, const thud_terrain *terrain,
-                    td_position near_place, const td_bounds *bounds, int segment);
+    bool (*overlap)(const thud_world *w, int line, const thud_shape_instance *shape);
+    void (*time_of_impact)(const thud_world *w, int line, const thud_shape_instance *shape,
+                           thud_motion motion, bool *hit, double *time);
+    /* Where a shape at the ground stands, by the point of the line below its middle. */
+    thud_closest (*below)(const thud_world *w, int line, const thud_shape_instance *shape);
+    /* Whether the bounds of the sweep come down to any segment at all; most falling bodies' do not.
+     */
+    bool (*near_sweep)(const thud_world *w, int line, const td_swept *swept);
+    void (*sweep)(const thud_world *w, int line, const td_swept *swept, td_swept_hit *hit);
+    /* Whether the fat bounds of a shape reach down to one segment. */
+    bool (*reaches)(const thud_world *w, int line, int shape, int segment);
+    /* Visits each segment that they reach down to, until one says false, which it then returns. */
+    bool (*each)(thud_world *w, int line, int shape,
+                 bool (*visit)(thud_world *w, int shape, int line, int segment));
     bool (*add_pairs)(thud_world *w); /* broadphase/pairs.h */
 } td_ground_ops;
+
+/* The table, of ground.c. */
+extern const td_ground_ops td_ground;
 
 /* A view of a terrain shape's line, relative to its body's origin. */
 thud_terrain td_terrain_view(const thud_world *w, int shape);
