@@ -5,9 +5,10 @@
 #include <assert.h>
 #include <float.h>
 
+/* Returns where the text ends. */
 static char *put(char *to, const char *text) {
-    while (*text) {
-        *to++ = *text++;
+    while ((*to = *text++)) {
+        to++;
     }
     return to;
 }
@@ -62,22 +63,19 @@ static char *put_number(char *to, double x) {
     return exponent ? put_number(put(to, "e"), exponent) : to;
 }
 
-static void say(td_reason *why, const char *name, double x, const char *not_in, double high) {
+/* False, as it is said of what is not in the range. */
+static bool say(td_reason *why, const char *name, double x, double low, const char *opened,
+                double high) {
     char *to = put(why->text, name);
     assert(to - why->text <= TD_NAME_MAX);
     to = put_number(put(to, " is "), x);
-    to = put_number(put(to, not_in), high);
-    *put(to, "]") = '\0';
+    to = put_number(put(to, opened), low);
+    put(put_number(put(to, ", "), high), "]");
+    return false;
 }
 
 bool td_in(td_reason *why, const char *name, double x, double low, double high) {
-    bool in = x >= low && x <= high;
-    if (!in) {
-        char not_in[32];
-        *put(put_number(put(not_in, ", not in ["), low), ", ") = '\0';
-        say(why, name, x, not_in, high);
-    }
-    return in;
+    return (x >= low && x <= high) || say(why, name, x, low, ", not in [", high);
 }
 
 bool td_float_in(td_reason *why, const char *name, float x, float low, float high) {
@@ -85,11 +83,7 @@ bool td_float_in(td_reason *why, const char *name, float x, float low, float hig
 }
 
 bool td_above_0(td_reason *why, const char *name, double x, double high) {
-    bool in = x > 0.0 && x <= high;
-    if (!in) {
-        say(why, name, x, ", not in (0, ", high);
-    }
-    return in;
+    return (x > 0.0 && x <= high) || say(why, name, x, 0.0, ", not in (", high);
 }
 
 bool td_all_finite(td_reason *why, const char *name, float x, float y, float z) {

@@ -12,11 +12,11 @@ const char *td_quality_error(const thud_quality *q, td_reason *why) {
     }
     bool in =
         td_in(why, "quality: substeps", q->substeps, 1.0, THUD_SUBSTEPS_MAX) &&
-        td_in(why, "quality: contact_stiffness", (double)q->contact_stiffness,
-              (double)THUD_CONTACT_STIFFNESS_MIN, (double)THUD_CONTACT_STIFFNESS_MAX) &&
-        td_in(why, "quality: contact_damping", (double)q->contact_damping, 0.0,
-              (double)THUD_CONTACT_DAMPING_MAX) &&
-        td_in(why, "quality: sag_limit", (double)q->sag_limit, 0.0, __builtin_inf()) &&
+        td_float_in(why, "quality: contact_stiffness", q->contact_stiffness,
+                    THUD_CONTACT_STIFFNESS_MIN, THUD_CONTACT_STIFFNESS_MAX) &&
+        td_float_in(why, "quality: contact_damping", q->contact_damping, 0.0f,
+                    THUD_CONTACT_DAMPING_MAX) &&
+        td_float_in(why, "quality: sag_limit", q->sag_limit, 0.0f, __builtin_inff()) &&
         td_in(why, "quality: island_limit", q->island_limit, 1.0, THUD_ISLAND_LIMIT_MAX) &&
         td_in(why, "quality: island_work", (double)q->island_work, 0.0, (double)INT64_MAX) &&
         td_in(why, "quality: island_patience", q->island_patience, 0.0, THUD_ISLAND_PATIENCE_MAX);

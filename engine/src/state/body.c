@@ -40,10 +40,8 @@ const char *td_body_def_error(const thud_world *w, const thud_body_def *def, td_
         !td_all_finite(why, "body def: velocity or angular_velocity", def->velocity.x,
                        def->velocity.y, def->angular_velocity) ||
         !td_all_finite(why, "body def: gravity_scale", def->gravity_scale, 0.0f, 0.0f) ||
-        !td_in(why, "body def: linear_damping", (double)def->linear_damping, 0.0,
-               (double)FLT_MAX) ||
-        !td_in(why, "body def: angular_damping", (double)def->angular_damping, 0.0,
-               (double)FLT_MAX)) {
+        !td_float_in(why, "body def: linear_damping", def->linear_damping, 0.0f, FLT_MAX) ||
+        !td_float_in(why, "body def: angular_damping", def->angular_damping, 0.0f, FLT_MAX)) {
         return why->text;
     }
     if (def->kind == THUD_STATIC &&

@@ -25,24 +25,22 @@ const char *td_shape_def_error(const thud_world *w, const thud_shape_def *def, t
     }
     float fastest = THUD_SURFACE_SPEED_MAX * w->unit;
     bool in =
-        td_in(why, "shape def: density", (double)def->density, 0.0, (double)THUD_DENSITY_MAX) &&
-        td_in(why, "shape def: friction", (double)def->friction, 0.0, (double)THUD_FRICTION_MAX) &&
-        td_in(why, "shape def: restitution", (double)def->restitution, 0.0,
-              (double)THUD_RESTITUTION_MAX) &&
-        td_in(why, "shape def: surface_speed", (double)def->surface_speed, -fastest, fastest);
+        td_float_in(why, "shape def: density", def->density, 0.0f, THUD_DENSITY_MAX) &&
+        td_float_in(why, "shape def: friction", def->friction, 0.0f, THUD_FRICTION_MAX) &&
+        td_float_in(why, "shape def: restitution", def->restitution, 0.0f, THUD_RESTITUTION_MAX) &&
+        td_float_in(why, "shape def: surface_speed", def->surface_speed, -fastest, fastest);
     return in ? NULL : why->text;
 }
 
 bool td_size_in(const thud_world *w, td_reason *why, const char *name, int body_kind, float size) {
     float most = body_kind == THUD_STATIC ? THUD_STATIC_SIZE_MAX : THUD_SIZE_MAX;
-    return td_in(why, name, (double)size, (double)(THUD_SIZE_MIN * w->unit),
-                 (double)(most * w->unit));
+    return td_float_in(why, name, size, THUD_SIZE_MIN * w->unit, most * w->unit);
 }
 
 bool td_offset_in(const thud_world *w, td_reason *why, const char *name, thud_vec2 offset) {
-    double most = (double)(THUD_SIZE_MAX * w->unit);
-    return td_in(why, name, (double)offset.x, -most, most) &&
-           td_in(why, name, (double)offset.y, -most, most);
+    float most = THUD_SIZE_MAX * w->unit;
+    return td_float_in(why, name, offset.x, -most, most) &&
+           td_float_in(why, name, offset.y, -most, most);
 }
 
 static thud_result check_half(const thud_world *w, td_body_index body, thud_vec2 offset,
