@@ -1,4 +1,5 @@
 /* operations_joints.c: joints and their edits. */
+#include "driven.h"
 #include "operations.h"
 
 #include <thud/thud_joint.h>
@@ -54,6 +55,11 @@ void play_joint(fuzz_session *s) {
     def.disabled = next_choice(&s->bytes, 8) == 7;
     def.length = pick_size(s);
     def.drive[next_choice(&s->bytes, THUD_DIRECTION_COUNT)] = pick_drive(s);
+    for (int i = 0; i < THUD_DIRECTION_COUNT && !s->bytes.hostile; i++) {
+        if (!is_driven(def.kind, i)) {
+            def.drive[i] = (thud_drive){0};
+        }
+    }
     if (def.kind == THUD_GEAR) {
         def.gear[0] = pick_joint(s);
         def.gear[1] = pick_joint(s);

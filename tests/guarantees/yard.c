@@ -1,6 +1,8 @@
 /* yard.c: see yard.h. */
 #include "yard.h"
 
+#include "driven.h"
+
 #include <thud/thud_fields.h>
 #include <thud/thud_joint.h>
 #include <thud/thud_locks.h>
@@ -87,13 +89,14 @@ static void tie(yard *y, int i, thud_body_id a, thud_body_id b) {
     def.frame_a.position = trial_speed(y->t, 0.5, 0.3);
     def.frame_b.position = trial_speed(y->t, -0.4, 0.1);
     def.length = (float)(1.5 * y->t->scale);
-    if (i % 2) {
+    if (i % 2 && is_driven(def.kind, THUD_TURN)) {
         def.drive[THUD_TURN].limited = true;
         def.drive[THUD_TURN].lower = -1;
         def.drive[THUD_TURN].upper = 0.5f;
     }
     if (def.kind == THUD_WHEEL || def.kind == THUD_TARGET) {
-        def.drive[THUD_ALONG].frequency = def.drive[THUD_ACROSS].frequency = 3;
+        def.drive[THUD_ALONG].frequency = 3;
+        def.drive[THUD_ACROSS].frequency = def.kind == THUD_TARGET ? 3 : 0;
     }
     DO(y->t, thud_joint_create(y->world, &def, NULL));
 }

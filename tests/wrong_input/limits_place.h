@@ -14,6 +14,8 @@
 #include <thud/thud_terrain.h>
 #include <thud/thud_volumes.h>
 
+#include <stdio.h>
+
 /* A world made anew for each try, and what calls read and write. */
 typedef struct place {
     double scale; /* the length scale, a power of two */
@@ -26,6 +28,7 @@ typedef struct place {
     thud_motion rest;
     thud_contact_settings *settings; /* that the prologue is to write; null: none */
     thud_result heard;
+    char message[256]; /* that came with it */
     thud_contacts contacts;
     thud_minkowski sum;
     thud_volume volume;
@@ -35,8 +38,9 @@ typedef struct place {
 } place;
 
 static void hear(thud_result result, const char *message, void *context) {
-    (void)message;
-    ((place *)context)->heard = result;
+    place *p = context;
+    p->heard = result;
+    snprintf(p->message, sizeof p->message, "%s", message);
 }
 
 static bool ask(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,

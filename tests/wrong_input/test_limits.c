@@ -14,6 +14,7 @@ struct row {
     char type; /* of the value: float, double, int */
     size_t at; /* of a field */
     try_fn *give;
+    bool is_field, has_log;
 };
 
 static void put(void *struct_, const row *r, double x) {
@@ -98,6 +99,7 @@ static thud_result water(place *p, const row *r, double x) {
 static thud_result explosion(place *p, const row *r, double x) {
     thud_explosion one = thud_default_explosion();
     one.center = (thud_pos){0, 1e3 * p->scale};
+    (r->at == offsetof(thud_explosion, radius) ? &one.falloff : &one.radius)[0] = p->scale;
     put(&one, r, x);
     return thud_world_explode(p->world, &one, NULL);
 }
@@ -242,20 +244,30 @@ static thud_result vertex_at(double y) {
      (double)(high),                                     \
      TYPE_OF(struct, member),                            \
      offsetof(struct, member),                           \
-     how},
-#define CALL_ROW(function, argument, low, high, call)   \
-    {#function,     #argument,      #low, #high, #call, \
-     (double)(low), (double)(high), 'd',  0,     try_##function##_##argument},
+     how,                                                \
+     true,                                               \
+     HAS_LOG},
+#define CALL_ROW(function, argument, low, high, call)                         \
+    {#function,     #argument,      #low, #high, #call,                       \
+     (double)(low), (double)(high), 'd',  0,     try_##function##_##argument, \
+     false,         HAS_LOG},
 #define ALL_LIMITS(FIELD, CALL) \
     WORLD_LIMITS(FIELD, CALL)   \
     BODY_LIMITS(FIELD, CALL)    \
     SHAPE_LIMITS(FIELD, CALL)   \
     PUSH_LIMITS(FIELD, CALL)    \
-    JOINT_LIMITS(FIELD, CALL) QUERY_LIMITS(FIELD, CALL) GEOMETRY_LIMITS(FIELD, CALL)
+    JOINT_LIMITS(FIELD, CALL)   \
+    QUERY_LIMITS(FIELD, CALL)
 
 ALL_LIMITS(NOTHING, FUNCTION)
+GEOMETRY_LIMITS(NOTHING, FUNCTION)
 
-static const row rows[] = {ALL_LIMITS(FIELD_ROW, CALL_ROW)};
+static const row rows[] = {
+#define HAS_LOG true
+    ALL_LIMITS(FIELD_ROW, CALL_ROW)
+#undef HAS_LOG
+#define HAS_LOG false /* without a world */
+        GEOMETRY_LIMITS(FIELD_ROW, CALL_ROW)};
 enum { ROWS = sizeof rows / sizeof *rows };
 
 static bool begins(const char *text, const char *with) {
@@ -271,14 +283,34 @@ static double next(const row *r, double x, double towards) {
     return single ? (double)nextafterf((float)x, (float)towards) : nextafter(x, towards);
 }
 
+/* Whether the message ends with "NAME is X, not in [LOW, HIGH]": of a field the name is its own. */
+static bool tells(const row *r, const char *message, double x) {
+    const char *is = strstr(message, " is ");
+    const char *named = strstr(message, r->what);
+    if (!is || !strstr(is, ", not in ") || (r->is_field && (!named || named > is))) {
+        return false;
+    }
+    double told = strtod(is + 4, NULL);
+    /* A mover tells of how long its way is. */
+    x = strcmp(r->where, "thud_mover_move") == 0 ? fabs(x) : x;
+    return x != x ? told != told : told == x || fabs(told - x) <= 1e-6 * fabs(x);
+}
+
 static void try_it(const row *r, double scale, double x, thud_result wanted) {
     place p;
     place_make(&p, scale);
+    p.message[0] = 0;
     thud_result result = r->give(&p, r, x);
     thud_world_destroy(p.world);
     if (result != wanted) {
         fail_msg("%s, %s: %.17g gives \"%s\" at length scale %g", r->where, r->what, x,
                  thud_result_text(result), scale);
+    }
+    if (wanted != THUD_OK && p.message[0] && !tells(r, p.message, x)) {
+        fail_msg("%s, %s: %.17g is refused with \"%s\"", r->where, r->what, x, p.message);
+    }
+    if (wanted != THUD_OK && !p.message[0] && r->has_log) {
+        fail_msg("%s, %s: %.17g is refused without a word", r->where, r->what, x);
     }
 }
 

@@ -56,10 +56,12 @@ extern THUD_API const thud_detection thud_detection_bisect;
  * touch others keep the motion that they have together: what hits one changes its velocity at once,
  * and gives way for the rest of the step. A body that meets more than 8 times, 16 if elastic, in a
  * step is held for the rest of it, which the statistics tell; in a pile under impact that is up to
- * three in a hundred. So is a body that leaves its expected way where there is no memory to look
- * for whom else it may meet. What touches a body that joints tie as a step begins is left to the
- * contacts, which may let the two overlap (thud_joint.h). A step takes 3.2 times as long as with
- * overlap in a gas, 6.5 times in a heap (docs/catalogue.md).
+ * three in a hundred. So is whatever meets something once a step has worked out 8192 times of
+ * collision, and 48 more for each awake body (thud_stats.motion_exact). So is a body that leaves
+ * its expected way where there is no memory to look for whom else it may meet. What touches a body
+ * that joints tie as a step begins is left to the contacts, which may let the two overlap
+ * (thud_joint.h). A step takes 3.2 times as long as with overlap in a gas, 6.5 times in a heap
+ * (docs/catalogue.md).
  *
  * Bisection takes the motion of a step as straight: gravity g bends it by up to g * time_step^2
  * / 8. Swept bodies that nothing bears fly exact parabolas, and elastic ones (restitution 1) keep

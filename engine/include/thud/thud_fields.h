@@ -40,7 +40,7 @@ typedef struct thud_explosion {
     double radius;    /* length, [0, THUD_PLACE_MAX length scales]; default 0; up to here all of it
                          arrives */
     double falloff;   /* length, [0, THUD_PLACE_MAX length scales]; default 0: over so much more it
-                         falls to nothing, linearly */
+                         falls to nothing, linearly. One of the two must be above 0 */
     float impulse;    /* mass/s: for each length of a shape across the way from the centre; |.| <=
                          THUD_EXPLOSION_MAX, below 0 it draws in; default 1 */
     thud_cover cover; /* default THUD_COVER_ALL */

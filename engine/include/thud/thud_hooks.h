@@ -20,7 +20,9 @@ typedef struct thud_allocator {
 
 /* ---- log and clock ---- */
 
-/* Hears why a call was refused; with THUD_OK, that one was done which is hardly meant. */
+/* Hears why a call was refused; with THUD_OK, that one was done which is hardly meant. Where one
+ * number is at fault the message names it, and tells the number and its range: "shape def: friction
+ * is -1, not in [0, 1000000]". It is valid during the call. */
 typedef void thud_log_fn(thud_result result, const char *message, void *context);
 /* One line to the C library's stderr. A program that does not name it does not link that, but where
  * thud itself is built without NDEBUG: defs then have it as their log. */

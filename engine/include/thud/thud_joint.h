@@ -109,8 +109,8 @@ typedef struct thud_joint_def {
     thud_joint_kind kind;
     thud_body_id body_a, body_b; /* two, of which one is dynamic; of wheels and targets body b */
     thud_joint_frame frame_a, frame_b;
-    /* Of directions that the kind drives; limits, a spring or a motor of another one do nothing,
-     * which the log hears. */
+    /* Of directions that the kind drives; limits, a spring or a motor of another one are refused.
+     */
     thud_drive drive[THUD_DIRECTION_COUNT];
     /* Of a distance, (0, THUD_JOINT_LENGTH_MAX] length scales; default 1. Of a driven one where its
      * spring pulls to, unless that has a target. */

@@ -22,8 +22,8 @@ extern "C" {
 #endif
 
 typedef struct thud_query_filter {
-    uint32_t category, mask; /* as in thud_filter; all ones by default. Both zero meet nothing,
-                                which the log hears */
+    uint32_t category, mask; /* as in thud_filter; all ones by default. Both zero, without a
+                                group above 0, would meet nothing, and are refused */
     bool sensors;            /* sensors too; default false */
     int32_t group;           /* as in thud_filter: shapes of the same group are met always (> 0) or
                                 never (< 0); default 0: no group */

@@ -18,6 +18,7 @@
 #include "state/body.h"
 #include "state/handles.h"
 
+#include <limits.h>
 #include <string.h>
 
 /* ---- events ---- */
@@ -261,12 +262,16 @@ thud_result thud_world_advance_with(thud_world *w, double elapsed, int max_steps
     if (w->locked || w->advancing) {
         return td_refuse(w, THUD_ERROR_LOCKED, "advance: not inside a callback");
     }
-    if (!(elapsed >= 0.0 && elapsed <= THUD_ADVANCE_MAX) || max_steps < 1) {
-        return td_refuse(w, THUD_ERROR_INVALID, "advance: elapsed or max_steps is out of range");
+    thud_result result = td_check(w, "advance: elapsed", elapsed, 0.0, THUD_ADVANCE_MAX);
+    if (result == THUD_OK) {
+        result = td_check(w, "advance: max_steps", max_steps, 1.0, (double)INT_MAX);
+    }
+    if (result != THUD_OK) {
+        return result;
     }
     int done = 0;
     w->advancing = true;
-    thud_result result = advance(w, elapsed, max_steps, calls, &done);
+    result = advance(w, elapsed, max_steps, calls, &done);
     w->advancing = false;
     if (steps) {
         *steps = done;

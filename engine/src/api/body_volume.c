@@ -53,8 +53,9 @@ thud_result thud_body_volume(thud_world *w, thud_body_id id, thud_shape_kind kin
     if (result != THUD_OK) {
         return result;
     }
-    if (!td_place_valid(w, origin.x, origin.y)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "body volume: origin is out of range");
+    result = td_check_place(w, "body volume: x or y of origin", origin.x, origin.y);
+    if (result != THUD_OK) {
+        return result;
     }
     if (!has_volume(w, kind, index)) {
         return td_refuse(w, THUD_ERROR_INVALID, NO_VOLUME);

@@ -161,18 +161,20 @@ static thud_result check_mover(const thud_world *w, const thud_mover *mover) {
     if (!(up == 0.0 || td_abs(up - 1.0) < THUD_UNIT_ERROR)) {
         return td_refuse(w, THUD_ERROR_INVALID, "mover: up is neither of length 1 nor zero");
     }
-    if (!(mover->skin > 0.0 && mover->skin <= least && mover->max_slope >= 0.0 &&
-          mover->max_slope <= THUD_MOVER_SLOPE_MAX && mover->step_height >= 0.0 &&
-          mover->step_height <= THUD_MOVER_STEP_MAX && mover->snap_distance >= 0.0 &&
-          mover->snap_distance <= THUD_MOVER_STEP_MAX && mover->push_force >= 0.0 &&
-          mover->push_force <= THUD_MOVER_FORCE_MAX)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "mover: a setting is out of range");
+    td_reason why;
+    if (!td_above_0(&why, "mover: skin", mover->skin, least) ||
+        !td_in(&why, "mover: max_slope", mover->max_slope, 0.0, THUD_MOVER_SLOPE_MAX) ||
+        !td_in(&why, "mover: step_height", mover->step_height, 0.0, THUD_MOVER_STEP_MAX) ||
+        !td_in(&why, "mover: snap_distance", mover->snap_distance, 0.0, THUD_MOVER_STEP_MAX) ||
+        !td_in(&why, "mover: push_force", mover->push_force, 0.0, THUD_MOVER_FORCE_MAX)) {
+        return td_refuse(w, THUD_ERROR_INVALID, why.text);
     }
     thud_body_state body;
-    if (mover->body.index1 == 0) {
-        return THUD_OK;
+    thud_result result = td_query_check_filter(w, &mover->filter);
+    if (result != THUD_OK || mover->body.index1 == 0) {
+        return result;
     }
-    thud_result result = thud_body_get(w, mover->body, &body);
+    result = thud_body_get(w, mover->body, &body);
     return result != THUD_OK || body.kind == THUD_KINEMATIC
                ? result
                : td_refuse(w, THUD_ERROR_INVALID, "mover: its body is not kinematic");
@@ -213,10 +215,12 @@ thud_result thud_mover_move(thud_world *w, thud_mover *mover, thud_vec2 velocity
         return td_refuse(w, THUD_ERROR_NULL, "mover: world or mover is null");
     }
     td_way asked = {(double)velocity.x, (double)velocity.y};
-    if (!(dt > 0.0 && dt <= THUD_TIME_STEP_MAX && td_size(asked) * dt <= THUD_MOVER_WAY_MAX)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "mover: velocity or dt is out of range");
+    thud_result result = td_check_above_0(w, "mover: dt", dt, THUD_TIME_STEP_MAX);
+    if (result == THUD_OK) {
+        result = td_check(w, "mover: length of velocity, times dt,", td_size(asked) * dt, 0.0,
+                          THUD_MOVER_WAY_MAX);
     }
-    thud_result result = check_mover(w, mover);
+    result = result == THUD_OK ? check_mover(w, mover) : result;
     if (result != THUD_OK) {
         return result;
     }

@@ -30,13 +30,16 @@ bool td_query_passes(const thud_world *w, int index, const thud_query_filter *fi
     return (shape->filter.category & f->mask) && (shape->filter.mask & f->category);
 }
 
-void td_query_look_at(const thud_world *w, const thud_query_filter *filter) {
-    if (filter && !(filter->category | filter->mask) && filter->group <= 0) {
-        td_refuse(
-            w, THUD_OK,
-            "query: asked, but meets nothing: category and mask of its filter are zero; begin "
-            "with thud_default_query_filter()");
-    }
+thud_result td_query_check_filter(const thud_world *w, const thud_query_filter *filter) {
+    bool meets = !filter || filter->category || filter->mask || filter->group > 0;
+    return meets ? THUD_OK
+                 : td_refuse(w, THUD_ERROR_INVALID,
+                             "query: category and mask of its filter are 0, so that it meets "
+                             "nothing: begin with thud_default_query_filter()");
+}
+
+thud_result td_query_check_angle(const thud_world *w, double angle) {
+    return td_check(w, "cast or overlap: angle", angle, -THUD_ANGLE_MAX, THUD_ANGLE_MAX);
 }
 
 thud_result td_query_check(const thud_world *w, thud_pos center, const thud_shape_instance *shape) {

@@ -7,8 +7,11 @@
 
 bool td_query_passes(const thud_world *w, int shape, const thud_query_filter *filter);
 
-/* Tells the log of a filter that meets nothing, as a zeroed one does. */
-void td_query_look_at(const thud_world *w, const thud_query_filter *filter);
+/* Refuses a filter that meets nothing, as a zeroed one does. */
+thud_result td_query_check_filter(const thud_world *w, const thud_query_filter *filter);
+
+/* Refuses the angle of a query's box. */
+thud_result td_query_check_angle(const thud_world *w, double angle);
 
 /* THUD_OK if a query's own shape, about `center`, is one that the world can meet. */
 thud_result td_query_check(const thud_world *w, thud_pos center, const thud_shape_instance *shape);

@@ -49,7 +49,6 @@ static bool cast(thud_world *w, const td_path *way, bool first, td_nearest *k) {
 static thud_result cast_first(thud_world *w, td_path *way, bool *hit, thud_ray_hit *out) {
     thud_ray_hit nearest;
     td_nearest k = {&nearest, 1, 0};
-    td_query_look_at(w, way->filter);
     way->from = td_place_from(w, way->origin);
     if (!cast(w, way, true, &k)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "cast: out of memory");
@@ -65,7 +64,6 @@ static thud_result cast_first(thud_world *w, td_path *way, bool *hit, thud_ray_h
 
 static thud_result cast_all(thud_world *w, td_path *way, thud_ray_hit *out, int capacity,
                             int *count) {
-    td_query_look_at(w, way->filter);
     td_nearest k = {out, capacity, 0};
     way->from = td_place_from(w, way->origin);
     if (!cast(w, way, false, &k)) {
@@ -80,22 +78,18 @@ static thud_result cast_all(thud_world *w, td_path *way, thud_ray_hit *out, int 
 /* ---- what callers ask ---- */
 
 static thud_result check_ray(const thud_world *w, const td_path *way) {
-    if (!w) {
-        return THUD_ERROR_NULL;
-    }
-    return td_path_in_range(w, way)
-               ? THUD_OK
-               : td_refuse(w, THUD_ERROR_INVALID, "cast ray: not finite or out of range");
+    return w ? td_path_check(w, way) : THUD_ERROR_NULL;
 }
 
 static thud_result check_shape(const thud_world *w, const td_path *way) {
     if (!w || !way->shape) {
         return td_refuse(w, THUD_ERROR_NULL, "cast: world or shape is null");
     }
-    if (td_query_check(w, way->origin, way->shape) != THUD_OK || !td_path_in_range(w, way)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "cast: the shape or its way is invalid");
+    thud_result result = td_path_check(w, way);
+    if (result == THUD_OK && td_query_check(w, way->origin, way->shape) != THUD_OK) {
+        result = td_refuse(w, THUD_ERROR_INVALID, "cast: the shape is invalid");
     }
-    return THUD_OK;
+    return result;
 }
 
 static thud_result check_room(const thud_world *w, const thud_ray_hit *out, int capacity) {
@@ -171,6 +165,10 @@ thud_result thud_world_cast_box(thud_world *w, thud_pos center, double half_x, d
                                 double angle, double dx, double dy, const thud_query_filter *filter,
                                 bool *hit, thud_ray_hit *out) {
     TD_IN_OWN_MODE;
+    thud_result result = td_query_check_angle(w, angle);
+    if (result != THUD_OK) {
+        return result;
+    }
     thud_shape_instance box = td_query_box(half_x, half_y, angle);
     return thud_world_cast_shape(w, center, &box, dx, dy, filter, hit, out);
 }
@@ -180,6 +178,10 @@ thud_result thud_world_cast_box_all(thud_world *w, thud_pos center, double half_
                                     const thud_query_filter *filter, thud_ray_hit *out,
                                     int capacity, int *count) {
     TD_IN_OWN_MODE;
+    thud_result result = td_query_check_angle(w, angle);
+    if (result != THUD_OK) {
+        return result;
+    }
     thud_shape_instance box = td_query_box(half_x, half_y, angle);
     return thud_world_cast_shape_all(w, center, &box, dx, dy, filter, out, capacity, count);
 }

@@ -51,11 +51,17 @@ thud_result thud_world_closest(thud_world *w, thud_pos point, double max_distanc
     if (!w) {
         return THUD_ERROR_NULL;
     }
-    if (!td_place_valid(w, point.x, point.y) ||
-        !(max_distance >= 0.0 && max_distance <= THUD_PLACE_MAX * (double)w->unit)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "closest: not finite or out of range");
+    thud_result result = td_check_place(w, "closest: x or y of point", point.x, point.y);
+    if (result == THUD_OK) {
+        result = td_check(w, "closest: max_distance", max_distance, 0.0,
+                          THUD_PLACE_MAX * (double)w->unit);
     }
-    td_query_look_at(w, filter);
+    if (result == THUD_OK) {
+        result = td_query_check_filter(w, filter);
+    }
+    if (result != THUD_OK) {
+        return result;
+    }
     if (!td_query_prepare(w)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "closest: out of memory");
     }

@@ -48,7 +48,10 @@ thud_result thud_world_overlap_shape(thud_world *w, thud_pos center,
     if (td_query_check(w, center, shape) != THUD_OK) {
         return td_refuse(w, THUD_ERROR_INVALID, "overlap: the shape or its place is invalid");
     }
-    td_query_look_at(w, filter);
+    thud_result result = td_query_check_filter(w, filter);
+    if (result != THUD_OK) {
+        return result;
+    }
     thud_pos lower, upper;
     td_query_bounds(center, shape, &lower, &upper);
     if (!td_query_prepare(w) || !td_query_list(w, lower, upper) || !td_query_list_terrains(w)) {
@@ -80,6 +83,10 @@ thud_result thud_world_overlap_obb(thud_world *w, thud_pos center, double half_x
                                    double angle, const thud_query_filter *filter,
                                    thud_overlap_fn *fn, void *context) {
     TD_IN_OWN_MODE;
+    thud_result result = td_query_check_angle(w, angle);
+    if (result != THUD_OK) {
+        return result;
+    }
     thud_shape_instance box = td_query_box(half_x, half_y, angle);
     box.kind = THUD_OBB;
     return thud_world_overlap_shape(w, center, &box, filter, fn, context);

@@ -34,8 +34,8 @@ const thud_pose *thud_world_poses(thud_world *w, thud_pos origin, double alpha, 
     if (count) {
         *count = 0;
     }
-    if (!w || !td_place_valid(w, origin.x, origin.y) || !(alpha >= 0.0 && alpha <= 1.0)) {
-        td_refuse(w, THUD_ERROR_INVALID, "poses: origin or alpha is out of range");
+    if (!w || td_check_place(w, "poses: x or y of origin", origin.x, origin.y) != THUD_OK ||
+        td_check(w, "poses: alpha", alpha, 0.0, 1.0) != THUD_OK) {
         return NULL;
     }
     if (!td_array_reserve(&w->memory, &w->poses, td_max_int(w->bodies.count, 1))) {

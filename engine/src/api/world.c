@@ -29,62 +29,47 @@ thud_world_def thud_world_def_of(const thud_quality *quality) {
     };
 }
 
-static bool between(float x, float low, float high) {
-    return x >= low && x <= high;
+/* Of what is one number. */
+static bool numbers_in(const thud_world_def *d, td_reason *why) {
+    float most = THUD_SPEED_MAX;
+    return td_float_in(why, "world def: gravity.x", d->gravity.x, -FLT_MAX, FLT_MAX) &&
+           td_float_in(why, "world def: gravity.y", d->gravity.y, -FLT_MAX, FLT_MAX) &&
+           td_above_0(why, "world def: time_step", d->time_step, THUD_TIME_STEP_MAX) &&
+           td_float_in(why, "world def: length_scale", d->length_scale, THUD_LENGTH_SCALE_MIN,
+                       THUD_LENGTH_SCALE_MAX) &&
+           td_in(why, "world def: substeps", d->substeps, 0.0, THUD_SUBSTEPS_MAX) &&
+           (d->contact_stiffness == 0.0f ||
+            td_float_in(why, "world def: contact_stiffness", d->contact_stiffness,
+                        THUD_CONTACT_STIFFNESS_MIN, THUD_CONTACT_STIFFNESS_MAX)) &&
+           td_float_in(why, "world def: contact_damping", d->contact_damping, 0.0f,
+                       THUD_CONTACT_DAMPING_MAX) &&
+           td_float_in(why, "world def: push_speed", d->push_speed, 0.0f, most) &&
+           td_float_in(why, "world def: restitution_threshold", d->restitution_threshold, 0.0f,
+                       most) &&
+           td_float_in(why, "world def: hit_speed", d->hit_speed, 0.0f, most) &&
+           td_above_0(why, "world def: maximum_speed", (double)d->maximum_speed, (double)most) &&
+           td_in(why, "world def: time_budget", d->time_budget, 0.0, THUD_TIME_BUDGET_MAX) &&
+           td_in(why, "world def: job_system.workers", d->job_system.workers, 0.0,
+                 THUD_WORKERS_MAX);
 }
 
-static const char *def_error(const thud_world_def *d) {
+static const char *def_error(const thud_world_def *d, td_reason *why) {
     if (d->cookie != TD_COOKIE) {
         return "world_create: the def does not start from thud_default_world_def()";
     }
-    if (!td_finite((double)d->gravity.x + (double)d->gravity.y)) {
-        return "world def: gravity is not finite";
-    }
-    if (!(d->time_step > 0.0 && d->time_step <= THUD_TIME_STEP_MAX)) {
-        return "world def: time_step is not in (0, 1]";
-    }
-    if (!between(d->length_scale, THUD_LENGTH_SCALE_MIN, THUD_LENGTH_SCALE_MAX)) {
-        return "world def: length_scale is not in [1e-6, 1e6]";
+    if (!numbers_in(d, why)) {
+        return why->text;
     }
     if (!d->quality) {
         return "world def: quality is null";
     }
-    const char *error = td_quality_error(d->quality);
-    error = error ? error : td_max_error_error(d->max_error, d->quality);
+    const char *error = td_quality_error(d->quality, why);
+    error = error ? error : td_max_error_error(d->max_error, d->quality, why);
     if (error) {
         return error;
     }
-    if (d->substeps < 0 || d->substeps > THUD_SUBSTEPS_MAX) {
-        return "world def: substeps is not in 0..64";
-    }
-    if (d->contact_stiffness != 0.0f &&
-        !between(d->contact_stiffness, THUD_CONTACT_STIFFNESS_MIN, THUD_CONTACT_STIFFNESS_MAX)) {
-        return "world def: contact_stiffness is not in [THUD_CONTACT_STIFFNESS_MIN, "
-               "THUD_CONTACT_STIFFNESS_MAX], nor 0";
-    }
-    if (!between(d->contact_damping, 0.0f, THUD_CONTACT_DAMPING_MAX)) {
-        return "world def: contact_damping is not in [0, THUD_CONTACT_DAMPING_MAX]";
-    }
-    if (!between(d->push_speed, 0.0f, THUD_SPEED_MAX)) {
-        return "world def: push_speed is not in [0, THUD_SPEED_MAX]";
-    }
-    if (!between(d->restitution_threshold, 0.0f, THUD_SPEED_MAX)) {
-        return "world def: restitution_threshold is not in [0, THUD_SPEED_MAX]";
-    }
-    if (!between(d->hit_speed, 0.0f, THUD_SPEED_MAX)) {
-        return "world def: hit_speed is not in [0, THUD_SPEED_MAX]";
-    }
-    if (!(d->maximum_speed > 0.0f && d->maximum_speed <= THUD_SPEED_MAX)) {
-        return "world def: maximum_speed is not in (0, THUD_SPEED_MAX]";
-    }
-    if (!(d->time_budget >= 0.0 && d->time_budget <= THUD_TIME_BUDGET_MAX)) {
-        return "world def: time_budget is not in [0, THUD_TIME_BUDGET_MAX]";
-    }
     if (d->time_budget > 0.0 && !d->clock) {
         return "world def: time_budget lacks a clock";
-    }
-    if (d->job_system.workers < 0 || d->job_system.workers > THUD_WORKERS_MAX) {
-        return "world def: job_system.workers is not in 0..THUD_WORKERS_MAX";
     }
     if (d->job_system.workers > 1 && !d->job_system.run) {
         return "world def: job_system.workers lacks a run";
@@ -220,7 +205,8 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out) {
     if (!out) {
         return refuse(def, THUD_ERROR_NULL, "world create: out is null");
     }
-    const char *error = def_error(def);
+    td_reason why;
+    const char *error = def_error(def, &why);
     if (error) {
         return refuse(def, THUD_ERROR_INVALID, error);
     }
@@ -305,8 +291,9 @@ thud_result thud_world_set_gravity(thud_world *w, thud_vec2 gravity) {
     if (!w) {
         return THUD_ERROR_NULL;
     }
-    if (!td_finite((double)gravity.x + (double)gravity.y)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "set gravity: not finite");
+    thud_result result = td_check_finite(w, "set gravity: gravity", gravity.x, gravity.y, 0.0f);
+    if (result != THUD_OK) {
+        return result;
     }
     if (w->locked) {
         return td_refuse(w, THUD_ERROR_LOCKED, "set gravity: not inside a callback");
@@ -320,8 +307,10 @@ thud_result thud_world_set_time_step(thud_world *w, double time_step) {
     if (!w) {
         return THUD_ERROR_NULL;
     }
-    if (!(time_step > 0.0 && time_step <= THUD_TIME_STEP_MAX)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "set time step: not in (0, 1]");
+    thud_result result =
+        td_check_above_0(w, "set time step: time_step", time_step, THUD_TIME_STEP_MAX);
+    if (result != THUD_OK) {
+        return result;
     }
     if (w->locked) {
         return td_refuse(w, THUD_ERROR_LOCKED, "set time step: not inside a callback");

@@ -35,7 +35,6 @@ static void tell(td_walk *walk, thud_cast_fn *fn, void *context) {
 static thud_result each(thud_world *w, td_path *way, thud_cast_fn *fn, void *context) {
     td_array *scratch = &w->scratch.hits;
     int size = td_walk_room(w);
-    td_query_look_at(w, way->filter);
     if (!td_query_prepare(w) || !td_array_reserve(&w->memory, scratch, size)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "cast: out of memory");
     }
@@ -67,9 +66,8 @@ thud_result thud_world_cast_ray_each(thud_world *w, thud_pos origin, double dx, 
     if (!w || !fn) {
         return td_refuse(w, THUD_ERROR_NULL, "cast ray: world or callback is null");
     }
-    return td_path_in_range(w, &way)
-               ? each(w, &way, fn, context)
-               : td_refuse(w, THUD_ERROR_INVALID, "cast ray: not finite or out of range");
+    thud_result result = td_path_check(w, &way);
+    return result != THUD_OK ? result : each(w, &way, fn, context);
 }
 
 thud_result thud_world_cast_shape_each(thud_world *w, thud_pos center,
@@ -83,7 +81,9 @@ thud_result thud_world_cast_shape_each(thud_world *w, thud_pos center,
     thud_query_filter own = copied(filter);
     thud_shape_instance moving = *shape;
     td_path way = {td_shape_meets, center, .dx = dx, .dy = dy, .shape = &moving, .filter = &own};
-    bool valid = td_query_check(w, center, &moving) == THUD_OK && td_path_in_range(w, &way);
-    return valid ? each(w, &way, fn, context)
-                 : td_refuse(w, THUD_ERROR_INVALID, "cast: the shape or its way is invalid");
+    thud_result result = td_path_check(w, &way);
+    if (result == THUD_OK && td_query_check(w, center, &moving) != THUD_OK) {
+        result = td_refuse(w, THUD_ERROR_INVALID, "cast: the shape is invalid");
+    }
+    return result != THUD_OK ? result : each(w, &way, fn, context);
 }

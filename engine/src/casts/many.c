@@ -98,10 +98,11 @@ thud_result thud_world_cast_rays(thud_world *w, const thud_ray *rays, int count,
     batch b = {w, ray_path, rays, hits, .count = count};
     thud_result result = check_lists(&b);
     for (int i = 0; i < count && result == THUD_OK; i++) {
-        td_path way = {.origin = rays[i].origin, .dx = rays[i].dx, .dy = rays[i].dy};
-        if (!td_path_in_range(w, &way)) {
-            result = td_refuse(w, THUD_ERROR_INVALID, "cast rays: not finite or out of range");
-        }
+        td_path way = {.origin = rays[i].origin,
+                       .dx = rays[i].dx,
+                       .dy = rays[i].dy,
+                       .filter = rays[i].filter};
+        result = td_path_check(w, &way);
     }
     return result != THUD_OK ? result : cast_all(w, &b);
 }
@@ -115,12 +116,17 @@ thud_result thud_world_cast_shapes(thud_world *w, const thud_shape_cast *casts, 
     batch b = {w, shape_path, casts, hits, .count = count};
     thud_result result = check_lists(&b);
     for (int i = 0; i < count && result == THUD_OK; i++) {
-        td_path way = {.origin = casts[i].center, .dx = casts[i].dx, .dy = casts[i].dy};
         if (!casts[i].shape) {
             result = td_refuse(w, THUD_ERROR_NULL, "cast shapes: a shape is null");
-        } else if (td_query_check(w, way.origin, casts[i].shape) != THUD_OK ||
-                   !td_path_in_range(w, &way)) {
-            result = td_refuse(w, THUD_ERROR_INVALID, "cast shapes: a shape or way is invalid");
+            continue;
+        }
+        td_path way = {.origin = casts[i].center,
+                       .dx = casts[i].dx,
+                       .dy = casts[i].dy,
+                       .filter = casts[i].filter};
+        result = td_path_check(w, &way);
+        if (result == THUD_OK && td_query_check(w, way.origin, casts[i].shape) != THUD_OK) {
+            result = td_refuse(w, THUD_ERROR_INVALID, "cast shapes: a shape is invalid");
         }
     }
     return result != THUD_OK ? result : cast_all(w, &b);

@@ -25,9 +25,9 @@ static thud_result prepare(thud_world *w) {
 /* As `find`, for a place that is asked about. */
 static thud_result find_about(const thud_world *w, thud_shape_id id, thud_pos place, int *index) {
     thud_result result = find(w, id, index);
-    return result != THUD_OK || td_place_valid(w, place.x, place.y)
+    return result != THUD_OK
                ? result
-               : td_refuse(w, THUD_ERROR_INVALID, "asking a shape: the place is out of range");
+               : td_check_place(w, "asking a shape: x or y of point", place.x, place.y);
 }
 
 /* Where the shape is nearest to a place. */
@@ -50,9 +50,7 @@ thud_result thud_shape_meets_ray(thud_world *w, thud_shape_id id, thud_pos origi
     int index;
     td_path way = {.origin = origin, .dx = dx, .dy = dy};
     thud_result result = find(w, id, &index);
-    if (result == THUD_OK && !td_path_in_range(w, &way)) {
-        result = td_refuse(w, THUD_ERROR_INVALID, "shape meets ray: not finite or out of range");
-    }
+    result = result != THUD_OK ? result : td_path_check(w, &way);
     result = result != THUD_OK ? result : prepare(w);
     if (result != THUD_OK) {
         return result;

@@ -5,6 +5,15 @@
 #include "state/shape.h"
 #include "terrain/terrain.h"
 
+thud_result td_path_check(const thud_world *w, const td_path *way) {
+    thud_pos from = way->origin, to = {from.x + way->dx, from.y + way->dy};
+    thud_result result = td_check_place(w, "cast: x or y of the origin", from.x, from.y);
+    if (result == THUD_OK) {
+        result = td_check_place(w, "cast: x or y of the way's end", to.x, to.y);
+    }
+    return result == THUD_OK ? td_query_check_filter(w, way->filter) : result;
+}
+
 void td_nearest_keep(td_nearest *k, const thud_ray_hit *hit) {
     int at = td_min_int(k->count++, k->capacity);
     if (at == k->capacity && (at == 0 || !td_hit_before(hit, &k->hits[--at]))) {

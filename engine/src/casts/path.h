@@ -35,11 +35,8 @@ static inline bool td_hit_before(const thud_ray_hit *a, const thud_ray_hit *b) {
            (a->fraction == b->fraction && a->shape.index1 < b->shape.index1);
 }
 
-/* The path's origin and end are places of the world. */
-static inline bool td_path_in_range(const thud_world *w, const td_path *way) {
-    return td_place_valid(w, way->origin.x, way->origin.y) &&
-           td_place_valid(w, way->origin.x + way->dx, way->origin.y + way->dy);
-}
+/* Refuses a path whose origin or end is no place of the world, or whose filter meets nothing. */
+thud_result td_path_check(const thud_world *w, const td_path *way);
 
 /* Whether the path meets a shape at all that it is to meet, and where. */
 static inline bool td_path_meets(const thud_world *w, int index, const td_path *way,

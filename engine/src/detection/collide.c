@@ -7,6 +7,8 @@
 #include "contact/contact.h"
 #include "geometry/shape_instance.h"
 
+/* A fall of so little in a step is none; a multiple of TD_MEET, as in agenda.c. */
+#define NOTHING 0.01
 /* In any unit: what single precision holds. */
 #define VELOCITY_MOST 3e38
 
@@ -162,8 +164,10 @@ static outcome bounce(side *a, side *b, bool of_motion, const surface *u) {
 }
 
 /* What did not part does not fall on into each other: each bears as much as the other falls less.
- */
-static void bear(const thud_world *w, const side *a, const side *b, const surface *u) {
+ * Where that bends the way of a body by more than NOTHING, `bent` says so. */
+static void bear(const thud_world *w, const side *a, const side *b, const surface *u,
+                 bool bent[2]) {
+    double nothing = NOTHING * (double)(TD_MEET * w->unit);
     double x = u->nx, y = u->ny;
     double fall_a = a->trajectory ? a->trajectory->fall[0] * x + a->trajectory->fall[1] * y : 0.0;
     double fall_b = b->trajectory ? b->trajectory->fall[0] * x + b->trajectory->fall[1] * y : 0.0;
@@ -171,9 +175,11 @@ static void bear(const thud_world *w, const side *a, const side *b, const surfac
     double less_b = fall_b - td_min_double(fall_a, 0.0);
     if (a->trajectory && less_a > 0.0) {
         td_trajectory_bear(w, a->trajectory, less_a * x, less_a * y);
+        bent[0] = less_a > nothing;
     }
     if (b->trajectory && less_b < 0.0) {
         td_trajectory_bear(w, b->trajectory, less_b * x, less_b * y);
+        bent[1] = -less_b > nothing;
     }
 }
 
@@ -265,16 +271,18 @@ static void choose_who_stays(side *a, side *b, bool pair_touches, const surface 
     }
     a->stays = !b_stays;
     b->stays = b_stays;
-    (b_stays ? a : b)->trajectory->yielded = true;
 }
 
-/* What gives way does not fall on: gravity and forces give it no speed in the rest of the step. */
+/* What gives way does not fall on: gravity and forces give it no speed in the rest of the step.
+ * That is taken out once, of the whole rest from the first time on: a body that gives way to eight
+ * others in a step would leave it at eight times that speed, upwards. */
 static void give_back(const thud_world *w, side *s, double time) {
     const float *push = td_row(&w->push, s->body->awake);
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < 2 && !s->trajectory->yielded; k++) {
         double given = w->substeps * (1.0 - time) * (double)push[k];
         s->velocity[k] -= td_gain_held(w, k, given);
     }
+    s->trajectory->yielded = true;
 }
 
 void td_impact_resolve(thud_world *w, const td_toi_candidate *e, const td_impact_point *at,
@@ -313,6 +321,6 @@ void td_impact_resolve(thud_world *w, const td_toi_candidate *e, const td_impact
     write_back(w, &a);
     write_back(w, &b);
     if (!done.bounced) {
-        bear(w, &a, &b, &u);
+        bear(w, &a, &b, &u, impact->bent);
     }
 }

@@ -10,6 +10,7 @@ typedef struct td_impact {
     float approach;    /* speed at which they met, > 0 where they closed */
     bool touching;     /* they have a contact with the solver */
     bool stayed[2];    /* the body keeps the motion of this step; its velocity is a new one */
+    bool bent[2];      /* but no longer falls on as it did, so that it meets others elsewhere */
 } td_impact;
 
 /* The point at which two bodies act on each other, relative to `origin`. */

@@ -13,9 +13,12 @@ thud_result thud_body_set_damping(thud_world *w, thud_body_id id, float linear, 
     if (result != THUD_OK) {
         return result;
     }
-    if (!(linear >= 0.0f && angular >= 0.0f) || !td_finite((double)linear) ||
-        !td_finite((double)angular)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "set damping: it is negative or not finite");
+    result = td_check(w, "set damping: linear", (double)linear, 0.0, (double)FLT_MAX);
+    if (result == THUD_OK) {
+        result = td_check(w, "set damping: angular", (double)angular, 0.0, (double)FLT_MAX);
+    }
+    if (result != THUD_OK) {
+        return result;
     }
     td_body_at(w, index)->linear_damping = linear;
     td_body_at(w, index)->angular_damping = angular;
@@ -31,8 +34,9 @@ thud_result thud_body_set_gravity_scale(thud_world *w, thud_body_id id, float gr
     if (result != THUD_OK) {
         return result;
     }
-    if (!td_finite((double)gravity_scale)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "set gravity scale: it is not finite");
+    result = td_check_finite(w, "set gravity scale: gravity_scale", gravity_scale, 0.0f, 0.0f);
+    if (result != THUD_OK) {
+        return result;
     }
     td_body_at(w, index)->gravity_scale = gravity_scale;
     td_awake_refresh(w, index);
@@ -96,35 +100,30 @@ thud_result thud_body_set_detection(thud_world *w, thud_body_id id,
     return result;
 }
 
-static bool within(float x, float least, float most) {
-    return x >= least && x <= most;
-}
-
-static const char *mass_error(const thud_world *w, const td_body *body, const thud_mass *m) {
-    float furthest = THUD_SIZE_MAX * w->unit;
+static const char *mass_error(const thud_world *w, const td_body *body, const thud_mass *m,
+                              td_reason *why) {
+    double furthest = (double)(THUD_SIZE_MAX * w->unit);
+    double least = (double)THUD_MASS_MIN, most = (double)THUD_MASS_MAX;
     if (body->kind != THUD_DYNAMIC) {
         return "set mass: the body is not dynamic";
     }
     if (!m) {
         return NULL;
     }
-    if (!within(m->mass, THUD_MASS_MIN, THUD_MASS_MAX)) {
-        return "set mass: mass is not in [1e-30, 1e30]";
-    }
-    if (m->inertia != 0.0f && !within(m->inertia, THUD_MASS_MIN, THUD_MASS_MAX)) {
-        return "set mass: inertia is neither 0 nor in [1e-30, 1e30]";
-    }
-    if (!within(m->center.x, -furthest, furthest) || !within(m->center.y, -furthest, furthest)) {
-        return "set mass: center is beyond 16384 length scales";
-    }
-    return NULL;
+    bool in =
+        td_in(why, "set mass: mass", (double)m->mass, least, most) &&
+        (m->inertia == 0.0f || td_in(why, "set mass: inertia", (double)m->inertia, least, most)) &&
+        td_in(why, "set mass: x of center", (double)m->center.x, -furthest, furthest) &&
+        td_in(why, "set mass: y of center", (double)m->center.y, -furthest, furthest);
+    return in ? NULL : why->text;
 }
 
 thud_result thud_body_set_mass(thud_world *w, thud_body_id id, const thud_mass *mass) {
     TD_IN_OWN_MODE;
     td_body_index index;
     thud_result result = td_edit_body(w, id, &index);
-    const char *error = result == THUD_OK ? mass_error(w, td_body_at(w, index), mass) : NULL;
+    td_reason why;
+    const char *error = result == THUD_OK ? mass_error(w, td_body_at(w, index), mass, &why) : NULL;
     if (result != THUD_OK || error) {
         return error ? td_refuse(w, THUD_ERROR_INVALID, error) : result;
     }

@@ -25,21 +25,23 @@ double td_edit_angle_of(double c, double s) {
 
 /* What the calls for single shapes refuse, of a body that is not there yet. */
 static const char *shape_error(const thud_world *w, const thud_body_def *def,
-                               const thud_body_shape *one) {
+                               const thud_body_shape *one, td_reason *why) {
+    const char *half = "body create with shapes: radius or half extent of a shape";
     const thud_shape_instance *at = &one->shape;
     if (thud_placed_check(at) != THUD_OK) {
         return "body create with shapes: a shape is no circle, AABB or OBB, or its place, radius or half extents are not finite, or below 0";
     }
-    if (!td_shape_offset_valid(w, (thud_vec2){(float)at->x, (float)at->y}) ||
-        !td_shape_size_valid(w, (int)def->kind, (float)at->hx) ||
-        !(td_kind_is_round(at->kind) || td_shape_size_valid(w, (int)def->kind, (float)at->hy))) {
-        return "body create with shapes: offset or size of a shape is out of range";
+    if (!td_offset_in(w, why, "body create with shapes: x or y of a shape",
+                      (thud_vec2){(float)at->x, (float)at->y}) ||
+        !td_size_in(w, why, half, (int)def->kind, (float)at->hx) ||
+        !(td_kind_is_round(at->kind) || td_size_in(w, why, half, (int)def->kind, (float)at->hy))) {
+        return why->text;
     }
     bool turns = def->kind == THUD_KINEMATIC && def->angular_velocity != 0.0f;
     if (at->kind == THUD_AABB && (turns || td_angle_from(def->angle) != 0)) {
         return "body create with shapes: with an AABB its angle must be 0, and it must not turn";
     }
-    return one->def ? td_shape_def_error(w, one->def) : NULL;
+    return one->def ? td_shape_def_error(w, one->def, why) : NULL;
 }
 
 static thud_result create(thud_world *w, thud_body_id body, const thud_body_shape *one,
@@ -70,13 +72,14 @@ thud_result thud_body_create_with_shapes(thud_world *w, const thud_body_def *def
         return td_refuse(w, THUD_ERROR_NULL,
                          "body create with shapes: world, def or shapes is null");
     }
+    td_reason why;
     const char *error =
-        count < 0 ? "body create with shapes: count is negative" : td_body_def_error(w, def);
+        count < 0 ? "body create with shapes: count is negative" : td_body_def_error(w, def, &why);
     if (error) {
         return td_refuse(w, THUD_ERROR_INVALID, error);
     }
     for (int i = 0; i < count; i++) {
-        error = shape_error(w, def, &shapes[i]);
+        error = shape_error(w, def, &shapes[i], &why);
         if (error) {
             return td_refuse(w, THUD_ERROR_INVALID, error);
         }

@@ -23,21 +23,20 @@ thud_result thud_body_apply_force_at(thud_world *w, thud_body_id id, thud_vec2 f
     if (result != THUD_OK) {
         return result;
     }
-    bool valid =
-        pushes((double)force.x) && pushes((double)force.y) && td_place_valid(w, point.x, point.y);
-    double torque = 0.0;
-    if (valid) {
-        td_position place = td_place_from(w, point), center = td_pose_at(w, index)->center;
-        double x = (double)(place.x - center.x) / w->to_fixed * (double)force.y;
-        double y = (double)(place.y - center.y) / w->to_fixed * (double)force.x;
-        valid = pushes(x) && pushes(y) && pushes(x - y);
-        torque = x - y;
+    double most = (double)THUD_PUSH_MAX;
+    td_reason why;
+    if (!td_in(&why, "apply force at: x of force", (double)force.x, -most, most) ||
+        !td_in(&why, "apply force at: y of force", (double)force.y, -most, most) ||
+        !td_in_world(w, &why, "apply force at: x or y of point", point.x, point.y)) {
+        return td_refuse(w, THUD_ERROR_INVALID, why.text);
     }
-    if (!valid) {
-        return td_refuse(w, THUD_ERROR_INVALID,
-                         "apply force at: force, its torque or point is out of range");
+    td_position place = td_place_from(w, point), center = td_pose_at(w, index)->center;
+    double x = (double)(place.x - center.x) / w->to_fixed * (double)force.y;
+    double y = (double)(place.y - center.y) / w->to_fixed * (double)force.x;
+    if (!(pushes(x) && pushes(y) && pushes(x - y))) {
+        return td_refuse(w, THUD_ERROR_INVALID, "apply force at: its torque is out of range");
     }
-    return thud_body_apply_force(w, id, force, (float)torque);
+    return thud_body_apply_force(w, id, force, (float)(x - y));
 }
 
 /* Inside a callback, as a force. */

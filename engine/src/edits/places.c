@@ -11,15 +11,11 @@ static thud_result find(const thud_world *w, thud_body_id id, const void *out,
                                      : result;
 }
 
-static thud_result refuse(const thud_world *w) {
-    return td_refuse(w, THUD_ERROR_INVALID, "point of a body: it is not finite or out of range");
-}
-
 /* As `find`, with a place that is given: in the world, or in the body's frame. */
 static thud_result find_at(const thud_world *w, thud_body_id id, double x, double y,
                            const void *out, td_body_index *index) {
     thud_result result = find(w, id, out, index);
-    return result != THUD_OK || td_place_valid(w, x, y) ? result : refuse(w);
+    return result != THUD_OK ? result : td_check_place(w, "point of a body: x or y of point", x, y);
 }
 
 thud_result thud_body_velocity_at(const thud_world *w, thud_body_id id, thud_pos point,
@@ -84,8 +80,9 @@ static thud_result turn(const thud_world *w, thud_body_id id, thud_vec2 vector, 
     if (result != THUD_OK) {
         return result;
     }
-    if (!td_finite((double)vector.x) || !td_finite((double)vector.y)) {
-        return refuse(w);
+    result = td_check_finite(w, "vector of a body: vector", vector.x, vector.y, 0.0f);
+    if (result != THUD_OK) {
+        return result;
     }
     *out = turned(td_pose_at(w, index), (double)vector.x, (double)vector.y, sign);
     return THUD_OK;

@@ -20,8 +20,9 @@ thud_result thud_shape_set_density(thud_world *w, thud_shape_id id, float densit
     if (result != THUD_OK) {
         return result;
     }
-    if (!(density >= 0.0f && density <= THUD_DENSITY_MAX)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "set density: it is not in [0, 1e12]");
+    result = td_check(w, "set density: density", (double)density, 0.0, (double)THUD_DENSITY_MAX);
+    if (result != THUD_OK) {
+        return result;
     }
     td_shape_at(w, index)->density = density;
     weigh(w, index);
@@ -52,8 +53,9 @@ thud_result thud_shape_set_radius(thud_world *w, thud_shape_id id, float radius)
     if (!td_kind_is_round(shape->kind)) {
         return td_refuse(w, THUD_ERROR_INVALID, "set radius: the shape is no circle");
     }
-    if (!td_shape_size_valid(w, td_body_at(w, shape->body)->kind, radius)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "set radius: it is out of range");
+    td_reason why;
+    if (!td_size_in(w, &why, "set radius: radius", td_body_at(w, shape->body)->kind, radius)) {
+        return td_refuse(w, THUD_ERROR_INVALID, why.text);
     }
     resize(w, index, radius, 0.0f);
     return THUD_OK;
@@ -71,8 +73,10 @@ thud_result thud_shape_set_half_extents(thud_world *w, thud_shape_id id, thud_ve
     if (!td_kind_is_box(shape->kind)) {
         return td_refuse(w, THUD_ERROR_INVALID, "set half extents: the shape is no box");
     }
-    if (!td_shape_size_valid(w, kind, half.x) || !td_shape_size_valid(w, kind, half.y)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "set half extents: they are out of range");
+    td_reason why;
+    const char *name = "set half extents: x or y of half";
+    if (!td_size_in(w, &why, name, kind, half.x) || !td_size_in(w, &why, name, kind, half.y)) {
+        return td_refuse(w, THUD_ERROR_INVALID, why.text);
     }
     resize(w, index, half.x, half.y);
     return THUD_OK;

@@ -10,15 +10,16 @@
 #include <string.h>
 
 static thud_result set(thud_world *w, thud_shape_id id, size_t field, float value, float least,
-                       float most, const char *error) {
+                       float most, const char *name) {
     TD_IN_OWN_MODE;
     int index = 0;
     thud_result result = td_edit_shape(w, id, &index);
     if (result != THUD_OK) {
         return result;
     }
-    if (!(value >= least && value <= most)) {
-        return td_refuse(w, THUD_ERROR_INVALID, error);
+    result = td_check(w, name, (double)value, (double)least, (double)most);
+    if (result != THUD_OK) {
+        return result;
     }
     td_shape *shape = td_shape_at(w, index);
     memcpy((char *)shape + field, &value, sizeof value);
@@ -29,18 +30,18 @@ static thud_result set(thud_world *w, thud_shape_id id, size_t field, float valu
 
 thud_result thud_shape_set_friction(thud_world *w, thud_shape_id id, float friction) {
     return set(w, id, offsetof(td_shape, friction), friction, 0.0f, THUD_FRICTION_MAX,
-               "set friction: it is not in [0, 1e6]");
+               "set friction: friction");
 }
 
 thud_result thud_shape_set_restitution(thud_world *w, thud_shape_id id, float restitution) {
     return set(w, id, offsetof(td_shape, restitution), restitution, 0.0f, THUD_RESTITUTION_MAX,
-               "set restitution: it is not in [0, 1]");
+               "set restitution: restitution");
 }
 
 thud_result thud_shape_set_surface_speed(thud_world *w, thud_shape_id id, float surface_speed) {
     float most = w ? THUD_SURFACE_SPEED_MAX * w->unit : 0.0f;
     return set(w, id, offsetof(td_shape, surface_speed), surface_speed, -most, most,
-               "set surface speed: it is out of range");
+               "set surface speed: surface_speed");
 }
 
 thud_result thud_shape_set_events(thud_world *w, thud_shape_id id, bool events) {

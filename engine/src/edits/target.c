@@ -29,8 +29,12 @@ thud_result thud_body_set_target(thud_world *w, thud_body_id id, thud_pos positi
     if (body->kind != THUD_KINEMATIC) {
         return td_refuse(w, THUD_ERROR_INVALID, "set target: the body is not kinematic");
     }
-    if (!td_place_valid(w, position.x, position.y) || !(td_abs(angle) <= THUD_ANGLE_MAX)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "set target: position or angle is out of range");
+    result = td_check_place(w, "set target: x or y of position", position.x, position.y);
+    if (result == THUD_OK) {
+        result = td_check(w, "set target: angle", angle, -THUD_ANGLE_MAX, THUD_ANGLE_MAX);
+    }
+    if (result != THUD_OK) {
+        return result;
     }
     /* Of what is not dynamic the origin is the centre. */
     td_position to = td_place_from(w, position);

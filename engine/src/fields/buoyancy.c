@@ -12,11 +12,18 @@ thud_water thud_default_water(void) {
                         .cookie = TD_COOKIE};
 }
 
-static bool valid(const thud_world *w, const thud_water *water) {
-    return td_place_valid(w, water->point.x, water->point.y) &&
-           td_within(water->density, 0.0f, THUD_FLUID_DENSITY_MAX) &&
-           td_within(water->linear_drag, 0.0f, THUD_DRAG_MAX) &&
-           td_within(water->angular_drag, 0.0f, THUD_DRAG_MAX);
+static thud_result check(const thud_world *w, const thud_water *water) {
+    thud_result result =
+        td_check_place(w, "water: x or y of point", water->point.x, water->point.y);
+    if (result == THUD_OK) {
+        result = td_check_field(w, "water: density", water->density, THUD_FLUID_DENSITY_MAX);
+    }
+    if (result == THUD_OK) {
+        result = td_check_field(w, "water: linear_drag", water->linear_drag, THUD_DRAG_MAX);
+    }
+    return result != THUD_OK
+               ? result
+               : td_check_field(w, "water: angular_drag", water->angular_drag, THUD_DRAG_MAX);
 }
 
 /* How high above the line the centre of mass is. */
@@ -61,10 +68,15 @@ thud_result thud_body_apply_buoyancy(thud_world *w, thud_body_id id, const thud_
                          "apply_buoyancy: the water does not start from thud_default_water()");
     }
     double fall_x = a.x, fall_y = a.y;
-    if (!valid(w, water) ||
-        !td_line_normal((double)water->normal.x, (double)water->normal.y, &up) ||
-        !td_adrift_in_flow(w, water->flow, &a)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "apply buoyancy: not finite or out of range");
+    result = check(w, water);
+    if (result == THUD_OK) {
+        result = td_adrift_in_flow(w, "water: x or y of flow", water->flow, &a);
+    }
+    if (result != THUD_OK) {
+        return result;
+    }
+    if (!td_line_normal((double)water->normal.x, (double)water->normal.y, &up)) {
+        return td_refuse(w, THUD_ERROR_INVALID, "water: normal is not of length 1");
     }
     if (!a.heeds) {
         return THUD_OK;

@@ -189,12 +189,24 @@ static thud_result explode(blast *b, int *pushed) {
     return apply(b, pushed);
 }
 
-static bool valid(const thud_world *w, const thud_explosion *def) {
-    double most = THUD_PLACE_MAX * (double)w->unit;
-    return td_place_valid(w, def->center.x, def->center.y) && def->radius >= 0.0 &&
-           def->radius <= most && def->falloff >= 0.0 && def->falloff <= most &&
-           td_within(def->impulse, -THUD_EXPLOSION_MAX, THUD_EXPLOSION_MAX) && def->rays >= 1 &&
-           def->rays <= THUD_EXPLOSION_RAYS_MAX && (unsigned)def->cover <= THUD_COVER_ALL;
+static thud_result check(const thud_world *w, const thud_explosion *def) {
+    double most = THUD_PLACE_MAX * (double)w->unit, strongest = (double)THUD_EXPLOSION_MAX;
+    td_reason why;
+    if (!td_in_world(w, &why, "explode: x or y of center", def->center.x, def->center.y) ||
+        !td_in(&why, "explode: radius", def->radius, 0.0, most) ||
+        !td_in(&why, "explode: falloff", def->falloff, 0.0, most) ||
+        !td_in(&why, "explode: impulse", (double)def->impulse, -strongest, strongest) ||
+        !td_in(&why, "explode: rays", def->rays, 1.0, THUD_EXPLOSION_RAYS_MAX)) {
+        return td_refuse(w, THUD_ERROR_INVALID, why.text);
+    }
+    if ((unsigned)def->cover > THUD_COVER_ALL) {
+        return td_refuse(w, THUD_ERROR_INVALID, "explode: cover is none");
+    }
+    if (def->radius + def->falloff == 0.0) {
+        return td_refuse(w, THUD_ERROR_INVALID,
+                         "explode: radius and falloff are 0: it reaches nobody");
+    }
+    return td_query_check_filter(w, &def->filter);
 }
 
 thud_result thud_world_explode(thud_world *w, const thud_explosion *def, int *pushed) {
@@ -206,11 +218,9 @@ thud_result thud_world_explode(thud_world *w, const thud_explosion *def, int *pu
         return td_refuse(w, THUD_ERROR_INVALID,
                          "explode: the explosion does not start from thud_default_explosion()");
     }
-    if (!valid(w, def)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "explode: not finite or out of range");
-    }
-    if (def->radius + def->falloff == 0.0) {
-        td_refuse(w, THUD_OK, "explode: reaches nobody: radius and falloff are 0");
+    thud_result result = check(w, def);
+    if (result != THUD_OK) {
+        return result;
     }
     blast b = {.world = w,
                .def = def,
@@ -220,7 +230,7 @@ thud_result thud_world_explode(thud_world *w, const thud_explosion *def, int *pu
                .push = {.stride = (int)sizeof(td_push)},
                .room = {.stride = (int)sizeof(int)}};
     b.cover.ignore = def->filter.ignore;
-    thud_result result = explode(&b, pushed);
+    result = explode(&b, pushed);
     td_array_free(&w->memory, &b.push);
     td_array_free(&w->memory, &b.room);
     return result;

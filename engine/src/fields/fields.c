@@ -29,11 +29,12 @@ thud_result td_adrift_find(const thud_world *w, thud_body_id id, td_adrift *out)
     return THUD_OK;
 }
 
-bool td_adrift_in_flow(const thud_world *w, thud_vec2 flow, td_adrift *a) {
+thud_result td_adrift_in_flow(const thud_world *w, const char *name, thud_vec2 flow, td_adrift *a) {
     double most = (double)THUD_FLOW_MAX * (double)w->unit;
     a->x -= (double)flow.x;
     a->y -= (double)flow.y;
-    return td_abs((double)flow.x) <= most && td_abs((double)flow.y) <= most;
+    thud_result result = td_check(w, name, (double)flow.x, -most, most);
+    return result != THUD_OK ? result : td_check(w, name, (double)flow.y, -most, most);
 }
 
 thud_shape_instance td_field_shape(const thud_world *w, const td_adrift *a, const td_shape *shape,

@@ -4,6 +4,7 @@
 #define TD_FIELDS_H
 
 #include "geometry/shape_instance.h"
+#include "state/handles.h"
 #include "state/world.h"
 #include "thud/thud_fields.h"
 
@@ -31,15 +32,17 @@ static inline bool td_push_valid(td_push push) {
     return td_abs(push.x) <= most && td_abs(push.y) <= most && td_abs(push.turn) <= most;
 }
 
-static inline bool td_within(float x, float low, float high) {
-    return x >= low && x <= high;
-}
-
 /* Refuses what cannot be pushed, and any call inside a callback. */
 thud_result td_adrift_find(const thud_world *w, thud_body_id id, td_adrift *out);
 
-/* Whether it is a velocity that air or water may have; then the body's is against it. */
-bool td_adrift_in_flow(const thud_world *w, thud_vec2 flow, td_adrift *a);
+/* Refuses what no air or water may flow at; otherwise the body's velocity is against it. */
+thud_result td_adrift_in_flow(const thud_world *w, const char *name, thud_vec2 flow, td_adrift *a);
+
+/* What the log hears of density or drag: td_check from 0 on. */
+static inline thud_result td_check_field(const thud_world *w, const char *name, float x,
+                                         float most) {
+    return td_check(w, name, (double)x, 0.0, (double)most);
+}
 
 /* Velocity of a place, from the centre of mass, against the flow. */
 static inline thud_pos td_adrift_at(const td_adrift *a, double x, double y) {

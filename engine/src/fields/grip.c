@@ -20,11 +20,15 @@ thud_result thud_body_apply_grip(thud_world *w, thud_body_id id, thud_vec2 point
         return result;
     }
     double x = (double)axis.x, y = (double)axis.y, length = __builtin_sqrt(x * x + y * y);
-    if (!td_shape_offset_valid(w, point) || !td_finite(length) || length == 0.0 ||
-        !(td_abs((double)speed) <= (double)THUD_FLOW_MAX * (double)w->unit) ||
-        !td_within(most, 0.0f, THUD_PUSH_MAX)) {
-        return td_refuse(w, THUD_ERROR_INVALID,
-                         "apply grip: point, axis, speed or force is out of range");
+    double fastest = (double)THUD_FLOW_MAX * (double)w->unit;
+    td_reason why;
+    if (!td_offset_in(w, &why, "apply grip: x or y of point", point) ||
+        !td_in(&why, "apply grip: speed", (double)speed, -fastest, fastest) ||
+        !td_in(&why, "apply grip: most", (double)most, 0.0, (double)THUD_PUSH_MAX)) {
+        return td_refuse(w, THUD_ERROR_INVALID, why.text);
+    }
+    if (!td_finite(length) || length == 0.0) {
+        return td_refuse(w, THUD_ERROR_INVALID, "apply grip: axis is 0 or not finite");
     }
     if (!a.heeds) {
         return THUD_OK;

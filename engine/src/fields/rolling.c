@@ -41,8 +41,9 @@ thud_result thud_body_apply_rolling_resistance(thud_world *w, thud_body_id id, f
     if (result != THUD_OK) {
         return result;
     }
-    if (!td_within(coefficient, 0.0f, THUD_DRAG_MAX)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "apply rolling resistance: out of range");
+    result = td_check_field(w, "apply rolling resistance: coefficient", coefficient, THUD_DRAG_MAX);
+    if (result != THUD_OK) {
+        return result;
     }
     const td_body *body = td_body_at(w, a.index);
     rolling sum = {0};

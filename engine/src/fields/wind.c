@@ -69,9 +69,18 @@ thud_result thud_body_apply_wind(thud_world *w, thud_body_id id, thud_vec2 veloc
     if (result != THUD_OK) {
         return result;
     }
-    if (!td_adrift_in_flow(w, velocity, &a) || !td_within(density, 0.0f, THUD_FLUID_DENSITY_MAX) ||
-        !td_within(drag, 0.0f, THUD_DRAG_MAX) || !td_within(lift, 0.0f, THUD_DRAG_MAX)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "apply wind: not finite or out of range");
+    result = td_adrift_in_flow(w, "apply wind: x or y of wind", velocity, &a);
+    if (result == THUD_OK) {
+        result = td_check_field(w, "apply wind: density", density, THUD_FLUID_DENSITY_MAX);
+    }
+    if (result == THUD_OK) {
+        result = td_check_field(w, "apply wind: drag", drag, THUD_DRAG_MAX);
+    }
+    if (result == THUD_OK) {
+        result = td_check_field(w, "apply wind: lift", lift, THUD_DRAG_MAX);
+    }
+    if (result != THUD_OK) {
+        return result;
     }
     if (!a.heeds) {
         return THUD_OK;

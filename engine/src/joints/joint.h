@@ -6,6 +6,7 @@
 #ifndef TD_JOINT_H
 #define TD_JOINT_H
 
+#include "base/reason.h"
 #include "constraint/constraint.h"
 #include "constraint/lanes.h"
 #include "thud/thud_joint.h"
@@ -25,15 +26,19 @@ thud_result td_find_joint(const thud_world *w, thud_joint_id id, bool edits, int
 thud_joint_id td_joint_handle(const thud_world *w, int index);
 
 /* joint_def.c */
-bool td_joint_is_frame(const thud_world *w, const thud_joint_frame *f);
+bool td_joint_frame_in(const thud_world *w, td_reason *why, const thud_joint_frame *f);
 /* Why it is none, or null. */
 const char *td_joint_drive_error(const thud_world *w, thud_joint_kind kind, int direction,
-                                 const thud_drive *d);
+                                 const thud_drive *d, td_reason *why);
 /* Tells the log of what it takes, and is hardly meant. */
-void td_joint_look_at_drive(const thud_world *w, int kind, int direction, const thud_drive *d);
+void td_joint_look_at_drive(const thud_world *w, const thud_drive *d);
 /* Why not, or null. */
 const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_body_index a,
-                               td_body_index b);
+                               td_body_index b, td_reason *why);
+/* Whether a joint may break beyond so much, with the reason. */
+static inline bool td_joint_break_in(td_reason *why, const char *name, float x) {
+    return td_in(why, name, (double)x, 0.0, (double)THUD_JOINT_FORCE_MAX);
+}
 td_drive td_drive_of(const thud_drive *d);
 td_joint td_joint_of_def(const thud_world *w, const thud_joint_def *d, td_body_index a,
                          td_body_index b);
@@ -73,10 +78,6 @@ td_joint_load td_joint_load_of(const thud_world *w, const td_joint *joint);
 thud_drive_forces td_joint_drive_forces(const thud_world *w, const td_joint *joint, int direction);
 /* It has lanes, and is awake. */
 bool td_joint_acts(const thud_world *w, const td_joint *joint);
-
-static inline bool td_is_break(float x) {
-    return x >= 0.0f && x <= THUD_JOINT_FORCE_MAX;
-}
 
 static inline bool td_joint_breaks(const td_joint *joint) {
     return joint->break_force < THUD_JOINT_FORCE_MAX || joint->break_torque < THUD_JOINT_FORCE_MAX;

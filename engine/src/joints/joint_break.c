@@ -57,9 +57,10 @@ thud_result thud_joint_set_breaking(thud_world *w, thud_joint_id id, float force
     if (result != THUD_OK) {
         return result;
     }
-    if (!td_is_break(force) || !td_is_break(torque)) {
-        return td_refuse(w, THUD_ERROR_INVALID,
-                         "joint set breaking: force or torque is out of range");
+    td_reason why;
+    if (!td_joint_break_in(&why, "joint set breaking: force", force) ||
+        !td_joint_break_in(&why, "joint set breaking: torque", torque)) {
+        return td_refuse(w, THUD_ERROR_INVALID, why.text);
     }
     td_joint *joint = td_joint_at(w, index);
     w->breakable -= td_joint_breaks(joint);

@@ -5,69 +5,50 @@
 #include "base/rotation.h"
 #include "base/trig.h"
 
-static bool within(float x, float least, float most) {
-    return x >= least && x <= most;
+bool td_joint_frame_in(const thud_world *w, td_reason *why, const thud_joint_frame *f) {
+    float most = THUD_JOINT_LENGTH_MAX * w->unit;
+    return td_float_in(why, "joint: x of a frame's position", f->position.x, -most, most) &&
+           td_float_in(why, "joint: y of a frame's position", f->position.y, -most, most) &&
+           td_in(why, "joint: angle of a frame", f->angle, -THUD_ANGLE_MAX, THUD_ANGLE_MAX);
 }
 
-bool td_joint_is_frame(const thud_world *w, const thud_joint_frame *f) {
-    float most = THUD_JOINT_LENGTH_MAX * w->unit;
-    return within(f->position.x, -most, most) && within(f->position.y, -most, most) &&
-           td_abs(f->angle) <= THUD_ANGLE_MAX;
+/* What a joint of this kind cannot drive, or null. */
+static const char *lacks(int direction, const thud_drive *d) {
+    static const char *const none[TD_JOINT_DIRECTIONS] = {
+        "joint drive: a joint of this kind has none along: no limits, spring or motor",
+        "joint drive: a joint of this kind has none across: no limits, spring or motor",
+        "joint drive: a joint of this kind has none of turn: no limits, spring or motor"};
+    bool acts = d->limited || d->frequency != 0.0f || d->motor_force != 0.0f;
+    return acts ? none[direction] : NULL;
 }
 
 const char *td_joint_drive_error(const thud_world *w, thud_joint_kind kind, int direction,
-                                 const thud_drive *d) {
+                                 const thud_drive *d, td_reason *why) {
     bool turns = direction == THUD_TURN;
     float furthest = turns ? THUD_JOINT_TURN_MAX : THUD_JOINT_LENGTH_MAX * w->unit;
-    float fastest = turns ? THUD_JOINT_SPIN_MAX : furthest;
+    float fastest = turns ? THUD_JOINT_SPIN_MAX : furthest, strongest = THUD_JOINT_FORCE_MAX;
     float least = kind == THUD_DISTANCE ? 0.0f : -furthest;
-    if (d->limited && d->lower > d->upper) {
-        return "joint drive: lower is above upper";
-    }
-    if (d->limited && !(within(d->lower, least, furthest) && within(d->upper, least, furthest))) {
-        return turns ? "joint drive: lower or upper of turn is not in [-THUD_JOINT_TURN_MAX, "
-                       "THUD_JOINT_TURN_MAX]"
-               : kind == THUD_DISTANCE
-                   ? "joint drive: lower or upper of a distance is not in [0, "
-                     "THUD_JOINT_LENGTH_MAX length scales]"
-                   : "joint drive: lower or upper is not in [-THUD_JOINT_LENGTH_MAX, "
-                     "THUD_JOINT_LENGTH_MAX] length scales";
-    }
-    if (!within(d->frequency, 0.0f, THUD_JOINT_FREQUENCY_MAX)) {
-        return "joint drive: frequency is not in [0, THUD_JOINT_FREQUENCY_MAX]";
-    }
-    if (!within(d->damping, 0.0f, THUD_JOINT_DAMPING_MAX)) {
-        return "joint drive: damping is not in [0, THUD_JOINT_DAMPING_MAX]";
+    if (!(td_joint_drivable((int)kind) >> direction & 1u)) {
+        return lacks(direction, d);
     }
     bool follows = kind == THUD_DISTANCE && td_target_is_length(d->target);
-    if (!follows && !within(d->target, least, furthest)) {
-        return "joint drive: target is not in the range that lower and upper have";
+    bool all =
+        (!d->limited || (td_float_in(why, "joint drive: lower", d->lower, least, furthest) &&
+                         td_float_in(why, "joint drive: upper", d->upper, least, furthest))) &&
+        td_float_in(why, "joint drive: frequency", d->frequency, 0.0f, THUD_JOINT_FREQUENCY_MAX) &&
+        td_float_in(why, "joint drive: damping", d->damping, 0.0f, THUD_JOINT_DAMPING_MAX) &&
+        (follows || td_float_in(why, "joint drive: target", d->target, least, furthest)) &&
+        td_float_in(why, "joint drive: spring_force", d->spring_force, 0.0f, strongest) &&
+        td_float_in(why, "joint drive: motor_speed", d->motor_speed, -fastest, fastest) &&
+        td_float_in(why, "joint drive: motor_force", d->motor_force, 0.0f, strongest);
+    if (!all) {
+        return why->text;
     }
-    if (!within(d->spring_force, 0.0f, THUD_JOINT_FORCE_MAX)) {
-        return "joint drive: spring_force is not in [0, THUD_JOINT_FORCE_MAX]";
-    }
-    if (!within(d->motor_speed, -fastest, fastest)) {
-        return turns ? "joint drive: motor_speed of turn is not in [-THUD_JOINT_SPIN_MAX, "
-                       "THUD_JOINT_SPIN_MAX]"
-                     : "joint drive: motor_speed is not in [-THUD_JOINT_LENGTH_MAX, "
-                       "THUD_JOINT_LENGTH_MAX] length scales a second";
-    }
-    return within(d->motor_force, 0.0f, THUD_JOINT_FORCE_MAX)
-               ? NULL
-               : "joint drive: motor_force is not in [0, THUD_JOINT_FORCE_MAX]";
+    return d->limited && d->lower > d->upper ? "joint drive: lower is above upper" : NULL;
 }
 
-void td_joint_look_at_drive(const thud_world *w, int kind, int direction, const thud_drive *d) {
-    static const char *const not_driven[TD_JOINT_DIRECTIONS] = {
-        "joint drive: a joint of this kind has none along, where limits, spring and motor do nothing",
-        "joint drive: a joint of this kind has none across, where limits, spring and motor do nothing",
-        ("joint drive: a joint of this kind has none of turn, where limits, spring and motor do "
-         "nothing")};
-    if (!(td_joint_drivable(kind) >> direction & 1u)) {
-        if (d->limited || d->frequency != 0.0f || d->motor_force != 0.0f) {
-            td_refuse(w, THUD_OK, not_driven[direction]);
-        }
-    } else if (d->motor_speed != 0.0f && d->motor_force == 0.0f) {
+void td_joint_look_at_drive(const thud_world *w, const thud_drive *d) {
+    if (d->motor_speed != 0.0f && d->motor_force == 0.0f) {
         td_refuse(w, THUD_OK, "joint drive: motor_speed without a motor_force drives nothing");
     }
 }
@@ -77,7 +58,7 @@ static bool is_dynamic(const thud_world *w, td_body_index body) {
 }
 
 const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_body_index a,
-                               td_body_index b) {
+                               td_body_index b, td_reason *why) {
     if (d->cookie != TD_COOKIE) {
         return "joint_create: the def does not start from thud_default_joint_def()";
     }
@@ -87,9 +68,10 @@ const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_
     if (d->kind == THUD_GEAR && td_same_body(a, b)) {
         return "joint create: both joints of a gear move the same body";
     }
-    float ratio = d->ratio < 0.0f ? -d->ratio : d->ratio;
-    if (d->kind == THUD_GEAR && !within(ratio, THUD_GEAR_RATIO_MIN, THUD_GEAR_RATIO_MAX)) {
-        return "joint create: ratio is out of range";
+    float least = d->ratio < 0.0f ? -THUD_GEAR_RATIO_MAX : THUD_GEAR_RATIO_MIN;
+    float most = d->ratio < 0.0f ? -THUD_GEAR_RATIO_MIN : THUD_GEAR_RATIO_MAX;
+    if (d->kind == THUD_GEAR && !td_float_in(why, "joint create: ratio", d->ratio, least, most)) {
+        return why->text;
     }
     if (td_same_body(a, b) || (!is_dynamic(w, a) && !is_dynamic(w, b))) {
         return "joint create: needs two bodies, one of them dynamic";
@@ -97,19 +79,15 @@ const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_
     if ((d->kind == THUD_WHEEL || d->kind == THUD_TARGET) && !is_dynamic(w, b)) {
         return "joint create: body b of a wheel or a target must be dynamic";
     }
-    if (!td_joint_is_frame(w, &d->frame_a) || !td_joint_is_frame(w, &d->frame_b)) {
-        return "joint create: a frame is out of range";
-    }
-    if (d->kind == THUD_DISTANCE &&
-        !(d->length > 0.0f && d->length <= THUD_JOINT_LENGTH_MAX * w->unit)) {
-        return "joint create: length is out of range";
-    }
-    if (!td_is_break(d->break_force) || !td_is_break(d->break_torque)) {
-        return "joint create: break_force or break_torque is out of range";
+    if (!td_joint_frame_in(w, why, &d->frame_a) || !td_joint_frame_in(w, why, &d->frame_b) ||
+        (d->kind == THUD_DISTANCE && !td_above_0(why, "joint create: length", (double)d->length,
+                                                 (double)(THUD_JOINT_LENGTH_MAX * w->unit))) ||
+        !td_joint_break_in(why, "joint create: break_force", d->break_force) ||
+        !td_joint_break_in(why, "joint create: break_torque", d->break_torque)) {
+        return why->text;
     }
     for (int i = 0; i < TD_JOINT_DIRECTIONS; i++) {
-        bool driven = td_joint_drivable((int)d->kind) >> i & 1u;
-        const char *error = driven ? td_joint_drive_error(w, d->kind, i, &d->drive[i]) : NULL;
+        const char *error = td_joint_drive_error(w, d->kind, i, &d->drive[i], why);
         if (error) {
             return error;
         }

@@ -132,7 +132,8 @@ thud_result thud_joint_create(thud_world *w, const thud_joint_def *def, thud_joi
     if (w->locked) {
         return td_refuse(w, THUD_ERROR_LOCKED, "joint create: not inside a callback");
     }
-    const char *error = td_joint_def_error(w, def, a, b);
+    td_reason why;
+    const char *error = td_joint_def_error(w, def, a, b, &why);
     if (error) {
         return td_refuse(w, THUD_ERROR_INVALID, error);
     }
@@ -157,7 +158,7 @@ thud_result thud_joint_create(thud_world *w, const thud_joint_def *def, thud_joi
         *out = td_joint_handle(w, index);
     }
     for (int i = 0; i < TD_JOINT_DIRECTIONS; i++) {
-        td_joint_look_at_drive(w, (int)def->kind, i, &def->drive[i]);
+        td_joint_look_at_drive(w, &def->drive[i]);
     }
     return THUD_OK;
 }

@@ -18,8 +18,9 @@ thud_result thud_joint_set_drive(thud_world *w, thud_joint_id id, thud_direction
         return td_refuse(w, THUD_ERROR_INVALID,
                          "joint set drive: this kind of joint drives no such direction");
     }
+    td_reason why;
     const char *error =
-        td_joint_drive_error(w, (thud_joint_kind)joint->kind, (int)direction, drive);
+        td_joint_drive_error(w, (thud_joint_kind)joint->kind, (int)direction, drive, &why);
     if (error) {
         return td_refuse(w, THUD_ERROR_INVALID, error);
     }
@@ -28,7 +29,7 @@ thud_result thud_joint_set_drive(thud_world *w, thud_joint_id id, thud_direction
     }
     joint->drive[direction] = td_drive_of(drive);
     td_joint_settle(w, index);
-    td_joint_look_at_drive(w, joint->kind, (int)direction, drive);
+    td_joint_look_at_drive(w, drive);
     return THUD_OK;
 }
 
@@ -39,10 +40,13 @@ thud_result thud_joint_set_length(thud_world *w, thud_joint_id id, float length)
         return result;
     }
     td_joint *joint = td_joint_at(w, index);
-    if (joint->kind != THUD_DISTANCE ||
-        !(length > 0.0f && length <= THUD_JOINT_LENGTH_MAX * w->unit)) {
-        return td_refuse(w, THUD_ERROR_INVALID,
-                         "joint set length: the joint is no distance, or length is out of range");
+    if (joint->kind != THUD_DISTANCE) {
+        return td_refuse(w, THUD_ERROR_INVALID, "joint set length: the joint is no distance");
+    }
+    result = td_check_above_0(w, "joint set length: length", (double)length,
+                              (double)(THUD_JOINT_LENGTH_MAX * w->unit));
+    if (result != THUD_OK) {
+        return result;
     }
     joint->length = length;
     td_joint_wake(w, joint);
@@ -82,9 +86,13 @@ thud_result thud_joint_set_frame(thud_world *w, thud_joint_id id, int side,
         return result;
     }
     td_joint *joint = td_joint_at(w, index);
-    if (joint->kind >= THUD_FILTER || side < 0 || side > 1 || !td_joint_is_frame(w, &frame)) {
+    if (joint->kind >= THUD_FILTER || side < 0 || side > 1) {
         return td_refuse(w, THUD_ERROR_INVALID,
-                         "joint set frame: the joint has none, or side or frame is out of range");
+                         "joint set frame: the joint has none, or side is neither 0 nor 1");
+    }
+    td_reason why;
+    if (!td_joint_frame_in(w, &why, &frame)) {
+        return td_refuse(w, THUD_ERROR_INVALID, why.text);
     }
     td_joint_set_place(joint, side != (int)joint->swapped, &frame);
     td_joint_wake(w, joint);

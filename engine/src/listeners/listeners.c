@@ -27,11 +27,12 @@ static bool same(const thud_contact_settings *a, const thud_contact_settings *b)
            a->surface_speed == b->surface_speed;
 }
 
-static bool valid(const thud_world *w, const thud_contact_settings *s) {
-    float fastest = THUD_SURFACE_SPEED_MAX * w->unit;
-    return s->friction >= 0.0f && s->friction <= THUD_FRICTION_MAX && s->restitution >= 0.0f &&
-           s->restitution <= THUD_BOUNCE_MAX && s->surface_speed >= -fastest &&
-           s->surface_speed <= fastest;
+static bool valid(const thud_world *w, td_reason *why, const thud_contact_settings *s) {
+    double fastest = (double)(THUD_SURFACE_SPEED_MAX * w->unit);
+    return td_in(why, "prologue: friction", (double)s->friction, 0.0, (double)THUD_FRICTION_MAX) &&
+           td_in(why, "prologue: restitution", (double)s->restitution, 0.0,
+                 (double)THUD_BOUNCE_MAX) &&
+           td_in(why, "prologue: surface_speed", (double)s->surface_speed, -fastest, fastest);
 }
 
 /* What is out of range is refused, and the pair keeps what it had. */
@@ -40,11 +41,11 @@ static void accept(const thud_world *w, const thud_contact_settings *wanted,
     if (same(wanted, settings)) {
         return;
     }
-    if (valid(w, wanted)) {
+    td_reason why;
+    if (valid(w, &why, wanted)) {
         *settings = *wanted;
     } else {
-        td_refuse(w, THUD_ERROR_INVALID,
-                  "prologue: friction, restitution or surface_speed is out of range");
+        td_refuse(w, THUD_ERROR_INVALID, why.text);
     }
 }
 

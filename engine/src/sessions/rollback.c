@@ -62,15 +62,13 @@ static thud_result check(const thud_rollback *r) {
 
 /* ---- making ---- */
 
-static const char *error_of(const thud_rollback_options *o) {
+static const char *error_of(const thud_rollback_options *o, td_reason *why) {
     if (!o->step) {
         return "rollback: step is null";
     }
-    if (o->players < 0 || o->players > THUD_ROLLBACK_PLAYERS_MAX) {
-        return "rollback: players is out of range";
-    }
-    if (o->depth < 0 || o->depth > THUD_ROLLBACK_DEPTH_MAX) {
-        return "rollback: depth is out of range";
+    if (!td_in(why, "rollback: players", o->players, 0.0, THUD_ROLLBACK_PLAYERS_MAX) ||
+        !td_in(why, "rollback: depth", o->depth, 0.0, THUD_ROLLBACK_DEPTH_MAX)) {
+        return why->text;
     }
     if (!o->state != !o->state_bytes) {
         return "rollback: a state without bytes, or bytes without a state";
@@ -142,7 +140,8 @@ thud_result thud_rollback_create(thud_world *w, const thud_rollback_options *opt
         return td_refuse(w, THUD_ERROR_NULL, "rollback: world, options or out is null");
     }
     thud_rollback_options o = *options;
-    const char *error = error_of(&o);
+    td_reason why;
+    const char *error = error_of(&o, &why);
     if (error) {
         return td_refuse(w, THUD_ERROR_INVALID, error);
     }

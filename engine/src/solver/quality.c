@@ -6,32 +6,26 @@
 #include "state/handles.h"
 #include "constraint/lanes.h"
 
-static bool between(float x, float low, float high) {
-    return x >= low && x <= high;
-}
-
-const char *td_quality_error(const thud_quality *q) {
-    if (q->substeps < 1 || q->substeps > THUD_SUBSTEPS_MAX) {
-        return "quality: substeps is not in 1..64";
-    }
-    if (!between(q->contact_stiffness, THUD_CONTACT_STIFFNESS_MIN, THUD_CONTACT_STIFFNESS_MAX) ||
-        !between(q->contact_damping, 0.0f, THUD_CONTACT_DAMPING_MAX)) {
-        return "quality: contact_stiffness or contact_damping is out of range";
-    }
+const char *td_quality_error(const thud_quality *q, td_reason *why) {
     if (!q->detection) {
         return "quality: detection is null";
     }
-    if (!(q->sag_limit >= 0.0f) || q->island_limit < 1 || q->island_limit > THUD_ISLAND_LIMIT_MAX ||
-        q->island_work < 0 || q->island_patience < 0 ||
-        q->island_patience > THUD_ISLAND_PATIENCE_MAX) {
-        return "quality: a limit of islands is out of range";
-    }
-    return NULL;
+    bool in =
+        td_in(why, "quality: substeps", q->substeps, 1.0, THUD_SUBSTEPS_MAX) &&
+        td_float_in(why, "quality: contact_stiffness", q->contact_stiffness,
+                    THUD_CONTACT_STIFFNESS_MIN, THUD_CONTACT_STIFFNESS_MAX) &&
+        td_float_in(why, "quality: contact_damping", q->contact_damping, 0.0f,
+                    THUD_CONTACT_DAMPING_MAX) &&
+        td_float_in(why, "quality: sag_limit", q->sag_limit, 0.0f, __builtin_inff()) &&
+        td_in(why, "quality: island_limit", q->island_limit, 1.0, THUD_ISLAND_LIMIT_MAX) &&
+        td_in(why, "quality: island_work", (double)q->island_work, 0.0, (double)INT64_MAX) &&
+        td_in(why, "quality: island_patience", q->island_patience, 0.0, THUD_ISLAND_PATIENCE_MAX);
+    return in ? NULL : why->text;
 }
 
-const char *td_max_error_error(double max_error, const thud_quality *quality) {
-    if (!(max_error >= 0.0 && max_error <= THUD_MAX_ERROR_MAX)) {
-        return "max_error is not in [0, 1e9]";
+const char *td_max_error_error(double max_error, const thud_quality *quality, td_reason *why) {
+    if (!td_in(why, "max_error", max_error, 0.0, THUD_MAX_ERROR_MAX)) {
+        return why->text;
     }
     return max_error > 0.0 && !quality->islands ? "max_error needs a quality with an island solver"
                                                 : NULL;
@@ -108,8 +102,9 @@ thud_result thud_world_set_quality(thud_world *w, const thud_quality *quality) {
     if (!w || !quality) {
         return td_refuse(w, THUD_ERROR_NULL, "set quality: world or quality is null");
     }
-    const char *error = td_quality_error(quality);
-    error = error ? error : td_max_error_error(w->def.max_error, quality);
+    td_reason why;
+    const char *error = td_quality_error(quality, &why);
+    error = error ? error : td_max_error_error(w->def.max_error, quality, &why);
     if (error) {
         return td_refuse(w, THUD_ERROR_INVALID, error);
     }
@@ -125,7 +120,8 @@ thud_result thud_world_set_max_error(thud_world *w, double max_error) {
     if (!w) {
         return THUD_ERROR_NULL;
     }
-    const char *error = td_max_error_error(max_error, &w->quality);
+    td_reason why;
+    const char *error = td_max_error_error(max_error, &w->quality, &why);
     if (error) {
         return td_refuse(w, THUD_ERROR_INVALID, error);
     }

@@ -18,31 +18,35 @@ bool td_place_valid(const thud_world *w, double x, double y) {
     return x >= -most && x <= most && y >= -most && y <= most;
 }
 
-const char *td_body_def_error(const thud_world *w, const thud_body_def *def) {
+bool td_in_world(const thud_world *w, td_reason *why, const char *name, double x, double y) {
+    double most = THUD_PLACE_MAX * (double)w->unit;
+    return td_in(why, name, x, -most, most) && td_in(why, name, y, -most, most);
+}
+
+thud_result td_check_place(const thud_world *w, const char *name, double x, double y) {
+    td_reason why;
+    return td_in_world(w, &why, name, x, y) ? THUD_OK : td_refuse(w, THUD_ERROR_INVALID, why.text);
+}
+
+const char *td_body_def_error(const thud_world *w, const thud_body_def *def, td_reason *why) {
     if (def->cookie != TD_COOKIE) {
         return "body_create: the def does not start from thud_default_body_def()";
     }
     if ((int)def->kind < 0 || def->kind >= THUD_BODY_KIND_COUNT) {
         return "body def: kind is none";
     }
-    if (!td_place_valid(w, def->position.x, def->position.y)) {
-        return "body def: position is out of range";
-    }
-    if (!(td_abs(def->angle) <= THUD_ANGLE_MAX)) {
-        return "body def: angle is out of range";
-    }
-    /* In double precision no sum of them overflows. */
-    if (!td_finite((double)def->velocity.x + (double)def->velocity.y +
-                   (double)def->angular_velocity + (double)def->gravity_scale)) {
-        return "body def: velocity or gravity_scale is not finite";
+    if (!td_in_world(w, why, "body def: x or y of position", def->position.x, def->position.y) ||
+        !td_in(why, "body def: angle", def->angle, -THUD_ANGLE_MAX, THUD_ANGLE_MAX) ||
+        !td_all_finite(why, "body def: velocity or angular_velocity", def->velocity.x,
+                       def->velocity.y, def->angular_velocity) ||
+        !td_all_finite(why, "body def: gravity_scale", def->gravity_scale, 0.0f, 0.0f) ||
+        !td_float_in(why, "body def: linear_damping", def->linear_damping, 0.0f, FLT_MAX) ||
+        !td_float_in(why, "body def: angular_damping", def->angular_damping, 0.0f, FLT_MAX)) {
+        return why->text;
     }
     if (def->kind == THUD_STATIC &&
         !(def->velocity.x == 0.0f && def->velocity.y == 0.0f && def->angular_velocity == 0.0f)) {
         return "body def: a static body has no velocity";
-    }
-    if (!(def->linear_damping >= 0.0f && def->angular_damping >= 0.0f) ||
-        !td_finite((double)def->linear_damping + (double)def->angular_damping)) {
-        return "body def: damping is not finite or negative";
     }
     return NULL;
 }
@@ -61,7 +65,8 @@ thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_
     if (!w || !def) {
         return td_refuse(w, THUD_ERROR_NULL, "body create: world or def is null");
     }
-    const char *error = td_body_def_error(w, def);
+    td_reason why;
+    const char *error = td_body_def_error(w, def, &why);
     if (error) {
         return td_refuse(w, THUD_ERROR_INVALID, error);
     }

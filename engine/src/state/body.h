@@ -2,16 +2,20 @@
 #ifndef TD_BODY_H
 #define TD_BODY_H
 
+#include "base/reason.h"
 #include "state/world.h"
 
 /* Why there can be no such body; null where there can. */
-const char *td_body_def_error(const thud_world *w, const thud_body_def *def);
+const char *td_body_def_error(const thud_world *w, const thud_body_def *def, td_reason *why);
 
 /* Puts the body on the change list; `change` is a td_change_kind. */
 void td_body_mark(thud_world *w, td_body_index body, td_change_kind change);
 
 /* Finite, and no farther out than a body may be. */
 bool td_place_valid(const thud_world *w, double x, double y);
+/* The same, with the reason; and refused, with the log told. */
+bool td_in_world(const thud_world *w, td_reason *why, const char *name, double x, double y);
+thud_result td_check_place(const thud_world *w, const char *name, double x, double y);
 
 /* A new setting changes what every resting body would do. */
 void td_wake_all(thud_world *w);

@@ -146,8 +146,12 @@ thud_result thud_body_set_transform(thud_world *w, thud_body_id id, thud_pos pos
     if (result != THUD_OK) {
         return result;
     }
-    if (!td_place_valid(w, position.x, position.y) || !(td_abs(angle) <= THUD_ANGLE_MAX)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "set transform: position or angle is out of range");
+    result = td_check_place(w, "set transform: x or y of position", position.x, position.y);
+    if (result == THUD_OK) {
+        result = td_check(w, "set transform: angle", angle, -THUD_ANGLE_MAX, THUD_ANGLE_MAX);
+    }
+    if (result != THUD_OK) {
+        return result;
     }
     const td_body *body = td_body_at(w, index);
     bool upright = body->aabbs > 0;
@@ -169,9 +173,10 @@ thud_result thud_body_set_velocity(thud_world *w, thud_body_id id, thud_vec2 vel
     if (result != THUD_OK) {
         return result;
     }
-    if (!td_finite((double)velocity.x) || !td_finite((double)velocity.y) ||
-        !td_finite((double)angular_velocity)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "set velocity: not finite");
+    result = td_check_finite(w, "set velocity: velocity or angular_velocity", velocity.x,
+                             velocity.y, angular_velocity);
+    if (result != THUD_OK) {
+        return result;
     }
     const td_body *body = td_body_at(w, index);
     if (body->kind == THUD_STATIC) {
@@ -192,12 +197,13 @@ thud_result thud_body_apply_impulse(thud_world *w, thud_body_id id, thud_vec2 va
     if (result != THUD_OK) {
         return result;
     }
-    double most = THUD_PLACE_MAX * (double)w->unit;
-    if (!td_finite((double)value.x) || !td_finite((double)value.y) ||
-        !(point.x >= -most && point.x <= most && point.y >= -most && point.y <= most)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "apply impulse: not finite or out of range");
+    result = td_check_finite(w, "apply impulse: impulse", value.x, value.y, 0.0f);
+    if (result == THUD_OK) {
+        result = td_check_place(w, "apply impulse: x or y of point", point.x, point.y);
     }
-    result = check_dynamic(w, index, "apply impulse: the body is not dynamic");
+    if (result == THUD_OK) {
+        result = check_dynamic(w, index, "apply impulse: the body is not dynamic");
+    }
     return result != THUD_OK
                ? result
                : edit(w, index, TD_PUT_IMPULSE,
@@ -211,10 +217,10 @@ thud_result thud_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 valu
     if (result != THUD_OK) {
         return result;
     }
-    if (!td_finite((double)value.x) || !td_finite((double)value.y) || !td_finite((double)torque)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "apply force: not finite");
+    result = td_check_finite(w, "apply force: force or torque", value.x, value.y, torque);
+    if (result == THUD_OK) {
+        result = check_dynamic(w, index, "apply force: the body is not dynamic");
     }
-    result = check_dynamic(w, index, "apply force: the body is not dynamic");
     return result != THUD_OK
                ? result
                : edit(w, index, TD_PUT_FORCE,

@@ -26,6 +26,22 @@ thud_result td_refuse(const thud_world *w, thud_result result, const char *messa
     return result;
 }
 
+thud_result td_check(const thud_world *w, const char *name, double x, double low, double high) {
+    td_reason why;
+    return td_in(&why, name, x, low, high) ? THUD_OK : td_refuse(w, THUD_ERROR_INVALID, why.text);
+}
+
+thud_result td_check_above_0(const thud_world *w, const char *name, double x, double high) {
+    td_reason why;
+    return td_above_0(&why, name, x, high) ? THUD_OK : td_refuse(w, THUD_ERROR_INVALID, why.text);
+}
+
+thud_result td_check_finite(const thud_world *w, const char *name, float x, float y, float z) {
+    td_reason why;
+    return td_all_finite(&why, name, x, y, z) ? THUD_OK
+                                              : td_refuse(w, THUD_ERROR_INVALID, why.text);
+}
+
 thud_result td_find_body(const thud_world *w, thud_body_id id, td_body_index *index) {
     if (!w) {
         return THUD_ERROR_NULL;

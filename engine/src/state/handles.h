@@ -2,10 +2,16 @@
 #ifndef TD_HANDLES_H
 #define TD_HANDLES_H
 
+#include "base/reason.h"
 #include "state/world.h"
 
 /* Tells the log hook, and returns `result`. The world may be null. */
 thud_result td_refuse(const thud_world *w, thud_result result, const char *message);
+/* THUD_OK where low <= x <= high, otherwise THUD_ERROR_INVALID, of which the log hears name, number
+ * and range. Likewise where 0 < x <= high, and where three numbers are finite. */
+thud_result td_check(const thud_world *w, const char *name, double x, double low, double high);
+thud_result td_check_above_0(const thud_world *w, const char *name, double x, double high);
+thud_result td_check_finite(const thud_world *w, const char *name, float x, float y, float z);
 
 /* THUD_ERROR_NULL or THUD_ERROR_STALE through td_refuse; *index is the slot. */
 thud_result td_find_body(const thud_world *w, thud_body_id id, td_body_index *index);

@@ -19,33 +19,38 @@ thud_shape_def thud_default_shape_def(void) {
                             .cookie = TD_COOKIE};
 }
 
-const char *td_shape_def_error(const thud_world *w, const thud_shape_def *def) {
+const char *td_shape_def_error(const thud_world *w, const thud_shape_def *def, td_reason *why) {
     if (def->cookie != TD_COOKIE) {
         return "shape_create: the def does not start from thud_default_shape_def()";
     }
     float fastest = THUD_SURFACE_SPEED_MAX * w->unit;
-    if (!(def->density >= 0.0f && def->density <= THUD_DENSITY_MAX)) {
-        return "shape def: density is not in [0, 1e12]";
-    }
-    if (!(def->friction >= 0.0f && def->friction <= THUD_FRICTION_MAX)) {
-        return "shape def: friction is not in [0, 1e6]";
-    }
-    if (!(def->restitution >= 0.0f && def->restitution <= THUD_RESTITUTION_MAX)) {
-        return "shape def: restitution is not in [0, 1]";
-    }
-    if (!(def->surface_speed >= -fastest && def->surface_speed <= fastest)) {
-        return "shape def: surface_speed is out of range";
-    }
-    return NULL;
+    bool in =
+        td_float_in(why, "shape def: density", def->density, 0.0f, THUD_DENSITY_MAX) &&
+        td_float_in(why, "shape def: friction", def->friction, 0.0f, THUD_FRICTION_MAX) &&
+        td_float_in(why, "shape def: restitution", def->restitution, 0.0f, THUD_RESTITUTION_MAX) &&
+        td_float_in(why, "shape def: surface_speed", def->surface_speed, -fastest, fastest);
+    return in ? NULL : why->text;
 }
 
-static bool size_valid(const thud_world *w, td_body_index body, float size) {
-    return td_shape_size_valid(w, td_body_at(w, body)->kind, size);
+bool td_size_in(const thud_world *w, td_reason *why, const char *name, int body_kind, float size) {
+    float most = body_kind == THUD_STATIC ? THUD_STATIC_SIZE_MAX : THUD_SIZE_MAX;
+    return td_float_in(why, name, size, THUD_SIZE_MIN * w->unit, most * w->unit);
 }
 
-bool td_shape_offset_valid(const thud_world *w, thud_vec2 offset) {
+bool td_offset_in(const thud_world *w, td_reason *why, const char *name, thud_vec2 offset) {
     float most = THUD_SIZE_MAX * w->unit;
-    return offset.x >= -most && offset.x <= most && offset.y >= -most && offset.y <= most;
+    return td_float_in(why, name, offset.x, -most, most) &&
+           td_float_in(why, name, offset.y, -most, most);
+}
+
+static thud_result check_half(const thud_world *w, td_body_index body, thud_vec2 offset,
+                              const char *offset_name, thud_vec2 half, const char *half_name) {
+    td_reason why;
+    int kind = td_body_at(w, body)->kind;
+    bool in = td_offset_in(w, &why, offset_name, offset) &&
+              td_size_in(w, &why, half_name, kind, half.x) &&
+              td_size_in(w, &why, half_name, kind, half.y);
+    return in ? THUD_OK : td_refuse(w, THUD_ERROR_INVALID, why.text);
 }
 
 #define ARRAY(name, element) TD_ARRAY_PLACE(thud_world, name, element)
@@ -69,7 +74,8 @@ static thud_result begin(thud_world *w, thud_body_id id, const thud_shape_def *d
     if (!def) {
         return td_refuse(w, THUD_ERROR_NULL, "shape create: def is null");
     }
-    const char *error = td_shape_def_error(w, def);
+    td_reason why;
+    const char *error = td_shape_def_error(w, def, &why);
     if (error) {
         return td_refuse(w, THUD_ERROR_INVALID, error);
     }
@@ -130,8 +136,10 @@ thud_result thud_shape_create_circle(thud_world *w, thud_body_id id, const thud_
     if (result != THUD_OK) {
         return result;
     }
-    if (!td_shape_offset_valid(w, offset) || !size_valid(w, body, radius)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "circle: offset or radius is out of range");
+    result = check_half(w, body, offset, "circle: x or y of offset", (thud_vec2){radius, radius},
+                        "circle: radius");
+    if (result != THUD_OK) {
+        return result;
     }
     td_kind_circle(w);
     return finish(w, body, def,
@@ -152,9 +160,9 @@ thud_result thud_shape_create_aabb(thud_world *w, thud_body_id id, const thud_sh
     if (result != THUD_OK) {
         return result;
     }
-    if (!td_shape_offset_valid(w, offset) || !size_valid(w, body, half.x) ||
-        !size_valid(w, body, half.y)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "AABB: offset or half extents are out of range");
+    result = check_half(w, body, offset, "AABB: x or y of offset", half, "AABB: x or y of half");
+    if (result != THUD_OK) {
+        return result;
     }
     if (td_pose_at(w, body)->angle != 0 || td_deferred_turns(w, body)) {
         return td_refuse(w, THUD_ERROR_INVALID, "AABB: its body's angle must be 0");
@@ -183,12 +191,12 @@ thud_result thud_shape_create_obb(thud_world *w, thud_body_id id, const thud_sha
     if (result != THUD_OK) {
         return result;
     }
-    if (!td_shape_offset_valid(w, offset) || !size_valid(w, body, half.x) ||
-        !size_valid(w, body, half.y)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "OBB: offset or half extents are out of range");
+    result = check_half(w, body, offset, "OBB: x or y of offset", half, "OBB: x or y of half");
+    if (result == THUD_OK) {
+        result = td_check(w, "OBB: angle", angle, -THUD_ANGLE_MAX, THUD_ANGLE_MAX);
     }
-    if (!(td_abs(angle) <= THUD_ANGLE_MAX)) {
-        return td_refuse(w, THUD_ERROR_INVALID, "OBB: angle is out of range");
+    if (result != THUD_OK) {
+        return result;
     }
     td_kind_obb(w);
     td_shape made = {.kind = THUD_OBB,

@@ -2,6 +2,7 @@
 #ifndef TD_SHAPE_H
 #define TD_SHAPE_H
 
+#include "base/reason.h"
 #include "state/world.h"
 
 /* Whether a shape of such a body may have this radius or half extent. */
@@ -12,10 +13,11 @@ static inline bool td_shape_size_valid(const thud_world *w, int body_kind, float
 }
 
 /* Why there can be no such def; null where there can. */
-const char *td_shape_def_error(const thud_world *w, const thud_shape_def *def);
+const char *td_shape_def_error(const thud_world *w, const thud_shape_def *def, td_reason *why);
 
-/* Whether a shape may be so far from its body's origin. */
-bool td_shape_offset_valid(const thud_world *w, thud_vec2 offset);
+/* Whether a shape may be so large on a body of that kind, and so far from its body's origin. */
+bool td_size_in(const thud_world *w, td_reason *why, const char *name, int body_kind, float size);
+bool td_offset_in(const thud_world *w, td_reason *why, const char *name, thud_vec2 offset);
 
 /* Room for so many more; false where memory is short. */
 bool td_shape_reserve(thud_world *w, int count);

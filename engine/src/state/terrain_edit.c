@@ -268,11 +268,16 @@ static thud_result reshape(thud_world *w, thud_shape_id id, td_tool tool, const 
         return result;
     }
     thud_terrain line = td_terrain_view(w, shape);
-    double most = THUD_PLACE_MAX * (double)w->unit, size = tool.radius / (double)w->unit;
-    if (line.kind == THUD_TERRAIN_FLAT || !(td_abs(tool.x) <= most && td_abs(tool.y) <= most) ||
-        !(size >= (double)THUD_SIZE_MIN && size <= (double)THUD_SIZE_MAX) ||
-        !(td_abs(tool.rise) <= most)) {
+    if (line.kind == THUD_TERRAIN_FLAT) {
         return td_refuse(w, THUD_ERROR_INVALID, wrong);
+    }
+    double unit = (double)w->unit, most = THUD_PLACE_MAX * unit;
+    td_reason why;
+    if (!td_in_world(w, &why, "dig or raise: x or y", tool.x, tool.y) ||
+        !td_in(&why, "dig or raise: radius", tool.radius, (double)THUD_SIZE_MIN * unit,
+               (double)THUD_SIZE_MAX * unit) ||
+        !td_in(&why, "raise: height", tool.rise, -most, most)) {
+        return td_refuse(w, THUD_ERROR_INVALID, why.text);
     }
     td_position center = td_place_from(w, (thud_pos){tool.x, tool.y});
     td_position origin = td_body_origin(w, td_shape_at(w, shape)->body);
@@ -293,12 +298,13 @@ static thud_result reshape(thud_world *w, thud_shape_id id, td_tool tool, const 
 
 thud_result thud_shape_dig(thud_world *w, thud_shape_id id, thud_pos center, double radius) {
     return reshape(w, id, (td_tool){true, center.x, center.y, radius, 0.0},
-                   "dig: the ground is flat, or the circle is out of range", "dig: out of memory");
+                   "dig: the ground is flat, or would leave the range of places",
+                   "dig: out of memory");
 }
 
 thud_result thud_shape_raise(thud_world *w, thud_shape_id id, double x, double radius,
                              double height) {
     return reshape(w, id, (td_tool){false, x, 0.0, radius, height},
-                   "raise: the ground is flat, or the mound is out of range",
+                   "raise: the ground is flat, or would leave the range of places",
                    "raise: out of memory");
 }

@@ -124,6 +124,9 @@ static query draw_query(const crowd *c, uint64_t *seed) {
     q.filter.mask = below(seed, 2) ? UINT32_MAX : (uint32_t)below(seed, 8);
     q.filter.category = below(seed, 2) ? UINT32_MAX : (uint32_t)below(seed, 4);
     q.filter.group = groups[below(seed, 4)];
+    if (!q.filter.mask && !q.filter.category) {
+        q.filter.mask = 1; /* what meets nothing is refused: test_log.c */
+    }
     q.filter.sensors = below(seed, 2);
     int ignored = below(seed, SHAPES);
     q.filter.ignore = below(seed, 2) ? c->body[ignored] : (thud_body_id){0, 0};

@@ -1,5 +1,6 @@
 /* test_joints_edits.c: what joints meet: shapes that touch, edits, snapshots, input that is wrong;
  * and random linkages of all kinds. */
+#include "driven.h"
 #include "joint_support.h"
 #include "snapshot_support.h"
 
@@ -132,6 +133,9 @@ static thud_world *linkage(thud_world_def def, uint64_t seed) {
                 d->target = kind == THUD_DISTANCE ? 1.0f : 0.2f;
                 d->motor_speed = 1;
                 d->motor_force = random_in(&seed, 0, 1) < 0.2 ? 10.0f : 0.0f;
+                if (!is_driven(kind, k)) {
+                    *d = (thud_drive){0};
+                }
             }
             j.collide_connected = random_in(&seed, 0, 1) < 0.3;
             make(world, j);

@@ -2,7 +2,10 @@
  * would hold its bodies and cost many times what it costs without. */
 #include "engine_support.h"
 
+#include <thud/thud_make.h>
+
 #include "build_thud.h"
+#include "geometry_random.h"
 #include "scenes.h"
 
 typedef struct load {
@@ -65,11 +68,69 @@ static void pyramid_stands_without_a_test_of_motion(void **state) {
     assert_true(l.deepest < 0.001 && l.speed < 0.02);
 }
 
+/* ---- a crowd in which everything is near everything ---- */
+
+enum { CROWD = 100 };
+
+/* Turning boxes with sides of 1/100 to 100, many of them needles, in a closed place of 60 by 60:
+ * the bounds of most pairs overlap, so that each impact has two bodies look at nearly all others.
+ */
+static thud_world *make_crowd(const thud_quality *quality, const thud_detection *detection) {
+    thud_world_def def = thud_world_def_of(quality);
+    def.detection = detection;
+    thud_world *world = make_world(def);
+    source r = {.state = 77};
+    const double room = 30;
+    for (int side = -1; side <= 1; side += 2) {
+        thud_body_make(world, thud_aabb_at(side * (room + 50), room, 50, 3 * room), NULL);
+        thud_body_make(world, thud_aabb_at(0, room + side * (room + 50), 3 * room, 50), NULL);
+    }
+    for (int i = 0; i < CROWD; i++) {
+        double hx = pow(100, draw(&r, -1, 1));
+        double hy = pow(100, draw(&r, -1, 1));
+        thud_body_options options = {.kind = THUD_DYNAMIC};
+        options.restitution = (float)draw(&r, 0, 1);
+        options.velocity.x = (float)draw(&r, -300, 300);
+        options.velocity.y = (float)draw(&r, -300, 300);
+        options.angular_velocity = (float)draw(&r, -3000, 3000);
+        double x = draw(&r, -room, room);
+        double y = draw(&r, 0, 2 * room);
+        thud_body_make(world, thud_obb_at(x, y, hx, hy, draw(&r, -3, 3)), &options);
+    }
+    return world;
+}
+
+/* 8192 times of collision, 48 for each body, and then one for each pair while all are held. */
+static void crowd_of_extreme_sizes_costs_a_bounded_number_of_collision_times(void **state) {
+    (void)state;
+    const thud_detection *const detections[] = {&thud_detection_bisect, &thud_detection_swept};
+    const thud_quality *const levels[] = {&thud_quality_draft, &thud_quality_default,
+                                          &thud_quality_high, &thud_quality_exact};
+    const int most = 8192 + 48 * CROWD + CROWD * CROWD / 2;
+    int busiest = 0;
+    for (int i = 0; i < 8; i++) {
+        thud_world *world = make_crowd(levels[i / 2], detections[i % 2]);
+        for (int k = 0; k < 4; k++) {
+            OK(thud_world_step(world));
+            thud_stats stats = thud_world_stats(world);
+            busiest = stats.motion_exact > busiest ? stats.motion_exact : busiest;
+            if (stats.motion_exact > most) {
+                fail_msg("%s, %s: step %d worked out %d times of collision", levels[i / 2]->name,
+                         i % 2 ? "swept" : "bisect", k, stats.motion_exact);
+            }
+        }
+        thud_world_destroy(world);
+    }
+    print_message("at most %d times of collision in a step\n", busiest);
+    assert_true(busiest > 8192); /* or the scene would not show what it is for */
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pit_holds_hardly_anybody),
         cmocka_unit_test(block_that_is_smashed_holds_hardly_anybody),
         cmocka_unit_test(pyramid_stands_without_a_test_of_motion),
+        cmocka_unit_test(crowd_of_extreme_sizes_costs_a_bounded_number_of_collision_times),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,8 @@
 /* Worlds with a greatest error: quality rises where it is missed, and nowhere else. */
 #include "engine_support.h"
 
+#include <thud/thud_make.h>
+
 /* Draft, but for what `max_error` asks of it. */
 static thud_quality rough(void) {
     thud_quality q = thud_quality_draft;
@@ -106,6 +108,100 @@ static void limit_that_cannot_be_kept_is_refused(void **state) {
     thud_world_destroy(world);
 }
 
+/* ---- columns whose bodies are stopped on the way ---- */
+
+typedef struct column {
+    double scale, step; /* length scale; s */
+    const thud_quality *quality;
+    const thud_detection *detection;
+    thud_shape_kind kind;
+} column;
+
+enum { COLUMN = 16 };
+
+static thud_world *make_column(const column *c, double max_error, thud_body_id *boxes) {
+    thud_world_def def = thud_world_def_of(c->quality);
+    float half = (float)(0.5 * c->scale);
+    def.detection = c->detection;
+    def.length_scale = (float)c->scale;
+    def.gravity.y = (float)(-10 * c->scale);
+    def.time_step = c->step;
+    def.max_error = max_error * c->scale;
+    thud_world *world = make_world(def);
+    thud_body_make(world, thud_aabb_at(0, -c->scale, 20 * c->scale, c->scale),
+                   &(thud_body_options){.kind = THUD_STATIC});
+    for (int i = 0; i < COLUMN; i++) {
+        double y = (0.5 + i) * c->scale;
+        thud_shape_instance at = c->kind == THUD_AABB
+                                     ? thud_aabb_at(0, y, (double)half, (double)half)
+                                     : thud_obb_at(0, y, (double)half, (double)half, 0);
+        boxes[i] = thud_body_make(world, at, &(thud_body_options){.kind = THUD_DYNAMIC});
+        assert_true(boxes[i].index1 > 0);
+    }
+    return world;
+}
+
+typedef void column_fn(const column *c);
+
+static void try_columns(column_fn *try_it) {
+    static const double scales[] = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.3,
+                                    0.7,  1,    3,    10,   1e3,  1e6};
+    const thud_quality *const levels[] = {&thud_quality_default, &thud_quality_high,
+                                          &thud_quality_exact};
+    for (size_t i = 0; i < 2 * 2 * 2 * 3 * sizeof scales / sizeof *scales; i++) {
+        try_it(&(column){.step = i & 1 ? 1.0 / 30 : 1.0 / 60,
+                         .detection = i & 2 ? &thud_detection_swept : &thud_detection_bisect,
+                         .kind = i & 4 ? THUD_OBB : THUD_AABB,
+                         .quality = levels[i / 8 % 3],
+                         .scale = scales[i / 24]});
+    }
+}
+
+static void keeps_max_error(const column *c) {
+    thud_body_id boxes[COLUMN];
+    const double most = 0.0005;
+    thud_world *world = make_column(c, most, boxes);
+    for (int k = 0; k < 60; k++) {
+        OK(thud_world_step(world));
+        double depth = thud_world_error(world).penetration_max / c->scale;
+        if (depth > most) {
+            fail_msg("%s, %s, steps of %g s, length scale %g: %g too deep in step %d",
+                     c->quality->name, c->detection == &thud_detection_swept ? "swept" : "bisect",
+                     c->step, c->scale, depth, k);
+        }
+    }
+    thud_world_destroy(world);
+}
+
+static void column_keeps_the_limit_in_each_step_where_boxes_are_stopped_on_the_way(void **state) {
+    (void)state;
+    try_columns(keeps_max_error);
+}
+
+/* What is set down touching does not jump: no box gets more speed than gravity gives in two steps.
+ */
+static void stays_on_the_ground(const column *c) {
+    thud_body_id boxes[COLUMN];
+    thud_world *world = make_column(c, 0, boxes);
+    double most = 2 * 10 * c->step;
+    for (int k = 0; k < 30; k++) {
+        OK(thud_world_step(world));
+        for (int i = 0; i < COLUMN; i++) {
+            double speed = (double)state_of(world, boxes[i]).velocity.y / c->scale;
+            if (speed > most) {
+                fail_msg("%s, steps of %g s, length scale %g: box %d rises by %g/s in step %d",
+                         c->quality->name, c->step, c->scale, i, speed, k);
+            }
+        }
+    }
+    thud_world_destroy(world);
+}
+
+static void boxes_that_give_way_to_many_in_a_step_gain_no_speed_by_it(void **state) {
+    (void)state;
+    try_columns(stays_on_the_ground);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(error_without_limit_is_missed),
@@ -113,6 +209,8 @@ int main(void) {
         cmocka_unit_test(quality_falls_again_when_the_load_is_gone),
         cmocka_unit_test(limit_set_later_takes_effect),
         cmocka_unit_test(limit_that_cannot_be_kept_is_refused),
+        cmocka_unit_test(column_keeps_the_limit_in_each_step_where_boxes_are_stopped_on_the_way),
+        cmocka_unit_test(boxes_that_give_way_to_many_in_a_step_gain_no_speed_by_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

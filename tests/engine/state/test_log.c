@@ -2,9 +2,11 @@
  * reasons name the field that was wrong. */
 #include "engine_support.h"
 
+#include <thud/thud_casts.h>
 #include <thud/thud_fields.h>
 #include <thud/thud_joint.h>
 #include <thud/thud_make.h>
+#include <thud/thud_mover.h>
 
 #include <math.h>
 #include <stdio.h>
@@ -98,16 +100,29 @@ static void drives_name_the_field(void **state) {
     (void)state;
     const drive_case cases[] = {
         {THUD_HINGE, THUD_TURN, {.limited = true, .lower = 1, .upper = -1}, "lower is above"},
-        {THUD_HINGE, THUD_TURN, {.limited = true, .upper = 90}, "lower or upper of turn"},
-        {THUD_SLIDER, THUD_ALONG, {.limited = true, .upper = 1e9f}, "lower or upper is not"},
-        {THUD_DISTANCE, THUD_ALONG, {.limited = true, .lower = -1}, "of a distance"},
-        {THUD_HINGE, THUD_TURN, {.frequency = -1}, "frequency"},
-        {THUD_HINGE, THUD_TURN, {.damping = NAN}, "damping"},
-        {THUD_HINGE, THUD_TURN, {.target = 90}, "target"},
-        {THUD_HINGE, THUD_TURN, {.spring_force = -1}, "spring_force"},
-        {THUD_HINGE, THUD_TURN, {.motor_speed = 1e9f}, "motor_speed of turn"},
-        {THUD_SLIDER, THUD_ALONG, {.motor_speed = NAN}, "motor_speed is not"},
-        {THUD_HINGE, THUD_TURN, {.motor_force = -1}, "motor_force"},
+        {THUD_HINGE,
+         THUD_TURN,
+         {.limited = true, .upper = 90},
+         "upper is 90, not in [-3.141593, 3.141593]"},
+        {THUD_SLIDER,
+         THUD_ALONG,
+         {.limited = true, .upper = 1e9f},
+         "upper is 1e9, not in [-1000000, 1000000]"},
+        {THUD_DISTANCE,
+         THUD_ALONG,
+         {.limited = true, .lower = -1},
+         "lower is -1, not in [0, 1000000]"},
+        {THUD_HINGE, THUD_TURN, {.frequency = -1}, "frequency is -1, not in [0, 10000]"},
+        {THUD_HINGE, THUD_TURN, {.damping = NAN}, "damping is NaN, not in [0, 1000]"},
+        {THUD_HINGE, THUD_TURN, {.target = 90}, "target is 90"},
+        {THUD_HINGE, THUD_TURN, {.spring_force = -1}, "spring_force is -1, not in [0, 1e30]"},
+        {THUD_HINGE, THUD_TURN, {.motor_speed = 1e9f}, "motor_speed is 1e9"},
+        {THUD_SLIDER, THUD_ALONG, {.motor_speed = NAN}, "motor_speed is NaN"},
+        {THUD_HINGE, THUD_TURN, {.motor_force = -1}, "motor_force is -1"},
+        /* In a direction that the kind does not have. */
+        {THUD_HINGE, THUD_ALONG, {.frequency = 2}, "none along"},
+        {THUD_SLIDER, THUD_TURN, {.motor_force = 2}, "none of turn"},
+        {THUD_FILTER, THUD_ACROSS, {.limited = true}, "none across"},
     };
     heard h = {.count = 0};
     thud_world_def world_def = thud_default_world_def();
@@ -124,20 +139,7 @@ static void drives_name_the_field(void **state) {
         assert_int_equal(thud_joint_create(world, &def, &joint), THUD_ERROR_INVALID);
         expect(&h, THUD_ERROR_INVALID, cases[i].word);
     }
-    /* What does nothing is made, and told. */
-    const drive_case idle[] = {
-        {THUD_HINGE, THUD_ALONG, {.frequency = 2}, "none along"},
-        {THUD_SLIDER, THUD_TURN, {.motor_force = 2}, "none of turn"},
-        {THUD_FILTER, THUD_ACROSS, {.limited = true}, "none across"},
-    };
-    for (size_t i = 0; i < sizeof idle / sizeof *idle; i++) {
-        thud_joint_def def = thud_default_joint_def(idle[i].kind);
-        def.body_a = a;
-        def.body_b = b;
-        def.drive[idle[i].direction] = idle[i].drive;
-        OK(thud_joint_create(world, &def, &joint));
-        expect(&h, THUD_OK, idle[i].word);
-    }
+    /* A motor that is turned off is made, and told. */
     thud_joint_def def = thud_default_joint_def(THUD_HINGE);
     def.body_a = a;
     def.body_b = b;
@@ -146,6 +148,38 @@ static void drives_name_the_field(void **state) {
     expect(&h, THUD_OK, "motor_speed without");
     OK(thud_joint_set_drive(world, joint, THUD_TURN, &def.drive[THUD_TURN]));
     expect(&h, THUD_OK, "motor_speed without");
+    thud_world_destroy(world);
+}
+
+static void numbers_are_told_as_they_were_written(void **state) {
+    (void)state;
+    const struct {
+        double value;
+        const char *text;
+    } cases[] = {
+        {-0.1, "is -0.1, not in [0, 1e9]"},
+        {-12.5, "is -12.5,"},
+        {(double)-0.3f, "is -0.3,"},
+        {-1234567, "is -1234567,"},
+        {-123456789, "is -1.234568e8,"},
+        {-3.25e-7, "is -0.000000325,"},
+        {-1.5e-12, "is -1.5e-12,"},
+        {-5e-324, "is -4.940656e-324,"},
+        {1e300, "is 1e300,"},
+        {1.7976931348623157e308, "is 1.797693e308,"},
+        {INFINITY, "is infinity,"},
+        {-INFINITY, "is -infinity,"},
+        {NAN, "is NaN,"},
+    };
+    heard h = {.count = 0};
+    thud_world *world = make_world(thud_default_world_def());
+    OK(thud_world_set_log(world, hear, &h));
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        assert_int_equal(thud_world_set_max_error(world, cases[i].value), THUD_ERROR_INVALID);
+        expect(&h, THUD_ERROR_INVALID, cases[i].text);
+    }
+    assert_int_equal(thud_world_set_time_step(world, 0), THUD_ERROR_INVALID);
+    expect(&h, THUD_ERROR_INVALID, "time_step is 0, not in (0, 1]");
     thud_world_destroy(world);
 }
 
@@ -178,32 +212,61 @@ static void lines_name_the_field(void **state) {
     thud_world_destroy(world);
 }
 
+static double keep_on(const thud_ray_hit *hit, void *context) {
+    (void)hit, (void)context;
+    return THUD_CAST_ON;
+}
+
 static bool none(thud_shape_id shape, void *context) {
     (void)shape, (void)context;
     return true;
 }
 
-/* Done, and hardly meant. */
-static void what_meets_nobody_is_told(void **state) {
+/* A filter that was zeroed instead of begun with the default one, and an explosion without a size.
+ */
+static void what_meets_nobody_is_refused(void **state) {
     (void)state;
     heard h = {.count = 0};
     thud_world *world = make_world(thud_default_world_def());
     OK(thud_world_set_log(world, hear, &h));
     add_ball(world, 0, 0, 0.5f);
     const thud_query_filter zero = {0};
-    bool hit;
-    int count;
-    OK(thud_world_cast_ray(world, (thud_pos){-3, 0}, 6, 0, &zero, &hit, NULL));
-    expect(&h, THUD_OK, "category and mask");
-    OK(thud_world_cast_ray_all(world, (thud_pos){-3, 0}, 6, 0, &zero, NULL, 0, &count));
-    expect(&h, THUD_OK, "category and mask");
-    OK(thud_world_closest(world, (thud_pos){-3, 0}, 6, &zero, &hit, NULL));
-    expect(&h, THUD_OK, "category and mask");
-    OK(thud_world_overlap_circle(world, (thud_pos){0, 0}, 1, &zero, none, NULL));
-    expect(&h, THUD_OK, "category and mask");
-    thud_explosion explosion = thud_default_explosion();
-    OK(thud_world_explode(world, &explosion, NULL));
-    expect(&h, THUD_OK, "radius");
+    const thud_pos at = {-3, 0};
+    thud_shape_instance ball = thud_circle_at(0, 0, 1);
+    thud_ray_hit hit;
+    thud_mover mover = thud_default_mover(ball);
+    mover.filter = zero;
+    thud_explosion blast = thud_default_explosion(), pointed = blast;
+    blast.radius = 1;
+    blast.filter = zero;
+    const thud_ray ray = {.dx = 6, .filter = &zero};
+    const thud_shape_cast cast = {.shape = &ball, .dx = 6, .filter = &zero};
+    const struct {
+        thud_result result;
+        const char *word;
+    } refused[] = {
+#define FILTER(call) {call, "category and mask"}
+        FILTER(thud_world_cast_ray(world, at, 6, 0, &zero, NULL, NULL)),
+        FILTER(thud_world_cast_ray_all(world, at, 6, 0, &zero, NULL, 0, NULL)),
+        FILTER(thud_world_cast_ray_each(world, at, 6, 0, &zero, keep_on, NULL)),
+        FILTER(thud_world_cast_rays(world, &ray, 1, &hit)),
+        FILTER(thud_world_cast_shape(world, at, &ball, 6, 0, &zero, NULL, NULL)),
+        FILTER(thud_world_cast_shape_each(world, at, &ball, 6, 0, &zero, keep_on, NULL)),
+        FILTER(thud_world_cast_shapes(world, &cast, 1, &hit)),
+        FILTER(thud_world_closest(world, at, 6, &zero, NULL, NULL)),
+        FILTER(thud_world_overlap_circle(world, at, 1, &zero, none, NULL)),
+        FILTER(thud_mover_move(world, &mover, (thud_vec2){0, 0}, 0.1, NULL)),
+        FILTER(thud_world_explode(world, &blast, NULL)),
+#undef FILTER
+        {thud_world_explode(world, &pointed, NULL), "radius and falloff are 0"},
+    };
+    enum { CALLS = sizeof refused / sizeof *refused };
+    for (int i = 0; i < CALLS; i++) {
+        assert_int_equal(refused[i].result, THUD_ERROR_INVALID);
+    }
+    assert_int_equal(h.count, CALLS);
+    h.count = 1;
+    expect(&h, THUD_ERROR_INVALID, refused[CALLS - 1].word);
     thud_world_destroy(world);
 }
 
@@ -212,8 +275,9 @@ int main(void) {
         cmocka_unit_test(a_log_is_set_on_any_world),
         cmocka_unit_test(worlds_name_the_field),
         cmocka_unit_test(drives_name_the_field),
+        cmocka_unit_test(numbers_are_told_as_they_were_written),
         cmocka_unit_test(lines_name_the_field),
-        cmocka_unit_test(what_meets_nobody_is_told),
+        cmocka_unit_test(what_meets_nobody_is_refused),
         cmocka_unit_test(without_NDEBUG_worlds_write_to_stderr), /* the last: it takes stderr */
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -285,6 +285,7 @@ test("explosion_pushes_what_has_no_cover", () => {
   assert.equal(world.explode({ ...blast, cover: "none", filter: { ignore: near } }), 2);
   assert.ok(speed(hidden) > 0);
   assert.throws(() => world.explode({ rays: 0 }), { code: "invalid" });
+  assert.throws(() => world.explode({ center: [0, 0] }), /radius and falloff are 0/);
   assert.throws(() => world.explode({ cover: "half" }), /cover "half" is none of none, static, all/);
   assert.throws(() => world.explode({ centre: [0, 0] }), /the nearest is "center"/);
 });

@@ -78,7 +78,7 @@ test("gear_of_what_cannot_turn_another_is_refused", (t) => {
     });
   refused({ jointA: weld }, /a gear is of hinges/);
   refused({ jointB: jointA }, /the same body/);
-  refused({ ratio: 0 }, /ratio is out of range/);
+  refused({ ratio: 0 }, /ratio is 0, not in \[0.0001, 10000\]/);
   refused({ ratio: 1e5 }, /gear: ratio must be from -10000 to 10000: 100000/);
   refused({ bodyA: wall }, /gear: no option is called "bodyA"/);
 });

@@ -88,7 +88,12 @@ const CALLS = [
     ASKER_RANGES[kind],
     (options) => world.castShapeAll({ kind, ...usual, ...options }, zero, zero),
   ]),
-  ["explode", "", ranges.EXPLOSION_RANGES, (options) => world.explode(options)],
+  [
+    "explode",
+    "",
+    ranges.EXPLOSION_RANGES,
+    (options) => world.explode({ [options.radius === 0 ? "falloff" : "radius"]: 1, ...options }),
+  ],
   ["applyWind", "", ranges.WIND_RANGES, (wind) => world.applyWind(body, zero, wind)],
   ["applyBuoyancy", "", ranges.WATER_RANGES, (water) => world.applyBuoyancy(body, water), "no ends"],
   [
@@ -196,5 +201,5 @@ test("message_of_the_engine_spells_options_as_javascript_does", () => {
   const module = engine.exports;
   module.api_world_defaults();
   engine.slots[2] = 7;
-  assert.throws(() => engine.check(module.api_world_create()), /world def: timeStep is not in/);
+  assert.throws(() => engine.check(module.api_world_create()), /world def: timeStep is 7, not in \(0, 1]/);
 });

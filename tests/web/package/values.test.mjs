@@ -16,6 +16,7 @@ const joint = (options) => () => world.createJoint({ ...pair, ...options });
 
 const BITS = "must be bits, a whole number from 0 to 0xffffffff";
 const GROUP = "must be a whole number from -2147483648 to 2147483647";
+const ZERO = { category: 0, mask: 0 };
 const TEXT = "; in quotes it is a text";
 
 /** What is refused, and what is told. */
@@ -32,6 +33,9 @@ const REFUSED = [
   [circle({ group: 0.5 }), `createCircle: group ${GROUP}: 0.5`],
   [() => world.setFilter(shape, { category: NaN }), `setFilter: category ${BITS}: NaN`],
   [() => world.castRay([0, 5], [0, -9], { mask: 0.5 }), `filter: mask ${BITS}: 0.5`],
+  [() => world.castRay([0, 5], [0, -9], ZERO), "castRay: filter: category and mask are both 0"],
+  [() => world.closest([0, 5], 9, ZERO), "closest: filter: category and mask are both 0"],
+  [() => world.overlap({ kind: "circle", center: [0, 0], radius: 1 }, ZERO), "overlap: filter: category and mask"],
   [make({ angle: "1" }), `createBody: angle must be a number: "1"${TEXT}`],
   [make({ angle: true }), "createBody: angle must be a number: true"],
   [make({ fixedRotation: "no" }), `createBody: fixedRotation must be true or false: "no"${TEXT}`],

@@ -133,7 +133,7 @@ function blameQuery(
   const told = blame(error, call, args, QUERY_RANGES, scale);
   const shown = shape ? blame(told, call, shape, ASKER_RANGES[shape.kind]) : told;
   if (!isRefusal(shown)) return shown;
-  const why = whereTo(args);
+  const why = whereTo(args, shown.message);
   return why ? new ThudError("invalid", `${call}: ${why}`, { cause: error }) : shown;
 }
 
@@ -144,8 +144,9 @@ function isQueryWrong(args: { origin: number[]; translation: number[] }, scale: 
   return whyNot({ point: end }, QUERY_RANGES, scale) !== null;
 }
 
-/** Of arguments that are wrong together. */
-function whereTo(args: object): string | null {
+/** Of arguments that are wrong together; `told` is what the engine said. */
+function whereTo(args: object, told: string): string | null {
+  if (told.includes("category and mask")) return "filter: category and mask are both 0, so that it meets nothing";
   if ("translation" in args) return "translation leads out of the world; it is the way from the origin, not the end";
   if ("lower" in args && "upper" in args) return "lower must be below upper";
   return null;

@@ -81,7 +81,7 @@ function checkPlaces(what: string, options: object, furthest: number): void {
 /** What the engine tells of both bodies and of frames that it has worked out. */
 function checkBodies(what: string, options: object, told: string): void {
   const places = ["at", "from", "to", "frameA", "frameB"].filter((name) => name in options);
-  if (told.includes("a frame is out of range"))
+  if (told.includes("of a frame"))
     refuse(what, `${places.join(" or ")} is too far from its body`);
   if (told.includes("needs two bodies"))
     refuse(what, "bodyA and bodyB must be two bodies, one of them dynamic");
