@@ -96,12 +96,18 @@ static void solve(thud_world *w) {
     w->stats.direct_islands = w->stats.direct_bodies = w->stats.soft_islands = w->stats.factorings =
         0;
     w->stats.island_work = 0;
+    if (w->joining) {
+        w->joining->forget(w);
+    }
     if (w->quality.islands) {
         w->quality.islands->begin(w);
     }
     td_solve(w);
     if (w->quality.islands) {
         w->quality.islands->end(w);
+    }
+    if (w->joining) {
+        w->joining->yield(w);
     }
 }
 

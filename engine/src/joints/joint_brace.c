@@ -28,7 +28,7 @@ static void name_rings(thud_world *w) {
         name[slot.at] = (td_awake_slot){TD_NONE};
     }
     for (td_awake_slot slot = {0}; slot.at < w->body_of.count; slot.at++) {
-        for (td_awake_slot i = slot; name[i.at].at == TD_NONE; i = *td_next_tied(w, i)) {
+        for (td_awake_slot i = slot; name[i.at].at == TD_NONE; i = td_next_tied(w, i)) {
             name[i.at] = slot;
         }
     }

@@ -19,13 +19,11 @@ bool td_joint_reserve(thud_world *w, int kind) {
     return td_constraints_reserve(w, more);
 }
 
-static const td_joining_ops joining = {td_joints_engage,       td_joints_suspend,
-                                       td_joints_follow,       td_joints_keep_apart,
-                                       td_joints_leave,        td_joints_ring,
-                                       td_joints_hold_back,    td_joints_add_energy,
-                                       td_joints_weigh,        td_joints_break_up,
-                                       td_joints_measure,      td_joints_draw,
-                                       td_island_solve_joints, &td_islands_of_joints};
+static const td_joining_ops joining = {
+    td_joints_engage,  td_joints_suspend, td_joints_follow,       td_joints_keep_apart,
+    td_joints_leave,   td_joints_ring,    td_joints_hold_back,    td_joints_add_energy,
+    td_joints_weigh,   td_joints_forget,  td_joints_yield,        td_joints_break_up,
+    td_joints_measure, td_joints_draw,    td_island_solve_joints, &td_islands_of_joints};
 
 static void plug(thud_world *w) {
     w->kinds[TD_CONSTRAINT_ROD] = td_rod_ops(w);
