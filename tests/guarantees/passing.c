@@ -2,6 +2,8 @@
 #include "guarantee.h"
 #include "yard.h"
 
+#include <thud/thud_joint.h>
+
 enum { SHOTS = 6 };
 
 /* How fast a body of half extents 0.3 may be to meet a wall of this thickness, in length scales a
@@ -177,10 +179,59 @@ static void swept_bodies_keep_apart(trial *t) {
     }
 }
 
+enum { ROPES = 4 };
+
+/* Ropes from bodies in the room to hooks beyond its walls and its floor, which are reeled in at 3
+ * length scales a second, whatever stands in the way. */
+typedef struct winches {
+    thud_joint_id rope[ROPES];
+    thud_drive drive[ROPES];
+} winches;
+
+static winches reel_from_outside(yard *y) {
+    static const double at[ROPES][2] = {{0, -6}, {12, 4}, {-12, 4}, {3, -6}};
+    trial *t = y->t;
+    winches w;
+    for (int i = 0; i < ROPES; i++) {
+        thud_joint_def def = thud_default_joint_def(THUD_DISTANCE);
+        thud_body_def hook = thud_default_body_def();
+        thud_pos from = trial_place(t, at[i][0], at[i][1]);
+        thud_body_state s = {.mass = 0};
+        def.body_b = y->body[3 * i];
+        hook.position = from;
+        DO(t, thud_body_create(y->world, &hook, &def.body_a));
+        DO(t, thud_body_get(y->world, def.body_b, &s));
+        def.drive[THUD_ALONG].limited = true;
+        def.drive[THUD_ALONG].upper = (float)hypot(s.position.x - from.x, s.position.y - from.y);
+        w.drive[i] = def.drive[THUD_ALONG];
+        DO(t, thud_joint_create(y->world, &def, &w.rope[i]));
+    }
+    return w;
+}
+
+/* A winch slips where its rope is too short by a tenth of a length scale: what is put elsewhere by
+ * an edit, and is pulled back by a rope that is far too short, is faster than `overlap` and
+ * `bisect` see. */
+static void reel_in(trial *t, thud_world *world, winches *w) {
+    for (int i = 0; i < ROPES; i++) {
+        thud_joint_state s = {.gap = 0};
+        if (!thud_joint_is_valid(world, w->rope[i])) {
+            continue;
+        }
+        DO(t, thud_joint_get(world, w->rope[i], &s));
+        double length = (double)w->drive[i].upper - 3 * t->scale * t->step;
+        double taut = s.value[THUD_ALONG] - 0.1 * t->scale;
+        w->drive[i].upper = (float)fmax(fmax(length, taut), 0.1 * t->scale);
+        DO(t, thud_joint_set_drive(world, w->rope[i], THUD_ALONG, &w->drive[i]));
+    }
+}
+
 static void nothing_is_lost(trial *t) {
     yard y;
     yard_make_loose(&y, t, trial_def(t), 0);
+    winches w = reel_from_outside(&y);
     for (int k = 0; k < 2 * trial_steps(t, 0.5) && !trial_failed(t); k++) {
+        reel_in(t, y.world, &w);
         yard_step(&y);
         for (int i = 0; i < YARD_BODIES && !trial_failed(t); i++) {
             thud_body_state s = trial_state(t, y.world, y.body[i]);

@@ -31,11 +31,15 @@
  * and `swept` such bodies stop at what they meet, and bounce off as contacts do; what touches them
  * already is left to the contacts, which may overlap by as much as those of `continuous`.
  *
- * A joint that pulls a body against a static shape without end wins under `overlap` and
- * `continuous`, at every quality: a rope to below a floor that is 0.5 thick, shortened by 3 a
- * second, has drawn the middle of a ball of radius 0.3 below its top in 10 steps, and by 0.3 a
- * second in 111 steps at draft, 68 at exact. Under `bisect` and `swept` the shape wins, and the
- * joint opens. */
+ * A joint loses against static shapes, at every quality and under every detection. Where one
+ * presses a body into what cannot move (a rope that is reeled in, a motor without a greatest
+ * force), the body ends no step deeper than a tenth of its smallest half extent, or of half the
+ * thickness of the shape where that is less; while the solver finds out, for some steps, than 0.4
+ * of it. The body and all that locked directions tie to it are put back there, their joints closed
+ * as far as contacts let them: ropes stay open, which thud_step_error tells, and motors stall. Such
+ * a joint gives the body no speed; its force is what it reaches within a step from nothing.
+ * Kinematic bodies are no static shapes, and a body that a joint has made faster than its detection
+ * sees passes. */
 #ifndef THUD_JOINT_H
 #define THUD_JOINT_H
 

@@ -100,6 +100,7 @@ static void solve(thud_world *w) {
         0;
     w->stats.island_work = 0;
     if (w->joining) {
+        w->joining->forget(w);
         w->joining->share_caps(w);
     }
     if (w->quality.islands) {
@@ -108,6 +109,9 @@ static void solve(thud_world *w) {
     td_solve(w);
     if (w->quality.islands) {
         w->quality.islands->end(w);
+    }
+    if (w->joining) {
+        w->joining->yield(w);
     }
 }
 

@@ -145,6 +145,7 @@ static const td_array_place ARRAYS[] = {
     ARRAY(scratch.odd, td_awake_slot),
     ARRAY(scratch.order, int32_t),
     ARRAY(scratch.rings, td_awake_slot),
+    ARRAY(scratch.before, float[4]),
     ARRAY(scratch.powers, double[3]),
     ARRAY(scratch.legs, td_leg),
     ARRAY(scratch.first_legs, int),

@@ -125,8 +125,14 @@ typedef struct td_lane_marks {
     uint16_t rule;          /* rules/rules.h: what a step is to look at; and the bits below */
 } td_lane_marks;
 
-/* In td_lane_marks.rule: a prologue wanted other settings; or it said no. */
-enum { TD_LANE_ALTERED = 1 << 13, TD_LANE_REFUSED = 1 << 12 };
+/* In td_lane_marks.rule: a prologue wanted other settings; or it said no. Of a joint: it lost
+ * against a static shape in the last solve; and in the one before: joints/joint_yield.c. */
+enum {
+    TD_LANE_ALTERED = 1 << 13,
+    TD_LANE_REFUSED = 1 << 12,
+    TD_LANE_LOST = 1 << 11,
+    TD_LANE_WAS_LOST = 1 << 10
+};
 
 /* Behind its points, a block has one td_point_history for each of them, a td_surface, and, where
  * its form says so, a td_manifold_cache. */

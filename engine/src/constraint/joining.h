@@ -38,6 +38,10 @@ typedef struct td_joining_ops {
     /* joint_caps.c, before solving: bounds of springs and motors whose cap is of both directions.
      */
     void (*share_caps)(thud_world *w);
+    /* joint_yield.c: before the solver, impulses are forgotten of what was put back in the step
+     * before; after it, what joints have pressed into static shapes is put back. */
+    void (*forget)(thud_world *w);
+    void (*yield)(thud_world *w);
     /* After the epilogue: events of the joints that bear too much, which are destroyed. */
     void (*break_up)(thud_world *w);
     /* Adds up how far joints are open that are in force, asleep or awake. */
@@ -65,6 +69,8 @@ bool td_joints_add_energy(thud_world *w, bool relaxed);
 void td_joints_weigh(thud_world *w, bool relaxed);
 bool td_joints_gape(const thud_world *w);
 void td_joints_share_caps(thud_world *w);
+void td_joints_forget(thud_world *w);
+void td_joints_yield(thud_world *w);
 void td_joints_break_up(thud_world *w);
 void td_joints_draw(const struct td_drawing *drawing);
 void td_joints_measure(const thud_world *w, td_joint_gaps *gaps);

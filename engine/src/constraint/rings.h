@@ -6,14 +6,21 @@
 
 #include "state/world.h"
 
-/* The next body of the ring, in which it is the only one where nothing ties it. */
-static inline td_awake_slot *td_next_tied(const thud_world *w, td_awake_slot slot) {
+/* What a slot is followed by: itself where no joint locks its body to anything, TD_NONE where
+ * joints lock it to what they cannot move alone. */
+static inline td_awake_slot *td_tie_at(const thud_world *w, td_awake_slot slot) {
     return TD_AT(td_awake_slot, &w->scratch.rings, slot.at);
 }
 
-/* Whether joints tie it to other bodies. No body is, where there are no rings. */
+/* The next body of the ring, in which it may be the only one. */
+static inline td_awake_slot td_next_tied(const thud_world *w, td_awake_slot slot) {
+    td_awake_slot next = *td_tie_at(w, slot);
+    return next.at == TD_NONE ? slot : next;
+}
+
+/* Whether joints tie it to anything. No body is, where there are no rings. */
 static inline bool td_is_tied(const thud_world *w, td_awake_slot slot) {
-    return slot.at > 0 && slot.at < w->scratch.rings.count && td_next_tied(w, slot)->at != slot.at;
+    return slot.at > 0 && slot.at < w->scratch.rings.count && td_tie_at(w, slot)->at != slot.at;
 }
 
 /* A body leaves its awake slot within the step, and the one in the last slot gets it: the others of
@@ -23,13 +30,13 @@ static inline void td_ring_leave(thud_world *w, td_awake_slot slot) {
     if (last.at < 0) {
         return;
     }
-    td_awake_slot after = *td_next_tied(w, slot);
+    td_awake_slot after = *td_tie_at(w, slot);
     for (td_awake_slot i = {0}; i.at <= last.at; i.at++) {
-        td_awake_slot *next = td_next_tied(w, i);
+        td_awake_slot *next = td_tie_at(w, i);
         *next = next->at == slot.at ? after : *next;
         *next = next->at == last.at ? slot : *next;
     }
-    *td_next_tied(w, slot) = *td_next_tied(w, last);
+    *td_tie_at(w, slot) = *td_tie_at(w, last);
     w->scratch.rings.count = last.at;
 }
 

@@ -75,8 +75,8 @@ static void hold_tied(thud_world *w, td_trajectory *f) {
         return;
     }
     f->all_held = true;
-    for (td_awake_slot i = slot; td_is_tied(w, i) && td_next_tied(w, i)->at != slot.at;) {
-        i = *td_next_tied(w, i);
+    for (td_awake_slot i = slot; td_is_tied(w, i) && td_next_tied(w, i).at != slot.at;) {
+        i = td_next_tied(w, i);
         td_trajectory *other = td_trajectory_at(w, i);
         other->all_held = true;
         if (!other->held) {

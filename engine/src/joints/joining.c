@@ -118,6 +118,7 @@ bool td_joints_engage(thud_world *w) {
     if (!td_array_reserve(&w->memory, &w->broken, w->breakable) ||
         !td_array_reserve(&w->memory, &w->scratch.parents, bodies) ||
         !td_array_reserve(&w->memory, &w->scratch.rings, bodies) ||
+        !td_array_reserve(&w->memory, &w->scratch.before, bodies) ||
         !td_array_reserve(&w->memory, &w->scratch.powers, bodies)) {
         return false;
     }

@@ -61,7 +61,7 @@ static float number_of(thud_world *w, td_awake_slot slot) {
     td_awake_slot *number = w->scratch.parents.data;
     if (number[slot.at].at >= 0) {
         td_awake_slot given = {-1 - w->scratch.powers.count++};
-        for (td_awake_slot i = slot; number[i.at].at >= 0; i = *td_next_tied(w, i)) {
+        for (td_awake_slot i = slot; number[i.at].at >= 0; i = td_next_tied(w, i)) {
             number[i.at] = given;
         }
         ring_at(w, (float)(-1 - given.at))[GAPES] = 0.0;

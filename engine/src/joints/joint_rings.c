@@ -11,9 +11,21 @@ static void tie(thud_world *w, td_awake_slot a, td_awake_slot b) {
     td_awake_slot root_a = td_root_of(parents, a), root_b = td_root_of(parents, b);
     if (root_a.at != root_b.at) {
         parents[root_a.at] = root_b;
-        td_awake_slot next = *td_next_tied(w, a);
-        *td_next_tied(w, a) = *td_next_tied(w, b);
-        *td_next_tied(w, b) = next;
+        td_awake_slot next = td_next_tied(w, a);
+        *td_tie_at(w, a) = td_next_tied(w, b);
+        *td_tie_at(w, b) = next;
+    }
+}
+
+/* Whether it locks a body to what it cannot move, in so many directions that an impact on the way
+ * would tear it: a rod leaves all but one free. Locks of axes leave bodies to detection, too. */
+static bool holds_still(const thud_world *w, const td_joint *joint) {
+    return joint->kind != THUD_DISTANCE && !td_joint_is_lock(w, joint, joint->body[1]);
+}
+
+static void tie_down(const thud_world *w, td_awake_slot slot) {
+    if (td_tie_at(w, slot)->at == slot.at && slot.at > 0) {
+        td_tie_at(w, slot)->at = TD_NONE;
     }
 }
 
@@ -31,7 +43,7 @@ void td_joints_ring(thud_world *w) {
     td_awake_slot *parents = w->scratch.parents.data;
     for (td_awake_slot slot = {0}; slot.at < w->body_of.count; slot.at++) {
         parents[slot.at] = slot;
-        *td_next_tied(w, slot) = slot;
+        *td_tie_at(w, slot) = slot;
     }
     for (int i = 0; i < w->joints.count; i++) {
         const td_joint *joint = td_joint_at(w, i);
@@ -39,6 +51,8 @@ void td_joints_ring(thud_world *w) {
             td_awake_slot a = moving_slot(w, joint->body[0]), b = moving_slot(w, joint->body[1]);
             if (a.at > 0 && b.at > 0) {
                 tie(w, a, b);
+            } else if (holds_still(w, joint)) {
+                tie_down(w, a.at > 0 ? a : b);
             }
         }
     }
@@ -46,9 +60,9 @@ void td_joints_ring(thud_world *w) {
 
 void td_joints_hold_back(thud_world *w, td_awake_slot slot, double time) {
     td_joints_ring(w);
-    td_awake_slot other = *td_next_tied(w, slot);
+    td_awake_slot other = td_next_tied(w, slot);
     while (other.at != slot.at) {
         td_hold_at(w, other, time);
-        other = *td_next_tied(w, other);
+        other = td_next_tied(w, other);
     }
 }

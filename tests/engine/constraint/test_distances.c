@@ -370,32 +370,50 @@ static void wrong_rods_are_refused(void **state) {
     thud_world_destroy(world);
 }
 
-/* A ball on a floor, at the end of a rope or a rod to a hook far below, which is reeled in. */
+/* A ball or a box on a floor, at the end of a rope or a rod to a hook far below, which is reeled
+ * in: the floor wins, and the joint stays open, as the error report says. Where bodies move on from
+ * one collision to the next a ball rests on the floor all the time. Elsewhere the contact is soft:
+ * it is pressed in by less than half of the radius, and then by a tenth of it. */
 static void floor_bears_what_is_reeled_in(void **state) {
     (void)state;
-    const thud_detection *const detections[] = {&thud_detection_bisect, &thud_detection_swept};
-    for (int i = 0; i < 2 * 2 * QUALITIES; i++) {
-        thud_world_def def = def_of(qualities[i / 4]);
-        def.detection = detections[i % 2];
-        bool rope = i / 2 % 2;
-        float length = 4.3f;
+    const thud_detection *const detections[] = {&thud_detection_bisect, &thud_detection_swept,
+                                                &thud_detection_overlap,
+                                                &thud_detection_continuous};
+    static const float speeds[] = {0.3f, 3, 30};
+    for (int i = 0; i < 3 * 2 * 2 * 4 * QUALITIES; i++) {
+        thud_world_def def = def_of(qualities[i % QUALITIES]);
+        int detection = i / QUALITIES % 4;
+        bool rope = i / QUALITIES / 4 % 2, box = i / QUALITIES / 8 % 2;
+        bool meets = detection < 2;
+        float length = 4.3f, speed = speeds[i / QUALITIES / 16];
+        def.detection = detections[detection];
         thud_world *world = make_world(def);
         thud_body_id hook = add_body(world, THUD_STATIC, 0, -4, 0);
         thud_body_id floor = add_body(world, THUD_STATIC, 0, -0.25, 0);
         add_shape(world, floor, 5, 0.25f, true, NULL);
-        thud_body_id ball = add_ball(world, 0, 0.3, 0.3f);
-        thud_joint_def joint = rod_of(hook, ball, middle, middle, length);
+        thud_body_id load =
+            box ? add_box(world, 0, 0.3, 0.3f, 0.3f) : add_ball(world, 0, 0.3, 0.3f);
+        thud_joint_def joint = rod_of(hook, load, middle, middle, length);
         joint.drive[THUD_ALONG].limited = rope;
         joint.drive[THUD_ALONG].upper = length;
         thud_joint_id id = make(world, joint);
-        for (int k = 0; k < 80; k++) {
-            length -= 3.0f / 60;
+        double height = 0;
+        for (int k = 0; k < 300; k++) {
+            length = fmaxf(length - speed / 60, 1);
             joint.drive[THUD_ALONG].upper = length;
             OK(rope ? thud_joint_set_drive(world, id, THUD_ALONG, &joint.drive[THUD_ALONG])
                     : thud_joint_set_length(world, id, length));
             run(world, 1);
-            near_to(state_of(world, ball).position.y, 0.3, 2e-3);
+            height = state_of(world, load).position.y;
+            if (meets && !box) {
+                near_to(height, 0.3, 2e-3);
+            }
+            assert_true(height > 0.15); /* through the floor in 2 to 120 steps, before */
         }
+        if (!box) {
+            near_to(thud_world_error(world).joint_gap_max, 4 + height - (double)length, 1e-3);
+        }
+        assert_true(height > 0.26);
         thud_world_destroy(world);
     }
 }

@@ -259,6 +259,39 @@ static void detections_that_stop_nobody_leave_what_swings_alone(void **state) {
     }
 }
 
+/* An arm of length 2 is hinged at its end to a hook, and turned by a motor without a greatest force
+ * into a block that it meets at 0.17 rad. The motor stalls: the hinge stays closed, and the arm
+ * outside of the block. Under `overlap` the tip, which goes 0.3 a step, may be in it for some
+ * steps.
+ */
+static void motor_stalls_at_a_wall_and_its_hinge_stays_closed(void **state) {
+    (void)state;
+    for (int i = 0; i < 2 * 4 * QUALITIES; i++) {
+        thud_world_def def = def_of(qualities[i % QUALITIES]);
+        int detection = i / QUALITIES % 4;
+        def.detection = detection < 3 ? detections[detection] : &thud_detection_overlap;
+        def.sleeping = i / QUALITIES / 4;
+        thud_world *world = make_world(def);
+        thud_body_id arm = add_box(world, 1, 3, 1, 0.1f);
+        add_shape(world, add_body(world, THUD_STATIC, 1.5, 3.6, 0), 0.2f, 0.2f, true, NULL);
+        thud_joint_def hinge = between(THUD_HINGE, add_body(world, THUD_STATIC, 0, 3, 0), arm,
+                                       middle, (thud_vec2){-1, 0});
+        hinge.drive[THUD_TURN].motor_speed = 10;
+        hinge.drive[THUD_TURN].motor_force = THUD_JOINT_FORCE_MAX;
+        thud_joint_id id = make(world, hinge);
+        double widest = 0;
+        for (int k = 0; k < 300; k++) {
+            run(world, 1);
+            widest = fmax(widest, joint_of(world, id).gap);
+            assert_true(state_of(world, arm).angle < (detection < 3 ? 0.22 : 0.34));
+        }
+        assert_true(widest < 0.1); /* of the motor's start at draft; before 0.2 to 2.5 */
+        assert_true(joint_of(world, id).gap < 2e-3);
+        assert_true(state_of(world, arm).angle < 0.18);
+        thud_world_destroy(world);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(joints_stay_closed_where_a_body_is_stopped),
@@ -268,6 +301,7 @@ int main(void) {
         cmocka_unit_test(body_is_counted_once_however_often_it_is_held),
         cmocka_unit_test(body_that_is_no_number_leaves_the_others_that_are_held),
         cmocka_unit_test(detections_that_stop_nobody_leave_what_swings_alone),
+        cmocka_unit_test(motor_stalls_at_a_wall_and_its_hinge_stays_closed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
