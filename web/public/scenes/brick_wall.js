@@ -43,7 +43,7 @@ export default function ({ createWorld, grid, size: rows }) {
       width: 0.85 * width,
       low: true,
       // Upright, the side that the ball hits fills the window.
-      tall: { x: 0.28 * height, y: 0.6 * height, height: 1.3 * height, width: 0.95 * height },
+      tall: { x: 0.26 * height, y: 0.6 * height, height: 1.3 * height, width: 0.84 * height },
     },
     spawn: [0.5 * width, height + 6],
   };

@@ -8,7 +8,7 @@ import type { App } from "./app";
 
 /** Of the page and its workers together, in bytes. */
 const MOST_BYTES = 2 ** 30;
-/** Milliseconds between two measurements. Chromium takes some 15 s for one unless it cleans up sooner. */
+/** Milliseconds between two measurements, of which each takes Chromium some 15 s. */
 const PAUSE = 1000;
 
 type Measuring = Performance & {
