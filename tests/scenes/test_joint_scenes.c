@@ -36,6 +36,58 @@ static void chain_swings_without_stretching(void **state) {
     close_stage(&t);
 }
 
+/* The state of ball i of a cradle, from 0 at the top, and its height over where it hangs. */
+static thud_body_state ball_of(const stage *t, int cradle, int i, int size) {
+    return body(t, cradle * (size + 1) + 1 + i);
+}
+
+static double rise_of(const stage *t, int cradle, int i, int size) {
+    const scene_joint *string = &t->scene.joints[cradle * size + i];
+    const scene_body *bar = &t->scene.bodies[string->body[0]];
+    return ball_of(t, cradle, i, size).position.y - (bar->y + string->y[0] - string->length);
+}
+
+static double energy_of_cradle(const stage *t, int cradle, int size) {
+    double energy = 0;
+    for (int i = 0; i < size; i++) {
+        thud_body_state ball = ball_of(t, cradle, i, size);
+        double x = (double)ball.velocity.x, y = (double)ball.velocity.y;
+        energy += (double)ball.mass * (0.5 * (x * x + y * y) + 10 * rise_of(t, cradle, i, size));
+    }
+    return energy;
+}
+
+/* In cradle k (0, 1, 2) the first k + 1 balls are lifted by 0.6. A ball may be moved a little by
+ * those that go at its side; where three of five go, the third swings to both sides. */
+static void cradles_swing_out_as_many_balls_as_came_in(void **state) {
+    (void)state;
+    static const thud_quality *const all[] = {&thud_quality_draft, &thud_quality_default,
+                                              &thud_quality_high, &thud_quality_exact};
+    for (int q = 0; q < 4; q++) {
+        for (int size = 5; size <= 7; size += 2) {
+            stage t = open_stage("newtons_cradle", size, all[q]);
+            double start[3], highest[3][7] = {{0}};
+            for (int k = 0; k < 3; k++)
+                start[k] = energy_of_cradle(&t, k, size);
+            for (int step = 1; step <= 600; step++) {
+                assert_true(run_for_gap(&t, 1) < 1e-3);
+                for (int k = 0; k < 3; k++)
+                    for (int i = 0; i < size; i++)
+                        highest[k][i] = fmax(highest[k][i], rise_of(&t, k, i, size));
+            }
+            for (int k = 0; k < 3; k++) {
+                double kept = energy_of_cradle(&t, k, size) / start[k];
+                bool outer_swung = highest[k][size - 1] > 0.55;
+                bool middle_hung = k == 2 && size == 5 ? true : highest[k][size / 2] < 0.05;
+                if (!(fabs(kept - 1) < 0.02 && outer_swung && middle_hung))
+                    fail_msg("%s, cradle %d of %d: energy %g, last %g, middle %g", all[q]->name,
+                             k + 1, size, kept, highest[k][size - 1], highest[k][size / 2]);
+            }
+            close_stage(&t);
+        }
+    }
+}
+
 static void lorry_crosses_the_bridge(void **state) {
     (void)state;
     for (int i = 0; i < FIRM; i++) {
@@ -199,6 +251,7 @@ static void dolls_bend_no_further_than_their_limits(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(chain_swings_without_stretching),
+        cmocka_unit_test(cradles_swing_out_as_many_balls_as_came_in),
         cmocka_unit_test(lorry_crosses_the_bridge),
         cmocka_unit_test(ball_breaks_the_wall),
         cmocka_unit_test(crane_lays_the_lintel_on_both_piers),

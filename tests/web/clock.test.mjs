@@ -99,7 +99,7 @@ describe("slow motion", () => {
     await page.waitForSelector("#slow:not([hidden])");
     await page.click("#scenes-button");
     await page.click('[data-entry="cradle"]');
-    await page.waitForFunction(() => document.title.startsWith("Newton"));
+    await page.waitForFunction(() => document.title.startsWith("Rows of elastic"));
     assert.ok(await page.isHidden("#slow"));
     await close();
   });

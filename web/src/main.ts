@@ -289,6 +289,8 @@ function listenToScenes(
       }
       announced = played;
       showValues(dock, scene.controls.length > 0, untold);
+      if (app.state.code !== null)
+        void import("./page/memory").then(({ watchMemory }) => watchMemory(app));
       const { notes } = scene;
       if (notes.length > 0) {
         untold = false;

@@ -95,7 +95,7 @@ test("level_that_is_no_json_is_refused_and_the_scene_goes_on", async () => {
   const before = await steps();
   await page.click("#failure button");
   await until(steps, (now) => now > before, "it goes on");
-  assert.match(await page.title(), /Newton/);
+  assert.match(await page.title(), /elastic balls/);
   await close();
 });
 

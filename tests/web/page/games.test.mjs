@@ -128,7 +128,7 @@ test("pad_is_for_games_alone_and_hidden_where_there_is_a_keyboard", async () => 
     assert.equal(await page.locator("[data-key=right]").isVisible(), shown);
     await page.click("#scenes-button");
     await page.click('[data-entry="cradle"]');
-    await page.waitForFunction(() => document.title.startsWith("Newton"));
+    await page.waitForFunction(() => document.title.startsWith("Rows of elastic"));
     assert.equal(await page.locator("[data-key=right]").isVisible(), false);
     assert.equal(await page.locator("button[data-tool=hand]").isVisible(), true);
     await close();

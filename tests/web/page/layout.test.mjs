@@ -69,6 +69,40 @@ for (const [size, options] of SIZES)
       await close();
     });
 
+test("first_scene_on_a_phone_held_upright_leaves_less_than_a_fifth_of_it_empty", async () => {
+  const { page, close } = await visitor.open("?paused=1", PHONE);
+  await stepBy(page, 1);
+  await page.waitForSelector("#hint:not([hidden])");
+  const empty = () =>
+    page.evaluate(() => {
+      const canvas = document.getElementById("bodies");
+      const { width, height } = canvas;
+      const copy = Object.assign(document.createElement("canvas"), { width, height });
+      const context = copy.getContext("2d", { willReadFrequently: true });
+      context.drawImage(canvas, 0, 0);
+      const { data } = context.getImageData(0, 0, width, height);
+      const first = data.findIndex((value, i) => i % 4 === 3 && value >= 128);
+      const top = (Math.floor(first / 4 / width) * innerHeight) / height;
+      return (top - document.getElementById("hint").getBoundingClientRect().bottom) / innerHeight;
+    });
+  await until(empty, (part) => part > 0 && part < 0.2, "a part of the window");
+  await close();
+});
+
+for (const scene of ["brick_wall", "artillery", "bridge_builder"])
+  test(`title_of_${scene}_is_whole_where_a_laptops_window_is_enlarged_twice`, async () => {
+    const options = { viewport: { width: 640, height: 400 }, deviceScaleFactor: 2 };
+    const { page, close } = await visitor.open(`?scene=${scene}&paused=1`, options);
+    await stepBy(page, 1);
+    const [shown, whole] = await page.evaluate(() => {
+      const { clientWidth, clientHeight, scrollWidth, scrollHeight } =
+        document.getElementById("scene-title");
+      return [[clientWidth, clientHeight], [scrollWidth, scrollHeight]];
+    });
+    assert.ok(whole[0] <= shown[0] && whole[1] <= shown[1] + 1, `${shown} shows of ${whole}`);
+    await close();
+  });
+
 test("nothing_moves_when_the_engine_comes", async () => {
   let release;
   const held = new Promise((resolve) => (release = resolve));

@@ -246,7 +246,7 @@ test("overlays_that_are_chosen_are_kept_in_the_url_and_those_of_a_scene_are_not"
 
 test("reduced_motion_starts_paused_and_can_be_started", async () => {
   const { page, close } = await visitor.open("?scene=cradle", { ...DESKTOP, reducedMotion: "reduce" });
-  await page.waitForFunction(() => document.title.startsWith("Newton"));
+  await page.waitForFunction(() => document.title.startsWith("Rows of elastic"));
   assert.equal(await pressed(page, "pause"), true);
   await page.click("#pause");
   await untilRunning(page);

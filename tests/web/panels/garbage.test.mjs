@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { linkOf, openCode, run, troubleOf, type, untilStatus } from "../support/code.mjs";
-import { figure, impatiently, openVisitor, untilRunning, untilTold } from "../support/page.mjs";
+import { failureText, figure, impatiently, openVisitor, untilRunning, untilTold } from "../support/page.mjs";
 import { until } from "../support/wait.mjs";
 
 let visitor;
@@ -71,6 +71,32 @@ test("scene_that_is_slow_and_not_stuck_runs_in_the_end_without_a_click", async (
   });
   await untilStatus(page, "Your code runs");
   assert.ok(await page.isHidden(".code-trouble"));
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("code_that_keeps_ever_more_objects_is_ended_at_a_limit_and_the_page_goes_back", async () => {
+  const code = `const kept = [];
+  export default ({ createWorld }) => ({
+    world: createWorld(),
+    update() { kept.push({}); },
+  });`;
+  // What the browser would find after many seconds: beyond a gigabyte from the third time on.
+  const measured = (page) =>
+    page.addInitScript(() => {
+      let times = 0;
+      performance.measureUserAgentSpecificMemory = async () => ({
+        bytes: ++times < 3 ? 2 ** 29 : 2 ** 30 + 1,
+      });
+    });
+  const { page, errors, close } = await visitor.open(linkOf(code), undefined, measured);
+  await page.locator(".code-offer button").first().click();
+  await untilStatus(page, "Your code runs");
+  assert.match(await failureText(page), /too much memory[\s\S]*more than 1 GB/);
+  await page.click("#failure button");
+  await untilStatus(page, "Changed, not run yet");
+  await untilRunning(page);
+  assert.ok(await page.isHidden("#failure"));
   assert.deepEqual(errors, []);
   await close();
 });

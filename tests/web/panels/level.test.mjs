@@ -87,7 +87,7 @@ test("files_without_a_map_are_told_and_the_scene_goes_on", async () => {
   await untilRunning(page);
   await choose(page, beside);
   await page.waitForFunction(() => /no map/.test(document.querySelector("#notice").textContent));
-  assert.match(await page.title(), /Newton/);
+  assert.match(await page.title(), /elastic balls/);
   assert.deepEqual(errors, []);
   await close();
 });

@@ -150,7 +150,7 @@ for (const browser of BROWSERS)
       await page.goBack();
       await untilTitle(page, /^ball/);
       await page.goBack();
-      await untilTitle(page, /^Newton/);
+      await untilTitle(page, /^Rows of elastic/);
       await page.waitForFunction(() => /scene=cradle.*quality=high/.test(location.search));
       await page.goForward();
       await untilTitle(page, /^ball/);
@@ -185,10 +185,10 @@ for (const browser of BROWSERS)
       await page.keyboard.press(",");
       assert.match(await page.evaluate(() => location.hash), /level=/, "the address is another’s");
       await page.goBack();
-      await untilTitle(page, /^Newton/);
+      await untilTitle(page, /^Rows of elastic/);
       await page.evaluate(() => window.letGo());
       await drawnFrames(page, 20);
-      assert.match(await page.title(), /^Newton/);
+      assert.match(await page.title(), /^Rows of elastic/);
       await page.waitForFunction(() => location.search.includes("cradle"));
       assert.deepEqual(errors, []);
       await close();

@@ -36,7 +36,15 @@ export default function ({ createWorld, grid, size: rows }) {
 
   return {
     world,
-    view: { x: 0.4 * width, y: 0.6 * height, height: 1.7 * height, width: 0.85 * width, low: true },
+    view: {
+      x: 0.4 * width,
+      y: 0.6 * height,
+      height: 1.7 * height,
+      width: 0.85 * width,
+      low: true,
+      // Upright, the side that the ball hits fills the window.
+      tall: { x: 0.26 * height, y: 0.6 * height, height: 1.3 * height, width: 0.84 * height },
+    },
     spawn: [0.5 * width, height + 6],
   };
 }

@@ -1,7 +1,7 @@
-// Newton's cradle without threads or gravity: as many balls leave on one side as arrive on the
-// other, at the same speed. They come back from the wall, and so on for ever.
+// What Newton’s cradle does, without strings or gravity: as many balls leave on one side as arrive on
+// the other, at the same speed. They come back from the wall, and so on for ever.
 
-export const title = "Newton's cradle, no strings";
+export const title = "Rows of elastic balls";
 export const about = "In each of three rows as many balls leave as arrive, at the same speed.";
 export const menu = { group: "In motion", place: 480 };
 export const size = { means: "balls in a row", usual: 5, least: 4, most: 100 };

@@ -4,6 +4,7 @@
  * parted into two panes that show the same place.
  */
 import type { Vec2 } from "thud";
+import type { View } from "../scene/scene";
 
 export interface Insets {
   top: number;
@@ -51,7 +52,7 @@ export class Camera {
   /** Where controls lie over the canvas; the world's middle is that of what they leave free. */
   insets: Insets = { top: 0, right: 0, bottom: 0, left: 0 };
   #split = false;
-  #home = { x: 0, y: 0, height: 20, width: 0, low: false };
+  #home: View = { x: 0, y: 0, height: 20 };
 
   get middleX(): number {
     return this.panes[0].middleX;
@@ -134,36 +135,47 @@ export class Camera {
   }
 
   /** Remembers a scene's view: its middle, and what must fit, in metres. */
-  setHome(x: number, y: number, height: number, width = 0, low = false): void {
-    this.#home = { x, y, height, width, low };
+  setHome(view: View): void {
+    this.#home = view;
     this.goHome();
   }
 
   /** As `setHome`, with all of a box in view. */
   fit({ x0, y0, x1, y1 }: Box): void {
-    this.setHome((x0 + x1) / 2, (y0 + y1) / 2, y1 - y0, x1 - x0);
+    this.setHome({ x: (x0 + x1) / 2, y: (y0 + y1) / 2, height: y1 - y0, width: x1 - x0 });
   }
 
   goHome(): void {
-    this.x = this.#home.x;
+    const [freeWidth, freeHeight] = this.#free();
+    const { x, y, height, low } = this.#viewFor(freeWidth, freeHeight);
+    this.x = x;
     this.scale = this.#homeScale();
-    const { y, height, low } = this.#home;
     const shown = (2 * (this.middleY - this.insets.top)) / this.scale;
     this.y = low && !this.#split ? y + SKY * Math.max(0, shown - height) : y;
   }
 
-  #homeScale(): number {
+  /** Width and height of what controls leave free of the first pane. */
+  #free(): [width: number, height: number] {
     const [{ middleX, middleY }] = this.panes;
     const head = this.#split ? PANE_HEAD : 0;
-    const freeWidth = Math.max(LEAST_FREE, 2 * (middleX - this.insets.left));
-    const freeHeight = Math.max(LEAST_FREE, 2 * (middleY - this.insets.top - head));
-    const fitting = this.#fitting(freeWidth, freeHeight);
+    return [
+      Math.max(LEAST_FREE, 2 * (middleX - this.insets.left)),
+      Math.max(LEAST_FREE, 2 * (middleY - this.insets.top - head)),
+    ];
+  }
+
+  #viewFor(freeWidth: number, freeHeight: number): View {
+    return (freeHeight > freeWidth && this.#home.tall) || this.#home;
+  }
+
+  #homeScale(): number {
+    const fitting = this.#fitting(...this.#free());
     return Number.isFinite(fitting) ? fitting : this.scale;
   }
 
   /** The scale at which the remembered view fits into a part of the canvas. */
   #fitting(freeWidth: number, freeHeight: number): number {
-    const { height, width } = this.#home;
+    const { height, width = 0 } = this.#viewFor(freeWidth, freeHeight);
     return Math.min(freeHeight / height, width > 0 ? freeWidth / width : Infinity);
   }
 

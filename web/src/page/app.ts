@@ -251,6 +251,11 @@ export class App {
     if (this.#running) Object.assign(this.state, this.#running);
   }
 
+  /** Ends the scene that runs, for what the page found out about it. */
+  end(trouble: Trouble): void {
+    this.#stop(trouble, true);
+  }
+
   #stop(trouble: Trouble, running: boolean): void {
     if (trouble.tooLarge) {
       // Its memory goes with it.

@@ -80,8 +80,7 @@ export class Stage {
     const { camera } = this.view;
     app.listen({
       run: (scene) => {
-        const { x, y, height, width = 0, low } = scene.view;
-        camera.setHome(x, y, height, width, low);
+        camera.setHome(scene.view);
         const place = app.state.camera;
         if (place) {
           Object.assign(camera, place);

@@ -223,6 +223,8 @@ export interface View {
   width?: number;
   /** In a window that is taller than that, the view stands low: what is thrown goes up. */
   low?: boolean;
+  /** The view in a window that is taller than wide, as of a phone that is held upright. */
+  tall?: Omit<View, "tall">;
 }
 
 /** Names of colours, which the page's light and dark themes define. */

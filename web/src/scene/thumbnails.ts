@@ -36,6 +36,7 @@ export const THUMBNAILS: Readonly<Record<string, Thumbnail>> = {
   slopes: { size: 12, steps: 45, view: { x: 30, y: 4, height: 12 } },
   bullets: { size: 3, steps: 3, view: { x: -9, y: 0, height: 6 } },
   gas: { size: 250, steps: 90 },
+  newtons_cradle: { steps: 8 },
   bridge: { steps: 330, view: { x: 0, y: -1, height: 20 } },
   chain: { steps: 200 },
   wrecking_ball: { steps: 105 },
