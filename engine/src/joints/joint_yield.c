@@ -15,6 +15,7 @@
  * end. */
 #include "constraint/joining.h"
 #include "constraint/rings.h"
+#include "detection/trajectory.h"
 #include "islands/island_order.h"
 #include "joints/joint.h"
 #include "solver/error.h"
@@ -388,9 +389,22 @@ static void calm(const ring *r) {
     } while (slot.at != r->first.at);
 }
 
+/* Long arms may have made motions that positions cannot follow. */
+static void clamp_motions(const ring *r) {
+    td_awake_slot slot = r->first;
+    do {
+        float *delta = td_row(&r->w->delta, slot);
+        for (int k = 0; k < 3; k++) {
+            delta[k] = (float)td_motion_held(r->w, k, (double)delta[k]);
+        }
+        slot = td_next_tied(r->w, slot);
+    } while (slot.at != r->first.at);
+}
+
 static void mend(thud_world *w, td_awake_slot slot) {
     ring r = {.w = w, .first = slot};
     mend_records(&r);
+    clamp_motions(&r);
     walk(&r, note_contact);
     r.velocities = true;
     mend_records(&r);
