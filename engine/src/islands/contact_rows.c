@@ -8,8 +8,8 @@
  */
 #include "islands/rows.h"
 
-/* The share of an overlap that a step corrects, as Box2D's b2_baumgarte of 0.2. Chosen; what is left
- * is corrected in later steps. */
+/* The share of an overlap that a step corrects, as Box2D's b2_baumgarte of 0.2. Chosen; what is
+ * left is corrected in later steps. */
 #define PUSH_SHARE 0.2
 /* A separation counts as 0 below BLUR times the lever arms, which is some ten times the rounding of
  * floats (2^-24), but at most BLUR_MAX length scales; and BLUR_MIN length scales on top for bodies
