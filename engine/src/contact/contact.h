@@ -1,55 +1,63 @@
-/* contact.h: pairs of shapes whose fat bounds overlap, from their first overlap to their last. */
+/* contact.h: contacts: pairs of shapes whose fat bounds overlap. A contact exists from the step in
+ * which the bounds first overlap to the one in which they part; while its shapes touch, it holds a
+ * lane. */
 #ifndef TD_CONTACT_H
 #define TD_CONTACT_H
 
 #include "constraint/constraint.h"
 
-/* The kind of a pair, and whether the two change places so that a static shape, a terrain or the
- * box of a box-circle pair comes first. */
+/* The pair kind of two shapes. Swaps them where the kind wants the other order: a static shape, a
+ * terrain, or the box of a box and a circle comes first. */
 td_pair_kind td_pair_of(const thud_world *w, int *shape_a, int *shape_b);
-/* False for shapes of one body or a disabled one, two of which neither gives way (or, where one is
- * a sensor, neither moves), and what the filters keep apart. */
+/* Whether two shapes may make a contact. False for shapes of the same body or of a disabled one,
+ * where neither body is dynamic (for a sensor: where both are static), and where filters, rules or
+ * a joint keep the two from colliding. */
 bool td_pair_allowed(const thud_world *w, int shape_a, int shape_b);
 
-/* Whether either makes no events. */
+/* Whether one of two shapes makes no events. */
 bool td_pair_is_silent(const thud_world *w, int shape_a, int shape_b);
 
-/* Whether the fat bounds of two shapes, neither a terrain, overlap for real: in a vast world they
- * may wrap around and only seem to. */
+/* Whether the fat bounds of two shapes, neither a terrain, overlap. In a vast world, coarse
+ * coordinates wrap around and may only seem to overlap, so that the exact positions are compared,
+ * too. */
 bool td_pair_meets(const thud_world *w, int shape_a, int shape_b);
 
-/* Whether fat bounds overlap as they must for the contact to stay: of a line those of a segment. */
+/* Whether the fat bounds of a contact overlap, so that it stays; of a terrain those of its segment.
+ */
 bool td_contact_bounds_meet(const thud_world *w, const td_contact *contact);
 
 void td_contact_create(thud_world *w, td_pair_kind kind, int shape_a, int shape_b, int child);
-/* Tells that the contact touches, or overlaps a sensor, unless a shape of it makes no events. Room
- * for the begin event must be there, in world.events. */
+/* Marks a contact as begun (it touches, or overlaps a sensor), and adds its begin event unless a
+ * shape of it makes no events. Room in world.events must be reserved. */
 void td_contact_begin(thud_world *w, int contact);
-/* Tells that it does so no more, if its begin was told. td_contact_end_reserve has made room for
- * the end event. */
+/* Marks it as ended, and adds its end event if there was a begin event. td_contact_end_reserve must
+ * have made room. */
 void td_contact_end(thud_world *w, int contact);
-/* Takes a joint as well, which has no end event. */
+/* Ends and destroys a contact, or destroys the constraint of a joint, which has no events. */
 void td_contact_destroy(thud_world *w, int constraint);
+/* Makes room for the end events of `more` contacts. False when memory is short. */
 bool td_contact_end_reserve(thud_world *w, int more);
-/* Edits that wait for the next step end it, or the joint. */
+/* Whether edits that wait for the next step will end the contact, or the constraint of a joint. */
 bool td_contact_is_ending(const thud_world *w, const td_constraint *constraint);
-/* Appends what the sensor of the pair tells, for which there is room; of two sensors the second one
- * tells as well. `time`: in [0, 1] of the step. */
+/* Appends the event of a sensor's pair to `list`, and its time to `times`, both of which have room.
+ * Of two sensors each gets an event. `time`: 0 at the start of the step to 1 at its end. */
 void td_sensor_tell(thud_world *w, td_array *list, td_array *times, int shape_a, int shape_b,
                     float time);
-/* A touching contact touches no more: it gives its lane back, and its end is told. */
+/* Ends a touching contact: it gives its lane back and waits, and its end event is added. */
 void td_contact_part(thud_world *w, int contact);
 
-/* Two shapes that have no lane as callers see them: `at` is between where they are nearest. */
+/* The public view of two shapes that have no lane; `at` is the middle between their closest points.
+ */
 thud_contact td_contact_between(const thud_world *w, int shape_a, int shape_b, td_position at,
                                 thud_vec2 normal, double distance);
 
-/* As an event tells it: what two bodies were given may add up to more than a float has. */
+/* The approach speed of a hit event, finite: the sum of two great velocities may overflow. */
 static inline float td_hit_speed(float approach) {
     return approach <= FLT_MAX ? approach : FLT_MAX;
 }
 
-/* A lane as callers see it, and how fast a point of it closes, > 0. contact_view.c */
+/* contact_view.c: the public view of a lane; and the speed at which a point of it closes, > 0,
+ * length/s. */
 thud_contact td_contact_view(const thud_world *w, td_block *block, int lane);
 float td_contact_closing(const thud_world *w, const td_block *block, const td_point *p, int lane);
 

@@ -1,4 +1,5 @@
-/* contact_lanes.c: what contacts keep in their lanes. */
+/* contact_lanes.c: writes what a contact keeps in its lane: shapes, friction and restitution, and
+ * which general paths its block needs. */
 #include "constraint/lanes.h"
 #include "contact/internal_edges.h"
 #include "rules/ruling.h"
@@ -17,6 +18,7 @@ void td_contact_settle(thud_world *w, td_block *block, int lane, int index) {
     }
 }
 
+/* A contact takes a lane. */
 static void fill(thud_world *w, td_block *block, int lane, int index) {
     const td_contact *contact = td_contact_at(w, index);
     const td_shape *a = td_shape_at(w, contact->shape_a);
@@ -29,15 +31,17 @@ static void fill(thud_world *w, td_block *block, int lane, int index) {
     block->mark[lane].internal_edges = td_internal_edges_of(a, b);
 }
 
-/* The world counts lanes that bounce or carry along. */
+/* A contact leaves its lane: clears its surface, since the world counts lanes with restitution and
+ * with a surface speed. */
 static void clear(thud_world *w, td_block *block, int lane, int index) {
     td_surface_set(w, block, points_of(w, td_contact_at(w, index)), lane,
                    &(thud_contact_settings){0.0f, 0.0f, 0.0f});
 }
 
-/* A lane without masses is worked out anew, whatever its manifold cache says. */
+/* Makes the narrowphase compute the manifold anew: a lane without effective masses is not kept by
+ * the manifold cache. */
 static void renew(thud_world *w, td_block *block, int lane, int index) {
-    block->armed = 1; /* its shapes may have got another centre of mass */
+    block->armed = 1; /* a body may have got another centre of mass */
     for (int k = 0; k < points_of(w, td_contact_at(w, index)); k++) {
         block->point[k].normal_mass[lane] = 0.0f;
     }

@@ -1,4 +1,4 @@
-/* contact_view.c: contacts as callers see them, and hits. */
+/* contact_view.c: the public view of contacts (thud_contact), and hit events. */
 #include "state/body.h"
 #include "contact/contact.h"
 #include "state/handles.h"
@@ -29,7 +29,8 @@ thud_contact td_contact_view(const thud_world *w, td_block *block, int lane) {
         seen.normal_impulse += td_history_of(block, points)[k].total[lane];
     }
     seen.tangent_impulse = td_surface_at(block, points)->total[lane];
-    /* The crosses of the mean arm with normal and tangent are the arm itself, turned. */
+    /* The blocks have no points, only r x n and r x t of the arm r from b's centre of mass. With n
+     * and t orthonormal these two are r's coordinates: r = (r x n) (ny, -nx) - (r x t) (nx, ny). */
     float cn = seen.point_count ? along / (float)seen.point_count : 0.0f;
     float ct = block->tangent_cross_b[lane];
     td_position at = {pose->center.x + td_length_from(w, cn * ny - ct * nx),
@@ -45,8 +46,9 @@ float td_contact_closing(const thud_world *w, const td_block *block, const td_po
            a[2] * p->cross_a[lane] - b[2] * p->cross_b[lane];
 }
 
-/* Tells hits of contacts that the solver will stop. Those that detection resolves within the step,
- * and those that do nothing in it, have no points here: see bounces.c. */
+/* Adds hit events of contacts that have begun in this step and close faster than hit_speed.
+ * Contacts that detection resolves at their time of impact are muted (bounces.c), have no points
+ * here, and get their events there. */
 void td_contacts_hit(thud_world *w) {
     float least = -w->def.hit_speed * w->unit;
     for (int i = 0; i < w->scratch.begins.count && w->def.contact_events; i++) {

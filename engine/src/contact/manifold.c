@@ -1,4 +1,4 @@
-/* manifold.c: see manifold.h; the contacts of one body. */
+/* manifold.c: public manifolds of contacts, and the public call that lists those of one body. */
 #include "contact/manifold.h"
 
 #include "state/body.h"
@@ -26,8 +26,8 @@ thud_manifold td_manifold_of(const thud_world *w, const td_contact *contact) {
         if (p->normal_mass[lane] == 0.0f) {
             continue;
         }
-        /* The crosses of the arm with normal and tangent are the arm itself, turned; both points
-         * have one tangent, and so one cross with it. */
+        /* The lever arm r from b's centre of mass, by its cross products with normal and tangent,
+         * as in contact_view.c. Both points have the same r x t. */
         float cn = p->cross_b[lane];
         td_position at = {pose->center.x + td_length_from(w, cn * ny - ct * nx),
                           pose->center.y + td_length_from(w, -cn * nx - ct * ny)};

@@ -1,8 +1,10 @@
-/* narrowphase.c: which pairs touch, and how.
+/* narrowphase.c: the stage that finds which pairs touch, and computes their manifolds.
  *
- * Waiting pairs are tested in blocks of their own; those that touch take a lane. Then all lanes get
- * their manifold in place, in the blocks that the solver works on; those that touch no more give
- * their lane back and wait. A step that is tried again goes on where it ran out of memory. */
+ * Contacts whose shapes do not touch wait. Each step tests them in scratch blocks, and those that
+ * touch take a lane. Then the manifolds of all lanes are computed in place, in the blocks that the
+ * solver works on; a contact that no longer touches gives its lane back and waits. The stage has
+ * five parts, and a step that is made again after it ran out of memory goes on with the part that
+ * failed. */
 #include "contact/contact.h"
 #include "state/jobs.h"
 #include "state/handles.h"
@@ -14,7 +16,7 @@
 
 #include <string.h>
 
-enum { TEST_BLOCKS = 32 };
+enum { TEST_BLOCKS = 32 }; /* scratch blocks: 256 waiting contacts are tested at once. Chosen. */
 
 static td_collide_context context_of(const thud_world *w) {
     return (td_collide_context){
@@ -27,7 +29,8 @@ static td_collide_context context_of(const thud_world *w) {
     };
 }
 
-/* Returns whether one of the blocks is armed. `parted` has room for one more than the blocks. */
+/* Runs a kind's kernel on blocks. Returns whether one of them is armed. `parted` gets the blocks of
+ * which a lane does not touch; it needs room for one more than the blocks. */
 static int collide(thud_world *w, int kind, td_block *const *blocks, int count, td_block **parted,
                    int *parted_count) {
     td_collide_context context = context_of(w);
@@ -45,14 +48,15 @@ static int collide(thud_world *w, int kind, td_block *const *blocks, int count, 
 
 /* ---- waiting pairs ---- */
 
-static bool test_room(thud_world *w) {
+/* Room for the scratch blocks. False when memory is short. */
+static bool reserve_tests(thud_world *w) {
     td_array *blocks = &w->scratch.test_blocks, *list = &w->scratch.test_list;
     blocks->stride = (int)td_form_bytes(TD_FORM_TWO_CACHED);
     return td_array_reserve(&w->memory, blocks, TEST_BLOCKS) &&
            td_array_reserve(&w->memory, list, TEST_BLOCKS);
 }
 
-/* Runs the pair kind's own kernel on the contacts and lists those that have a point. */
+/* Runs the kind's kernel on waiting contacts in scratch blocks, and lists those that touch. */
 static void test_contacts(thud_world *w, int kind, const int *contacts, int count) {
     td_block **list = w->scratch.test_list.data;
     int blocks = (count + TD_LANES - 1) / TD_LANES;
@@ -85,7 +89,7 @@ static void test_contacts(thud_world *w, int kind, const int *contacts, int coun
     }
 }
 
-/* Waiting pairs on their way to the exact test. */
+/* Waiting contacts that are collected for the exact test. */
 typedef struct batch {
     thud_world *w;
     int kind, count;
@@ -106,7 +110,8 @@ static void add_to_batch(batch *b, int contact) {
     }
 }
 
-/* One by one, where the kind has no sieve, or bounds may deceive. */
+/* Collects the contacts whose bounds overlap and lists those whose bounds have parted, one by one:
+ * for kinds without a sift function, and in a vast world. */
 static void sift_singly(batch *b, const int *waiting, int count) {
     for (int i = 0; i < count; i++) {
         if (td_contact_bounds_meet(b->w, td_contact_at(b->w, waiting[i]))) {
@@ -117,6 +122,8 @@ static void sift_singly(batch *b, const int *waiting, int count) {
     }
 }
 
+/* The same eight at a time; only contacts that may touch, by a quick lower bound of their
+ * separation, are collected. */
 static void sift_widely(batch *b, const int *waiting, int count) {
     thud_world *w = b->w;
     td_sift_fn *sift = w->kinds[b->kind]->sift;
@@ -143,7 +150,8 @@ static void sift_widely(batch *b, const int *waiting, int count) {
     }
 }
 
-/* Sorts the waiting pairs of one kind into those that begin and those whose bounds parted. */
+/* Sorts the waiting contacts of one kind into those that touch (scratch.begins), those whose bounds
+ * have parted (scratch.ends), and the rest. */
 static void test_waiting(thud_world *w, int kind) {
     batch b = {.w = w, .kind = kind};
     if (w->kinds[kind]->sift && !w->vast) {
@@ -154,9 +162,9 @@ static void test_waiting(thud_world *w, int kind) {
     test_batch(&b);
 }
 
-/* Which waiting pairs touch. What began in a step that ran out of memory stays listed: nobody heard
- * of it. */
-static bool find_meeting(thud_world *w) {
+/* Part 1: finds the waiting contacts that touch. Contacts that have begun in a step that then ran
+ * out of memory stay in scratch.begins, since their events have not been published. */
+static bool find_touching(thud_world *w) {
     int contacts = w->constraints.live, *begins = w->scratch.begins.data, kept = 0;
     for (int i = 0; i < w->scratch.begins.count; i++) {
         const td_contact *contact = td_contact_at(w, begins[i]);
@@ -166,7 +174,7 @@ static bool find_meeting(thud_world *w) {
     }
     w->scratch.begins.count = kept;
     w->scratch.ends.count = 0;
-    if (!test_room(w) || !td_array_reserve(&w->memory, &w->scratch.begins, kept + contacts) ||
+    if (!reserve_tests(w) || !td_array_reserve(&w->memory, &w->scratch.begins, kept + contacts) ||
         !td_array_reserve(&w->memory, &w->scratch.ends, contacts)) {
         return false;
     }
@@ -178,6 +186,8 @@ static bool find_meeting(thud_world *w) {
     return true;
 }
 
+/* Part 2: wakes islands that are touched, and gives the contacts that touch lanes and begin events.
+ */
 static bool begin_contacts(thud_world *w) {
     td_array *begins = &w->scratch.begins;
     if (begins->count == 0) {
@@ -207,8 +217,7 @@ static bool begin_contacts(thud_world *w) {
         td_constraint_rest(w, list[i]);
     }
     bool placed = td_lanes_place(w, list, count);
-    /* Where memory was short, contacts wait again, as the last of the waiting list: they are the
-     * first to leave it. */
+    /* Without memory for lanes, the contacts wait again. */
     for (int i = 0; i < count; i++) {
         (placed ? td_contact_begin : td_constraint_wait)(w, list[i]);
     }
@@ -222,7 +231,8 @@ typedef struct colliding {
     td_job task;
 } colliding;
 
-/* Every chunk lists its parted blocks where its own blocks begin. */
+/* A chunk of blocks, for one worker. Chunks list blocks with parted lanes in disjoint pieces of one
+ * array: each has room for one more than its blocks, hence `first + index`. */
 static void collide_chunk(void *work, int index) {
     thud_world *w = ((const colliding *)work)->w;
     td_chunk *chunk = TD_AT(td_chunk, &w->scratch.chunks, index);
@@ -239,6 +249,7 @@ static void collide_as_worker(void *argument) {
     td_worker_walk(&worker, c->w->scratch.chunks.count, collide_chunk, c);
 }
 
+/* Computes the manifolds of all lanes, and joins the lists of the chunks. */
 static void collide_lanes(thud_world *w) {
     colliding c = {w, td_job_begin(w)};
     td_job_run(w, &c.task, collide_as_worker, &c);
@@ -256,7 +267,7 @@ static void collide_lanes(thud_world *w) {
     }
 }
 
-/* Lanes without a point left go back to waiting. */
+/* Part 5: contacts that no longer touch give their lanes back and wait. */
 static bool part_contacts(thud_world *w) {
     td_array *ends = &w->scratch.ends;
     ends->count = 0;
@@ -276,8 +287,8 @@ static bool part_contacts(thud_world *w) {
     for (int i = 0; i < ends->count; i++) {
         int contact = td_int_at(ends, i);
         td_contact_part(w, contact);
-        /* After a teleport the bounds may be apart as well; then the pair ends at once, as the
-         * broadphase believes that it has. */
+        /* After a teleport the bounds may have parted as well. The broadphase has dropped such a
+         * pair already. */
         if (!td_contact_bounds_meet(w, td_contact_at(w, contact))) {
             td_contact_destroy(w, contact);
         }
@@ -285,7 +296,8 @@ static bool part_contacts(thud_world *w) {
     return td_lanes_sequence(w) && td_job_reserve(w);
 }
 
-/* Bounds that parted, those of sensors too. What such a one overlapped until an edit ends here. */
+/* Part 3: destroys contacts whose bounds have parted, those of sensors too, whose end event is
+ * added. */
 static bool part_waiting(thud_world *w) {
     const td_array *sensed = &w->waiting[TD_PAIR_SENSOR];
     if (sensed->count > 0 && !td_contact_end_reserve(w, sensed->count)) {
@@ -303,6 +315,7 @@ static bool part_waiting(thud_world *w) {
     return true;
 }
 
+/* Part 4: manifolds of all lanes, and internal edges. */
 static bool collide_all(thud_world *w) {
     if (!td_lanes_sequence(w) || !td_job_reserve(w)) {
         return false;
@@ -316,7 +329,7 @@ static bool collide_all(thud_world *w) {
 
 bool td_narrowphase(thud_world *w) {
     enum { PARTS = 5 };
-    static bool (*const parts[PARTS])(thud_world *) = {find_meeting, begin_contacts, part_waiting,
+    static bool (*const parts[PARTS])(thud_world *) = {find_touching, begin_contacts, part_waiting,
                                                        collide_all, part_contacts};
     while (w->narrowed < PARTS && parts[w->narrowed](w)) {
         w->narrowed++;

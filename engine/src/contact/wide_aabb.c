@@ -1,5 +1,5 @@
-/* wide_aabb.c: contacts between axis-aligned boxes. Neither side rotates, so one point in the
- * middle of the common edge does the work of two; its arms only tell callers where it is. */
+/* wide_aabb.c: manifolds of axis-aligned boxes. Neither body rotates, so that one point in the
+ * middle of the shared edge is enough; its lever arms only say where it is, for the public view. */
 #include "contact/pair_kinds.h"
 #include "contact/wide_collide.h"
 
@@ -13,7 +13,7 @@ static void aabb_aabb(td_block *const *blocks, int count, const td_collide_conte
         f8 sx = f8_abs(p.dx) - p.ahx - p.bhx, sy = f8_abs(p.dy) - p.ahy - p.bhy;
         i8 by_x = sx > sy;
         f8 separation = f8_max(sx, sy), other = f8_min(sx, sy);
-        /* Corners that only pass each other do not touch. */
+        /* Boxes must overlap along the other axis: corners that pass each other do not touch. */
         i8 valid = td_used_mask(block) & (separation < f8_all(c->margin)) & (other < zero);
         block->nx = f8_keep(by_x, f8_flip(one, p.dx < zero));
         block->ny = f8_keep(~by_x, f8_flip(one, p.dy < zero));

@@ -1,11 +1,12 @@
-/* wide_box.c: contacts between boxes of which at least one is oriented.
+/* wide_box.c: manifolds of boxes of which at least one is oriented, by the separating axis test and
+ * clipping (Gottschalk et al., "OBBTree", 1996; Catto, "Contact manifolds", GDC 2007).
  *
- * The separating axis with the largest separation gives the reference face; the other box's face
- * that looks at it most is clipped to its sides, and leaves up to two points. Everything happens in
- * a frame in which the reference face looks along +x: eight pairs choose their axes by masks, and
- * run the same instructions. A contact is named by its two faces, whichever of them is the
- * reference, and its points are ordered along the normal's perpendicular, so that impulses find
- * their points again when the roles change. */
+ * The axis with the largest separation gives the reference face. The face of the other box that is
+ * most opposed to it, the incident edge, is clipped to the reference face's sides and leaves up to
+ * two points. Everything is computed in a frame whose +x axis is the reference face's normal, so
+ * that eight pairs with different axes run the same instructions with masks. A manifold's feature
+ * is the pair of its two faces, whichever is the reference, and its points are ordered along the
+ * tangent, so that impulses stay with their points when the roles of the boxes change. */
 #include "contact/pair_kinds.h"
 #include "contact/wide_manifold_cache.h"
 
@@ -23,8 +24,8 @@ TD_INLINE void swap_where(i8 mask, f8 *a, f8 *b) {
     *a = t;
 }
 
-/* Turns the frame so that the reference face looks along +x: a quarter where the y axis was chosen,
- * then a half where the other box is on the far side. */
+/* Turns the frame so that the reference face's normal is +x: by a quarter where the y axis was
+ * chosen, then by a half where the other box is on the negative side. */
 TD_INLINE void turn_to_face(turned *t, i8 by_y) {
     f8 x = f8_pick(by_y, t->y, t->x), y = f8_pick(by_y, -t->x, t->y);
     f8 c = f8_pick(by_y, t->s, t->c), s = f8_pick(by_y, -t->c, t->s);
@@ -47,7 +48,7 @@ typedef struct edge {
     i8 face;
 } edge;
 
-/* The face of the other box that looks most along -x. */
+/* The face of the other box whose normal is nearest to -x. */
 TD_INLINE edge incident_edge(const turned *t, f8 hx, f8 hy) {
     f8 zero = f8_all(0.0f);
     i8 by_x = f8_abs(t->c) >= f8_abs(t->s);
@@ -66,7 +67,7 @@ TD_INLINE edge incident_edge(const turned *t, f8 hx, f8 hy) {
     return e;
 }
 
-/* Separations along the axes of both boxes, and what they are made of. */
+/* Separations along the axes of both boxes, and the relative pose. */
 typedef struct axes {
     f8 dax, day, dbx, dby; /* each centre in the other's frame */
     f8 c, s;               /* b's rotation in a's frame */
@@ -88,7 +89,8 @@ TD_INLINE axes axes_of(const td_pairs8 *p) {
     return x;
 }
 
-/* New manifolds for the lanes in `fresh`, or for all; returns the lanes that touch. */
+/* Computes the manifolds of the lanes in `fresh`, or of all where it is null. Returns the lanes
+ * that touch. */
 TD_INLINE i8 collide_block(td_block *block, const td_pairs8 *pairs, const i8 *fresh,
                            const td_collide_context *context) {
     f8 half = f8_all(0.5f), margin = f8_all(context->margin);
@@ -116,7 +118,8 @@ TD_INLINE i8 collide_block(td_block *block, const td_pairs8 *pairs, const i8 *fr
     f8 y0 = f8_clamp(low, -t.ry, t.ry), y1 = f8_clamp(high, -t.ry, t.ry);
     f8 x0 = e.cx + (y0 - e.cy) * slope, x1 = e.cx + (y1 - e.cy) * slope;
     f8 s0 = x0 - t.rx, s1 = x1 - t.rx;
-    /* The frame of a reference b is upside down as seen along the normal from a. */
+    /* With b as the reference, the normal from a is -x, so that the order along the tangent is
+     * reversed. */
     swap_where(by_b, &y0, &y1);
     swap_where(by_b, &x0, &x1);
     swap_where(by_b, &s0, &s1);
@@ -151,7 +154,7 @@ TD_INLINE i8 collide_block(td_block *block, const td_pairs8 *pairs, const i8 *fr
     return valid0 | valid1;
 }
 
-/* Notes the poses of the lanes in `fresh`. */
+/* Stores the poses of the lanes in `fresh` in the manifold cache. */
 TD_INLINE void note_poses(td_block *block, const td_pairs8 *p, i8 fresh, f8 dx, f8 dy,
                           const td_collide_context *context) {
     td_manifold_cache *kept = td_manifold_cache_of(block, 2);

@@ -1,8 +1,9 @@
-/* wide_circle.c: contacts of circles with circles and with boxes. */
+/* wide_circle.c: manifolds of circles with circles and with boxes, eight pairs at a time: one
+ * contact point, in the middle between the two surfaces. */
 #include "contact/pair_kinds.h"
 #include "contact/wide_collide.h"
 
-/* Unit vector along (x, y) and its length; +y where the length vanishes. */
+/* Normalises (x, y) and returns its length; the zero vector becomes (0, 1). */
 TD_INLINE f8 normalise(f8 *x, f8 *y) {
     f8 length = f8_sqrt(*x * *x + *y * *y);
     i8 long_enough = length > f8_all(1e-18f);
@@ -12,7 +13,7 @@ TD_INLINE f8 normalise(f8 *x, f8 *y) {
     return f8_keep(long_enough, length);
 }
 
-/* A place in a square of its own for every shape. */
+/* A pseudo-random point of a square for each shape index (a multiplicative hash). */
 TD_INLINE void scatter(int32_t shape, float *x, float *y) {
     uint32_t bits = (uint32_t)shape * 0x9e3779b1u;
     bits = (bits ^ bits >> 15) * 0x85ebca6bu;
@@ -20,8 +21,8 @@ TD_INLINE void scatter(int32_t shape, float *x, float *y) {
     *y = (float)(bits >> 16);
 }
 
-/* Centres that coincide part as if they lay scattered: a crowd in one place then comes apart to all
- * sides, and not along a line, whose ends half of it would push. */
+/* Replaces the zero vector between coinciding centres by one between pseudo-random points, so that
+ * many circles in one place come apart to all sides instead of along a line. */
 TD_INLINE void part_coincident(const td_block *block, f8 *x, f8 *y) {
     for (unsigned bits = i8_bits((*x == f8_all(0.0f)) & (*y == f8_all(0.0f))); bits;
          bits &= bits - 1) {
@@ -67,7 +68,7 @@ TD_INLINE f8 circle_in_box_frame(f8 x, f8 y, f8 hx, f8 hy, f8 r, f8 *nx, f8 *ny)
     i8 inside = (dx == f8_all(0.0f)) & (dy == f8_all(0.0f));
     f8 ux = dx, uy = dy;
     f8 distance = normalise(&ux, &uy);
-    /* The centre inside: out through the nearest face. */
+    /* A centre inside the box leaves through the nearest face. */
     f8 depth_x = hx - f8_abs(x), depth_y = hy - f8_abs(y);
     i8 by_x = depth_x < depth_y;
     f8 one = f8_all(1.0f);
@@ -78,18 +79,21 @@ TD_INLINE f8 circle_in_box_frame(f8 x, f8 y, f8 hx, f8 hy, f8 r, f8 *nx, f8 *ny)
     return f8_pick(inside, -f8_min(depth_x, depth_y), distance) - r;
 }
 
-typedef struct met {
+/* A box and a circle. */
+typedef struct box_circle8 {
     f8 dx, dy; /* from the box to the circle */
     f8 nx, ny; /* from the box */
     f8 separation;
     f8 r;
-} met;
+} box_circle8;
 
-/* `flip`: the circle is a and the box is b. */
-TD_INLINE met meet(const td_pairs8 *p, bool flip) {
+/* The contact of a box and a circle; `flip`: the circle is a and the box is b. */
+TD_INLINE box_circle8 meet_box_circle(const td_pairs8 *p, bool flip) {
     f8 cosine = flip ? p->bc : p->ac, sine = flip ? p->bs : p->as;
     f8 hx = flip ? p->bhx : p->ahx, hy = flip ? p->bhy : p->ahy;
-    met m = {.dx = flip ? -p->dx : p->dx, .dy = flip ? -p->dy : p->dy, .r = flip ? p->ahx : p->bhx};
+    box_circle8 m = {.dx = flip ? -p->dx : p->dx,
+                     .dy = flip ? -p->dy : p->dy,
+                     .r = flip ? p->ahx : p->bhx};
     f8 lx, ly;
     m.separation = circle_in_box_frame(cosine * m.dx + sine * m.dy, cosine * m.dy - sine * m.dx, hx,
                                        hy, m.r, &lx, &ly);
@@ -100,7 +104,7 @@ TD_INLINE met meet(const td_pairs8 *p, bool flip) {
 
 TD_INLINE void box_and_circle(td_block *block, const td_collide_context *c, bool flip) {
     td_pairs8 p = td_read_pairs(block, c);
-    met m = meet(&p, flip);
+    box_circle8 m = meet_box_circle(&p, flip);
     f8 nx = m.nx, ny = m.ny, dx = m.dx, dy = m.dy, separation = m.separation, r = m.r;
     i8 valid = td_used_mask(block) & (separation < f8_all(c->margin));
     f8 reach = -(r + f8_all(0.5f) * separation); /* along the normal, from the circle's centre */
@@ -135,12 +139,12 @@ static void circle_box(td_block *const *blocks, int count, const td_collide_cont
 
 static td_sifted sift_box_circle(const int32_t *a, const int32_t *b, const td_collide_context *c) {
     td_pairs8 p = td_read_shapes(a, b, 0, c);
-    return td_sift(a, b, meet(&p, false).separation, c);
+    return td_sift(a, b, meet_box_circle(&p, false).separation, c);
 }
 
 static td_sifted sift_circle_box(const int32_t *a, const int32_t *b, const td_collide_context *c) {
     td_pairs8 p = td_read_shapes(a, b, 0, c);
-    return td_sift(a, b, meet(&p, true).separation, c);
+    return td_sift(a, b, meet_box_circle(&p, true).separation, c);
 }
 
 TD_CIRCLE_PAIRS(TD_DEFINE_PAIR)

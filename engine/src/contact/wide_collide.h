@@ -1,5 +1,6 @@
-/* wide_collide.h: what the narrowphase kernels share: reading the poses of eight pairs, and turning
- * a contact point into the rows that the solver needs. */
+/* wide_collide.h: what the narrowphase kernels share: reading the shapes of eight pairs, and
+ * writing a contact point as the solver needs it (separation, lever arms crossed with the normal,
+ * effective masses). */
 #ifndef TD_WIDE_COLLIDE_H
 #define TD_WIDE_COLLIDE_H
 
@@ -7,7 +8,7 @@
 
 #include <stddef.h>
 
-/* Block by block the kernels ask early for the rows of a later one. */
+/* Prefetches the head of the block three ahead, and the velocities that it will read. */
 TD_INLINE void td_fetch_block(td_block *const *blocks, int i, int count, int points) {
     td_fetch_early(blocks, i, count, points);
     if (i + 3 < count) {
@@ -18,7 +19,7 @@ TD_INLINE void td_fetch_block(td_block *const *blocks, int i, int count, int poi
     }
 }
 
-/* ... and, where little is done with them, for the shapes of the next one. */
+/* Prefetches the shapes of the next block, for kernels with little arithmetic. */
 TD_INLINE void td_fetch_shapes(td_block *const *blocks, int i, int count,
                                const td_collide_context *c) {
     for (int k = 0; k < TD_LANES && i + 1 < count; k++) {
@@ -28,13 +29,13 @@ TD_INLINE void td_fetch_shapes(td_block *const *blocks, int i, int count,
 }
 
 typedef struct td_pairs8 {
-    f8 dx, dy;         /* from a's centre to b's */
-    f8 ax, ay, ac, as; /* a: offset from its centre of mass; cosine, sine */
-    f8 bx, by, bc, bs;
+    f8 dx, dy;             /* from the centre of shape a to that of b */
+    f8 ax, ay, ac, as;     /* a: offset of the shape from its body's centre of mass; cosine, sine */
+    f8 bx, by, bc, bs;     /* the same of b */
     f8 ahx, ahy, bhx, bhy; /* half extents */
 } td_pairs8;
 
-/* Four floats of each stance, from the member at `offset` on. */
+/* Four floats of each shape proxy from `offset` on, transposed. */
 TD_INLINE td_rows td_gather_proxies(const td_collide_context *c, const int32_t *index,
                                     size_t offset) {
     const float *r[TD_LANES];
@@ -44,8 +45,8 @@ TD_INLINE td_rows td_gather_proxies(const td_collide_context *c, const int32_t *
     return td_turn(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]), f8_two(r[3], r[7]));
 }
 
-/* Exact differences of two lanes' centres, as doubles: x, y, x, y. Shapes whose bounds overlap are
- * nearer than 2^51 quanta; what else may come out is then no contact's. */
+/* Exact differences of the centres of two pairs, in quanta, as doubles: x, y, x, y. They are exact
+ * up to 2^51 quanta, and shapes whose bounds overlap are nearer than that. */
 TD_INLINE d4 td_between(const td_shape_proxy *a0, const td_shape_proxy *b0,
                         const td_shape_proxy *a1, const td_shape_proxy *b1) {
     l4 bits = {b0->center.x - a0->center.x, b0->center.y - a0->center.y,
@@ -54,6 +55,8 @@ TD_INLINE d4 td_between(const td_shape_proxy *a0, const td_shape_proxy *b0,
     return (d4)bits - TD_ROUND_SHIFT;
 }
 
+/* Reads eight pairs. Offsets from the centres of mass are read where `armed`, and are 0 otherwise.
+ */
 TD_INLINE td_pairs8 td_read_shapes(const int32_t *shape_a, const int32_t *shape_b, int armed,
                                    const td_collide_context *c) {
     td_pairs8 p;
@@ -88,13 +91,13 @@ TD_INLINE td_pairs8 td_read_pairs(const td_block *block, const td_collide_contex
     return td_read_shapes(block->shape_a, block->shape_b, block->armed, c);
 }
 
-/* Four bounds of each shape. */
+/* The fat bounds of eight shapes: min x, min y, max x, max y. */
 TD_INLINE void td_read_bounds(const td_collide_context *c, const int32_t *shapes, i8 out[4]) {
     td_rows rows = td_gather_proxies(c, shapes, offsetof(td_shape_proxy, fat));
     out[0] = (i8)rows.x, out[1] = (i8)rows.y, out[2] = (i8)rows.z, out[3] = (i8)rows.w;
 }
 
-/* `separation` is no more than the exact one. */
+/* Sorts eight pairs by their bounds and by `separation`, a lower bound of the exact one. */
 TD_INLINE td_sifted td_sift(const int32_t *shape_a, const int32_t *shape_b, f8 separation,
                             const td_collide_context *c) {
     i8 a[4], b[4];
@@ -110,7 +113,7 @@ TD_INLINE i8 td_used_mask(const td_block *block) {
     return lane < i8_all(block->used);
 }
 
-/* Notes which lanes touch. */
+/* Stores which lanes touch, and lists the block if one does not. */
 TD_INLINE void td_set_touching(td_block *block, unsigned touching, const td_collide_context *c) {
     block->touching = touching;
     c->parted[*c->parted_count] = block;
@@ -118,13 +121,15 @@ TD_INLINE void td_set_touching(td_block *block, unsigned touching, const td_coll
     *c->parted_count += touching != (1u << block->used) - 1u;
 }
 
-/* A contact point as a kernel finds it: r_a and r_b are its arms about the centres of mass. */
+/* A contact point as a kernel finds it; (rax, ray) and (rbx, rby) are its lever arms about the
+ * centres of mass. */
 typedef struct td_found {
     i8 valid;
     f8 separation, rax, ray, rbx, rby;
 } td_found;
 
-/* Lanes that keep their old rows; kernels that keep none pass no mask, which costs nothing. */
+/* Writes the lanes in `fresh`; a null mask writes all, and costs nothing, as it is known when
+ * compiling. */
 TD_INLINE void td_set_row(f8 *row, const i8 *fresh, f8 value) {
     *row = fresh ? f8_pick(*fresh, value, *row) : value;
 }
@@ -134,8 +139,8 @@ TD_INLINE f8 td_inverse_or_zero(i8 valid, f8 k) {
     return f8_keep(heavy, f8_all(1.0f) / f8_pick(heavy, k, f8_all(1.0f)));
 }
 
-/* Friction acts at the middle of the points, which is the same for the bodies as at each of them:
- * they lie on one tangent line. */
+/* The point at which friction acts: the middle of the contact points. As they lie on one line along
+ * the tangent, the lever arm of the tangent impulse is the same at each of them. */
 TD_INLINE td_found middle_of(const td_found *found, int points) {
     if (points == 1) {
         return found[0];
@@ -151,8 +156,8 @@ TD_INLINE td_found middle_of(const td_found *found, int points) {
                       p.rby + (q.rby - p.rby) * share};
 }
 
-/* Writes the rows of the block's points, for its normal and impulses as they stand. Points that are
- * not valid have no mass and no impulse: they neither push nor remember. */
+/* Writes the block's points for its present normal and impulses. A point that is not valid gets an
+ * effective mass and an impulse of 0, so that it does nothing in the solver. */
 TD_INLINE void td_write_points(td_block *block, const td_found *found, int points, const i8 *fresh,
                                const td_collide_context *c) {
     f8 apart = f8_all(TD_APART);

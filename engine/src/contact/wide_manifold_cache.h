@@ -1,37 +1,43 @@
-/* wide_manifold_cache.h: keeping a manifold while its pair hardly moves.
+/* wide_manifold_cache.h: reuses a manifold while the two shapes hardly move against each other
+ * (contact recycling in Box2D v3.2, whose idea it is).
  *
- * Box2D v3.2 calls this contact recycling; the idea is its author's. It matters twice: resting
- * contacts cost a fraction of the narrowphase, and anchors that stay put make soft stacks stand
- * that would slowly buckle if every step chose them anew (a column of 30 boxes leans over within
- * eight seconds without it). Normal, arms and masses stay; separations follow the poses to first
- * order, from the poses of the manifold, so that nothing accumulates. */
+ * Resting contacts then cost a fraction of the narrowphase. Besides, contact points that do not
+ * move keep soft stacks standing: with points chosen anew in every step, a column of 30 boxes leans
+ * over within eight seconds. Normal, lever arms and effective masses are kept. Separations are
+ * updated to first order, from the poses for which the manifold was computed, so that errors do not
+ * add up: separation = base + n . (relative motion of the centres) + turn_b (r_b x n) - turn_a (r_a
+ * x n) */
 #ifndef TD_WIDE_KEEP_H
 #define TD_WIDE_KEEP_H
 
 #include "contact/wide_collide.h"
 
-/* Rotation of either body for which a world-fixed normal is still good: about three degrees. */
+/* Greatest rotation of either body since then, radians (about three degrees): beyond it, the
+ * normal, which does not turn along, is off by more than 5 %. Chosen. */
 #define TD_KEEP_TURN 0.05f
-/* Relative motion, in multiples of the smallest half extent and of the speculative margin. A lane
- * with a single point looks for its second one sooner, before that could overlap. */
+/* Greatest relative motion: TD_KEEP_SHARE of the smallest half extent, and TD_KEEP_MARGINS times
+ * the speculative margin; only TD_KEEP_MARGINS_ONE times for a lane with one point, so that the
+ * second one is found before it overlaps. Chosen. */
 #define TD_KEEP_SHARE 0.1f
 #define TD_KEEP_MARGINS 2.5f
 #define TD_KEEP_MARGINS_ONE 0.5f
 
-/* How a pair has moved since its manifold was made: b against a, and each by itself. */
+/* Motion since the manifold was computed: of b relative to a, and the rotation of each (its sine).
+ */
 typedef struct td_moved {
     f8 dx, dy;
     f8 turn_a, turn_b;
-    i8 small_turn;
+    i8 small_turn; /* both rotations are below TD_KEEP_TURN */
 } td_moved;
 
+/* Sine of the rotation from (old_c, old_s) to (c, s); returns whether it is small. */
 TD_INLINE i8 small_turn(f8 c, f8 s, f8 old_c, f8 old_s, f8 *turn) {
     *turn = s * old_c - c * old_s;
     return (f8_abs(*turn) < f8_all(TD_KEEP_TURN)) & (c * old_c + s * old_s > f8_all(0.0f));
 }
 
-/* Separations of the kept lanes for the present poses, and the lanes that may be kept. The first
- * `points` of separation are written for all lanes; only those of kept ones mean something. */
+/* The lanes whose manifold may be kept, and their separations for the present poses. Separations of
+ * other lanes are written, too, and mean nothing. */
 TD_INLINE i8 td_keep_mask(td_block *block, int points, const td_moved *moved,
                           const td_collide_context *c, f8 *separation) {
     const td_manifold_cache *kept = td_manifold_cache_of(block, points);
@@ -53,7 +59,7 @@ TD_INLINE i8 td_keep_mask(td_block *block, int points, const td_moved *moved,
     return (motion < limit) & moved->small_turn & touches & td_used_mask(block);
 }
 
-/* Writes the separations of the kept lanes, and closing speeds where they may bounce. */
+/* Writes the separations of kept lanes, and the approach speeds of blocks with restitution. */
 TD_INLINE void td_keep_follow(td_block *block, int points, i8 keep, const f8 *separation,
                               const td_collide_context *c) {
     for (int k = 0; k < points; k++) {
@@ -75,16 +81,18 @@ TD_INLINE void td_keep_follow(td_block *block, int points, i8 keep, const f8 *se
     }
 }
 
-/* Notes separations and limits of the lanes in `fresh`, whose manifold has just been made; `least`
- * and `most` are the half extents of the pair. */
-TD_INLINE void td_keep_note(td_block *block, int points, i8 fresh, f8 least, f8 most,
+/* Stores separations and motion limits of the lanes in `fresh`, whose manifold has just been
+ * computed; `min_extent` and `max_extent` are the smallest and the largest half extent of the pair.
+ */
+TD_INLINE void td_keep_note(td_block *block, int points, i8 fresh, f8 min_extent, f8 max_extent,
                             const td_collide_context *c) {
     td_manifold_cache *kept = td_manifold_cache_of(block, points);
-    /* A circle rolls on: its arm is to be made anew much sooner. */
+    /* The contact point of a rolling circle moves over its rim: its arm is computed anew much
+     * sooner. */
     float margins = points == 1 ? TD_KEEP_MARGINS_ONE : TD_KEEP_MARGINS;
-    f8 limit = f8_min(f8_all(TD_KEEP_SHARE) * least, f8_all(margins * c->margin));
+    f8 limit = f8_min(f8_all(TD_KEEP_SHARE) * min_extent, f8_all(margins * c->margin));
     kept->limit = f8_pick(fresh, limit, kept->limit);
-    kept->reach = f8_pick(fresh, most, kept->reach);
+    kept->reach = f8_pick(fresh, max_extent, kept->reach);
     for (int k = 0; k < points; k++) {
         kept->base[k] = f8_pick(fresh, block->point[k].base, kept->base[k]);
     }

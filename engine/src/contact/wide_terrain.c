@@ -1,6 +1,7 @@
-/* wide_terrain.c: contacts with terrain segments. Manifolds are kept while the shape hardly moves;
- * new geometry is done pair by pair in double precision, relative to the terrain's origin, and the
- * rows are then made eight at a time. */
+/* wide_terrain.c: manifolds of circles and boxes with terrain segments. A manifold is kept while
+ * the shape hardly moves (wide_manifold_cache.h). New ones are computed one by one in double
+ * precision, relative to the terrain's origin (terrain/terrain_manifold.c), and written eight at a
+ * time. */
 #include "state/body.h"
 #include "state/shape.h"
 #include "terrain/terrain_manifold.h"
@@ -11,6 +12,8 @@ typedef struct terrain8 {
     i8 feature, valid[2];
 } terrain8;
 
+/* Computes the manifold of one lane. The feature holds the ids of up to two points, 16 bits each; 0
+ * is no point. */
 static void one_lane(const thud_world *w, const td_block *block, int lane, float margin,
                      terrain8 *out) {
     int a = block->shape_a[lane], b = block->shape_b[lane];
@@ -33,7 +36,8 @@ static void one_lane(const thud_world *w, const td_block *block, int lane, float
     out->feature[lane] = (int32_t)feature;
 }
 
-/* Impulses of the lanes in `fresh` move to the point of the same id. */
+/* In the lanes in `fresh`, moves each impulse to the point with the same id, and drops the others.
+ */
 TD_INLINE void carry_impulses(td_block *block, i8 feature, i8 fresh, int points) {
     i8 old = i8_load((const int32_t *)block->feature), low = i8_all(0xffff), zero = i8_all(0);
     feature = i8_pick(fresh, feature, old);
@@ -51,8 +55,8 @@ TD_INLINE void carry_impulses(td_block *block, i8 feature, i8 fresh, int points)
     block->tangent_impulse = f8_keep(kept, block->tangent_impulse);
 }
 
-/* Where the bodies b have their centres of mass, in 2^8 position quanta and modulo 2^32: what a
- * body moves in a step is exact in the difference of two, however far away the scene stands. */
+/* The centres of mass of the bodies b, in units of 2^8 position quanta and modulo 2^32: the
+ * difference of two is exact for what a body moves in a step, however far from the origin it is. */
 TD_INLINE void read_places(const thud_world *w, const td_block *block, i8 *x, i8 *y) {
     int32_t px[TD_LANES], py[TD_LANES];
     for (int i = 0; i < TD_LANES; i++) {
@@ -64,7 +68,7 @@ TD_INLINE void read_places(const thud_world *w, const td_block *block, i8 *x, i8
     *y = i8_load(py);
 }
 
-/* New manifolds for the lanes in `fresh`; returns the lanes that touch. */
+/* Computes the manifolds of the lanes in `fresh`. Returns the lanes that touch. */
 TD_INLINE i8 collide_block(thud_world *w, td_block *block, i8 fresh, const td_collide_context *c,
                            int points) {
     f8 zero = f8_all(0.0f);

@@ -1,4 +1,12 @@
-/* direct.c: what the two methods of direct.h share. */
+/* direct.c: what the active set and the interior point of direct.h share: speeds of rows, bounds of
+ * friction, the residual, and a Newton step.
+ *
+ * Both methods reduce the problem to the same linear equations. An active row of weight D and force
+ * f acts on the bodies by the impulse f - D J dv; the equilibrium of all bodies after a step dv,
+ *     M (v + dv - v*) = sum J' (f - D J dv),
+ * gives  (M + sum D J' J) dv = M (v* - v) + sum J' f.  The matrix is symmetric and positive
+ * definite, with a 3 x 3 block for each body and for each pair of bodies that a constraint joins.
+ */
 #include "islands/direct.h"
 
 #include "solver/friction.h"
@@ -9,6 +17,7 @@ static double dot(const double *a, const double *b) {
 
 /* ---- rows ---- */
 
+/* J v of a row, for the velocities of the bodies that are variables. */
 static double speed_of(const td_direct_constraint *c, const td_direct_row *r, const double *va,
                        const double *vb) {
     return (c->a == TD_NONE ? 0.0 : dot(r->a, va)) + (c->b == TD_NONE ? 0.0 : dot(r->b, vb));
@@ -48,7 +57,8 @@ void td_direct_forget(td_direct *d) {
     td_direct_bound(d);
 }
 
-/* Of a row that may not miss what is wanted. */
+/* The speed by which a unilateral or equality row misses its wanted speed; a unilateral row that
+ * separates faster misses a negative speed. */
 static double lack_of(const td_direct_row *r) {
     double lack = r->wanted - r->speed;
     return r->kind == TD_ROW_EQUAL && lack < 0.0 ? -lack : lack;
@@ -68,10 +78,13 @@ double td_direct_miss(const td_direct *d) {
 
 /* ---- a Newton step ---- */
 
+/* The moment of inertia. A body that does not turn has none of its rows' moments either, so that
+ * any positive number will do. */
 static double inertia_of(const td_direct_body *b) {
     return b->inverse_inertia > 0.0 ? 1.0 / b->inverse_inertia : 1.0;
 }
 
+/* block += weight i k' */
 static void add_product(td_block3 *block, double weight, const double *i, const double *k) {
     for (int p = 0; p < 3; p++) {
         double wi = weight * i[p];
@@ -81,6 +94,7 @@ static void add_product(td_block3 *block, double weight, const double *i, const 
     }
 }
 
+/* Adds weight J' J of a row to the matrix. */
 static void add_row(td_direct *d, const td_direct_constraint *c, const td_direct_row *r) {
     if (c->a != TD_NONE) {
         add_product(td_sparse_diagonal(d->matrix, c->a), r->weight, r->a, r->a);
@@ -94,10 +108,12 @@ static void add_row(td_direct *d, const td_direct_constraint *c, const td_direct
     }
 }
 
-/* What a constraint takes in a Newton step, and a body, beside a block of the matrix. */
+/* Work of a constraint and of a body in a Newton step, in multiples of an operation on a block:
+ * estimated from the multiplications that each takes (a 3 x 3 product has 27). */
 enum { CONSTRAINT_EFFORT = 10, BODY_EFFORT = 5 };
 
-/* False, with nothing done, where that would be too much. */
+/* Takes a Newton step with so many operations on blocks from the budget of work. False, with the
+ * budget marked as spent, where that is too small. */
 static bool take_effort(td_direct *d, int64_t blocks) {
     int64_t more = blocks + (int64_t)CONSTRAINT_EFFORT * d->constraint_count +
                    (int64_t)BODY_EFFORT * d->body_count;

@@ -1,126 +1,157 @@
-/* direct.h: velocities of an island of bodies, with all its constraints at once.
+/* direct.h: the velocities of an island of bodies under all of its constraints at once.
  *
- * A constraint brings one to three rows. Of all velocities v that keep the speed along every row
- * that pushes at least as `wanted`, and along every row that is an equality exactly so, those
- * nearest to the free ones v*, in the norm of the masses, are what rigid bodies do:
- *     minimise (v - v*)' M (v - v*) / 2   subject to   J v >= wanted, or =.
- * Friction is a force along the tangent of at most `most`, which is frozen while velocities are
- * sought and follows the normal impulses then. Two methods, both in Newton steps with one sparse
- * factorisation each: an active set (direct_active.c), which takes one or two where hardly anything
- * has changed since the step before; and an interior point (direct_interior.c), which takes ten to
- * twenty from anywhere. */
+ * This is the velocity-level problem of rigid bodies with unilateral contacts (Gauss's principle of
+ * least constraint), a convex quadratic programme:
+ *
+ *     minimise  1/2 (v - v*)' M (v - v*)
+ *     subject to  J_i v + known_i >= wanted_i   for a unilateral row i,
+ *                 J_i v + known_i  = wanted_i   for an equality row i.
+ *
+ * v has three numbers a body (x, y, turn), v* are the velocities without constraints, M is the
+ * diagonal of masses and moments of inertia, J_i the Jacobian of row i, and known_i the speed that
+ * bodies outside of the problem (static, kinematic) give the row. A constraint brings one to three
+ * rows. The optimum satisfies M (v - v*) = sum_i J_i' impulse_i (the KKT conditions), where a
+ * unilateral row has impulse >= 0, speed >= wanted, and one of both with equality.
+ *
+ * Friction is not part of the convex problem. A friction row has |impulse| <= most; `most` is kept
+ * fixed while velocities are solved for, and then recomputed from the normal impulses (a
+ * fixed-point iteration over Coulomb's law).
+ *
+ * Two methods solve the problem, both by Newton steps with one sparse Cholesky factorisation each:
+ * - direct_active.c, an active set with augmented Lagrangian penalties. It starts from the rows
+ * that were active in the last step and takes one or two factorisations where few of them change.
+ * - direct_interior.c, a primal-dual interior point. It needs no start and takes ten to twenty
+ *   factorisations. */
 #ifndef TD_DIRECT_H
 #define TD_DIRECT_H
 
 #include "islands/sparse.h"
 
 enum {
-    TD_DIRECT_ROWS = 3, /* of a contact: two points and the tangent ... */
-    TD_DIRECT_TANGENT = 2
+    TD_DIRECT_ROWS = 3,   /* rows of a constraint at most: a contact has two points and a tangent */
+    TD_DIRECT_TANGENT = 2 /* index of a contact's friction row */
 };
 
-/* Odd ones begin active. */
+/* The order matters: odd kinds are active from the start, and from TD_ROW_FRICTION on a row is
+ * allowed to miss its wanted speed. */
 typedef enum td_row_kind {
-    TD_ROW_PUSH, /* never the last row: impulse >= 0, speed >= wanted, and one of both with equality
-                  */
-    TD_ROW_EQUAL, /* speed = wanted, whatever impulse that takes */
-    /* From here on a row may miss what is wanted. */
-    TD_ROW_FRICTION, /* |impulse| <= most, and less only where speed = wanted */
-    TD_ROW_SOFT /* impulse = weight * (wanted - speed), and |impulse| <= most, infinite where it
-                   has no greatest force: a spring */
+    TD_ROW_PUSH,  /* unilateral (a contact point, a joint's limit): impulse >= 0, speed >= wanted,
+                     and one of both with equality. Never the last row of a constraint. */
+    TD_ROW_EQUAL, /* equality (a joint's lock): speed = wanted, with an impulse of any size */
+    TD_ROW_FRICTION, /* friction or a motor: |impulse| <= most, and less only where speed = wanted
+                      */
+    TD_ROW_SOFT      /* spring: impulse = weight * (wanted - speed), cut off at |impulse| <= most,
+                        which is infinite for a spring without a greatest force */
 } td_row_kind;
 
+/* Lengths, masses and times are the world's own units; angles are radians. */
 typedef struct td_direct_body {
-    double inverse_mass, inverse_inertia; /* inertia 0: does not turn */
-    double free[3];                       /* velocity without contacts: x, y, turn */
+    double inverse_mass, inverse_inertia; /* inverse_inertia 0: the body does not turn */
+    double free[3];                       /* v*: velocity without constraints (x, y, turn) */
     double velocity[3];                   /* in: a guess; out: the solution */
-    double before[3];                     /* velocity at the start of this part of the step ... */
-    double moved[3];                      /* ... and motion until then */
-    double stiff, own_inverse_inertia, gain[3]; /* of joints: island_joints.c */
-    bool sweeps, rubs; /* its turn moves what joints hold; and what others touch: not a wheel's */
+    /* The rest is for islands with joints, which divide a step into parts: island_joints.c. */
+    double before[3];           /* velocity at the start of this part of the step */
+    double moved[3];            /* motion from the start of the step to the start of the part */
+    double stiff;               /* added to the moment of inertia: geometric stiffness of joints */
+    double own_inverse_inertia; /* inverse_inertia without that */
+    double gain[3];             /* velocity that gravity, forces and damping add in one part */
+    bool sweeps;                /* the body's rotation moves an anchor or the axis of a joint */
+    bool rubs; /* the body has a contact, and is no disc about its centre of mass (a wheel): its
+                  rotation changes the manifold */
 } td_direct_body;
 
 typedef struct td_direct_row {
     td_row_kind kind;
-    double a[3], b[3]; /* J: of either side */
-    double wanted;     /* speed along the row; of a tangent: at which friction would have it */
-    double known;      /* speed that sides without a variable give it */
-    double impulse;    /* in: as known; out: the solution's */
-    double guess;      /* the impulse as it came in */
-    double closing;    /* of a joint: speed at which the gap of the part's start closes in it; of a
-                          contact: at which what overlaps at the start of the step is pushed apart */
-    double given;      /* of a joint: what it gave on the way, while velocities at the end of a part
-                          are mended: island_joints.c */
-    bool used;         /* there is such a row */
-    bool active;       /* stands in the matrix, with `weight` */
-    double mass;       /* that it feels */
-    double weight;     /* of a soft row: given */
-    double base, most; /* of a tangent or a soft row: |impulse| <= most */
-    double speed;      /* J v + known */
-    double force;      /* impulse that goes to the right side */
-    double change;     /* of the speed by a Newton step */
-    double slack[2], push[3]; /* interior point: slacks; steps of the impulse and the slacks */
+    double a[3], b[3]; /* Jacobian: the part of body a, and that of body b */
+    double wanted;     /* target speed along the row; of a friction row that of the surfaces */
+    double known;      /* speed along the row of bodies that are no variables */
+    double impulse;    /* in: the warm start; out: the solution */
+    double guess;      /* copy of the warm start */
+    double closing;  /* islands with joints: speed at which the row closes a joint's gap within the
+                        part of the step, or pushes apart a contact that overlaps as the step
+                        begins */
+    double given;    /* islands with joints: impulse of the mean-velocity problem, while the
+                        velocity at the end of a part is solved for; island_joints.c */
+    bool used;       /* the constraint has this row */
+    bool active;     /* the row is in the matrix, with `weight` */
+    double mass;     /* effective mass, 1 / (J M^-1 J') */
+    double weight;   /* factor of J' J in the matrix: a penalty, or the stiffness of a soft row */
+    double base;     /* active set: the multiplier; interior point: the weight of a soft row */
+    double most;     /* bound of |impulse| of a friction or soft row */
+    double speed;    /* J v + known */
+    double force;    /* impulse on the right side of the Newton step's equations */
+    double change;   /* J dv: change of the speed by the whole Newton step */
+    double slack[2]; /* interior point: slack of the speed (unilateral), of both bounds (others) */
+    double push[3];  /* interior point: Newton step of the impulse and of the slacks;
+                        direct_polish.c: [0] is the search direction */
 } td_direct_row;
 
 typedef struct td_direct_constraint {
-    int a, b;        /* bodies; TD_NONE: that side is no variable */
-    int entry;       /* of the matrix, where both are */
-    bool b_later;    /* it has b's rows */
-    double friction; /* of the last row, where it is friction: times all that pushes */
-    double bound;    /* ... and this on top, whatever pushes: a motor's */
-    bool keeps;      /* a contact whose impulses are known, and which is only kept from closing */
-    double stiff[2]; /* of a joint: moment that its impulses lose as a side turns */
+    int a, b;        /* indices of bodies; TD_NONE: that side is no variable of the problem */
+    int entry;       /* index of the matrix's block between a and b, where both are variables */
+    bool b_later;    /* b is eliminated after a: the block's rows are b's, its columns a's */
+    double friction; /* friction coefficient of the friction row, times the normal impulses */
+    double bound;    /* constant bound of the friction row, added to that: a motor's */
+    bool keeps;      /* a contact whose impulses are those of the soft solver, and whose rows only
+                        keep it from closing further: linkages.c */
+    double stiff[2]; /* of a joint: geometric stiffness against the rotation of a and b */
     td_direct_row row[TD_DIRECT_ROWS];
 } td_direct_constraint;
 
 typedef struct td_direct {
     td_direct_body *bodies;
     td_direct_constraint *constraints;
-    td_sparse *matrix;             /* ordered, of the bodies */
-    double (*step)[4], (*work)[4]; /* room for as many as bodies */
+    td_sparse *matrix; /* a block row a body, its elimination order found already */
+    double (*step)[4]; /* Newton step of each body: x, y, turn, and a number that is not used */
+    double (*work)[4]; /* scratch memory of the same size */
     int body_count, constraint_count;
-    double unit_speed; /* what a body gains by gravity in a step */
-    int factorings;    /* so far ... */
-    int patience;      /* ... and at most */
-    int64_t effort;    /* operations that are left, of about a block of a matrix each ... */
-    bool spent;        /* ... and too few, so that it failed */
-    bool fresh;        /* the impulses are guesses of another solver, or none are known */
-    bool factored;     /* the matrix of the active rows stands */
+    double unit_speed; /* g h: the speed that gravity gives a body in a step */
+    int factorings;    /* factorisations so far */
+    int patience;      /* budget of factorisations */
+    int64_t effort;    /* budget of work that is left, in operations on 3 x 3 blocks */
+    bool spent;        /* the budget of work was too small, so that the solve failed */
+    bool fresh;        /* the warm start comes from the soft solver, or there is none */
+    bool factored;     /* the matrix holds the factor of the active rows */
 } td_direct;
 
-/* Puts the solution into velocities and impulses. Returns the greatest speed by which a contact
- * misses what it wants, which is at most `tolerance` where all went well; infinite where numbers
- * failed. */
+/* Solves the problem, first by the active set, then by the interior point where that fails. The
+ * solution is in the bodies' velocities and the rows' impulses. Returns the residual: the greatest
+ * speed by which a row misses its wanted speed, at most `tolerance` where a method converged, and
+ * infinite where neither did. */
 double td_direct_solve(td_direct *d, double tolerance);
 
 /* ---- the two methods ---- */
 
-/* True where the active rows were found in a few steps. */
+/* Active set. False where it did not converge within its budget of factorisations. */
 bool td_direct_active(td_direct *d, double tolerance);
-/* The same rows once more, for other free velocities and wanted speeds that leave them as they are,
- * without another matrix; impulses may be far off. False, with the impulses as they were, where
- * that will not do. */
+/* Solves once more after free velocities and wanted speeds have changed, with the active set and
+ * the factor of the last td_direct_active. False, with the impulses as they were, where the active
+ * set does not stay the same. */
 bool td_direct_again(td_direct *d, double tolerance);
-/* False where numbers failed, or steps ran out. */
+/* Interior point. False where a factorisation failed or iterations ran out. */
 bool td_direct_interior(td_direct *d, double tolerance);
 
 /* ---- what they share ---- */
 
-void td_direct_measure(td_direct *d); /* speeds of all rows */
-/* The matrix of masses and active rows, factored; false where numbers failed, or it is too dear. */
+/* Recomputes the speed of every row from the bodies' velocities. */
+void td_direct_measure(td_direct *d);
+/* Builds and factors M + sum of weight J' J over the active rows. False where the matrix is not
+ * positive definite to rounding, or the budget of work is too small. */
 bool td_direct_factor(td_direct *d);
-/* Solves for what masses and the rows' forces leave unbalanced: the bodies' step, the rows' change.
- * False where it is too dear. */
+/* Solves for the Newton step: (M + sum weight J' J) dv = M (v* - v) + sum J' force. Leaves dv in
+ * d->step and J dv in the rows' `change`. False where the budget of work is too small. */
 bool td_direct_step(td_direct *d);
-/* Goes a part of that step; false where numbers failed. */
+/* Adds `part` of that step to velocities and speeds. False where a velocity is not finite. */
 bool td_direct_move(td_direct *d, double part);
-/* Solves what the active rows still miss, of forces that balance the velocities, without another
- * matrix, down to `enough`, where it can; nobody changes his mind. Leaves the impulses in `force`.
- * False where numbers failed. */
+/* Reduces the residual of the active rows to `enough` by conjugate gradients on the multipliers,
+ * with the factor that stands and the active set as it is. Leaves the impulses in `force`. False
+ * where numbers are not finite or the budget of work is too small; a residual that stays is no
+ * failure. */
 bool td_direct_polish(td_direct *d, double enough);
-/* The greatest speed by which a row misses what it wants. */
+/* The residual: the greatest speed by which a unilateral or equality row misses its wanted speed.
+ */
 double td_direct_miss(const td_direct *d);
-/* The sum of what a constraint's rows push. */
+/* The sum of the normal impulses of a contact. */
 static inline double td_direct_load(const td_direct_constraint *c) {
     double load = 0.0;
     for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
@@ -128,13 +159,11 @@ static inline double td_direct_load(const td_direct_constraint *c) {
     }
     return load;
 }
-/* The bound of a contact's friction for the impulses along the normals and the speed at which it
- * slides, as both stand. */
+/* The bound of a constraint's friction row, from its present normal impulses and sliding speed. */
 double td_direct_friction(const td_direct_constraint *c);
-/* Gives the tangents of all contacts that bound. */
+/* Sets the bounds of all friction rows to that. */
 void td_direct_bound(td_direct *d);
-/* Impulses as they came in, with the bounds and speeds that they give: what a method has made of
- * them tells nothing where it has failed. */
+/* Restores the warm start after a method has failed: impulses, friction bounds and speeds. */
 void td_direct_forget(td_direct *d);
 
 #endif

@@ -1,95 +1,110 @@
-/* direct_active.c: which rows push is guessed from the step before, and mended.
+/* direct_active.c: an active-set method on the augmented Lagrangian, started from the active set of
+ * the last step.
  *
- * Active rows become penalties of weight D with a multiplier y, the impulse as known so far: a
- * normal gives max(0, y - D (J v - wanted)), a tangent y - D (J v - wanted) cut off at its bounds
- * (the augmented Lagrangian of Hestenes, 1969, and Powell, 1969, for inequalities after
- * Rockafellar, 1973). Where no row changes its mind in a whole Newton step, that minimises the
- * function of v. What rows still miss then is polished off with the same matrix (direct_polish.c),
- * y takes the impulses, friction gets its bounds, and it goes on until nothing is missed. */
+ * A row of penalty weight D and multiplier y (the impulse as known so far) acts on its bodies by
+ *     unilateral:  impulse = max(0, y - D (J v - wanted))
+ *     equality:    impulse = y - D (J v - wanted)
+ *     friction:    impulse = y - D (J v - wanted), cut off at -most and most
+ * (Hestenes, "Multiplier and gradient methods", 1969; Powell, "A method for nonlinear constraints
+ * in minimization problems", 1969; for inequalities Rockafellar, "The multiplier method of Hestenes
+ * and Powell applied to convex programming", 1973). These impulses are the gradient of a function
+ * of v that is convex and piecewise quadratic. A row is active where its impulse is not cut off.
+ * Newton's method on the active rows finds the minimum as soon as a whole step leaves the active
+ * set as it is (a semismooth Newton method). Then
+ *   1. conjugate gradients reduce the residual that the penalties left (direct_polish.c),
+ *   2. y takes the impulses, and friction rows get the bounds of the new normal impulses,
+ * and both are repeated until residual and friction are within the tolerance. */
 #include "islands/direct.h"
 
-/* The penalty of a contact is the mass that it feels times so much, or the load it carries where
- * that is more; and never more than the second, or rounding ends it. */
-#define STIFFNESS 1e5
-#define STIFFNESS_MOST 1e9
+/* The penalty weight D of a row, in multiples of its effective mass, or of the mass whose weight it
+ * carries (impulse / (g h)) where that is more: at 1e5 a body of the row's own mass misses its
+ * speed by 1e-5 g h before conjugate gradients. PENALTY_MAX, in effective masses, bounds D: above
+ * it rounding (2^-53) leaves nothing of the masses in the matrix, and a drop with a load of 10^5
+ * times ended as not a number. */
+#define PENALTY 1e5
+#define PENALTY_MAX 1e9
 
-/* A row keeps its mind for so much of the tolerance. */
-#define DOUBT 0.1
+/* Hysteresis of the active set, in tolerances of speed. Chosen. */
+#define HYSTERESIS 0.1
 
-/* A bound of friction that was right but for so much, as loads are from step to step, holds. */
-#define GROWN 1.02
+/* A friction bound that is right to this factor is not recomputed: normal impulses of a heap at
+ * rest vary by less from step to step. Chosen. */
+#define BOUND_FACTOR 1.02
 
-/* Friction that came nearer than this to its bound, in parts of it, slid there: that it slides is
- * then told by its speed (SLID), or by the impulse alone (AT_BOUND). */
-#define SLID 0.9
+/* A friction row whose impulse is above this share of its bound is taken to slide: SLIDING_SHARE
+ * where its speed says so too, AT_BOUND by the impulse alone. Chosen. */
+#define SLIDING_SHARE 0.9
 #define AT_BOUND 0.999
-/* Of impulses that were kept from the step before, only what was at its bound, but for rounding. */
-#define ROUNDED (1.0 - 1e-6)
+/* The same for an impulse of the last step, which was at its bound exactly, but for rounding. */
+#define AT_BOUND_BEFORE (1.0 - 1e-6)
 
-/* What rows miss is polished off down to so much of the tolerance. */
-#define FINE 1e-4
+/* Conjugate gradients reduce residuals to this share of the tolerance. Chosen. */
+#define RESIDUAL_SHARE 1e-4
 
 enum {
-    PATIENCE = 6, /* factorisations */
-    ROUNDS = 12,  /* in which multipliers take the impulses */
-    AGAIN = 4,    /* rounds in which friction gets its bounds, with the matrix that stands */
-    HOPELESS = 6, /* where more than one of so many rows changes its mind in a step, and ... */
-    MANY = 100    /* ... there are so many rows, the guess was no good */
+    FACTORINGS_MAX = 6,    /* factorisations before the method gives up; at rest it takes one */
+    UPDATES_MAX = 12,      /* updates of multipliers and friction bounds */
+    UPDATES_AGAIN = 4,     /* the same in td_direct_again, which has no new factorisation */
+    CHANGED_PART = 6,      /* with more than one in so many rows changing in a Newton step, ... */
+    CHANGED_ROWS_MIN = 100 /* ... of at least so many rows, the warm start is given up as useless */
 };
 
-static double size_of(double x) {
+static double magnitude(double x) {
     return x < 0.0 ? -x : x;
 }
 
-static double clamped(double x, double most) {
-    return x > most ? most : x < -most ? -most : x;
+static double clamp(double x, double max) {
+    return x > max ? max : x < -max ? -max : x;
 }
 
-/* In a heap at rest many contacts carry nothing, or just so much that they stick, and rounding
- * would have them change their minds for ever: `doubt` is the speed, and times its mass the
- * impulse, that a row does not change its mind for. True where it does. */
-static bool answer(td_direct_row *r, double impulse, double doubt) {
+/* Sets impulse and activity of a row from the impulse that its penalty gives. In a heap at rest
+ * many contacts carry nothing, or have friction just at its bound, and rounding would have them
+ * enter and leave the active set for ever: `hysteresis` is the speed, and times the effective mass
+ * the impulse, within which a row stays as it is. True where the row's activity has changed. */
+static bool update_row(td_direct_row *r, double impulse, double hysteresis) {
     bool before = r->active;
-    double little = doubt * r->mass;
+    double little = hysteresis * r->mass;
     if (r->kind == TD_ROW_PUSH) {
-        r->active = r->active ? impulse > -little : r->speed < r->wanted - doubt;
+        r->active = r->active ? impulse > -little : r->speed < r->wanted - hysteresis;
         r->impulse = r->active && impulse > 0.0 ? impulse : 0.0;
     } else if (r->kind >= TD_ROW_FRICTION) {
-        /* From one bound to the other it sticks in between. */
+        /* A sliding row becomes active again where the impulse leaves its bound inward, and where
+         * it has gone past the other bound: it sticks for one Newton step in between. */
         double against = r->impulse < 0.0 ? -impulse : impulse;
-        r->active = r->active ? size_of(impulse) < r->most + little : against < r->most - little;
-        r->active = r->active && r->most > 0.0; /* which has no direction to have slid in */
-        r->impulse = clamped(impulse, r->most);
+        r->active = r->active ? magnitude(impulse) < r->most + little : against < r->most - little;
+        r->active = r->active && r->most > 0.0; /* a bound of 0 leaves no friction */
+        r->impulse = clamp(impulse, r->most);
     } else {
-        r->impulse = impulse; /* it always is active */
+        r->impulse = impulse; /* an equality row is always active */
     }
     r->force = r->active ? impulse : r->impulse;
     return r->active != before;
 }
 
-/* The impulse of a row that its penalty has changed from what it was. */
-static double penalised(const td_direct_row *r, double impulse) {
-    return impulse - r->weight * (r->speed - r->wanted);
+/* The impulse that the penalty gives, y - D (J v - wanted), before it is cut off. */
+static double penalty_impulse(const td_direct_row *r, double multiplier) {
+    return multiplier - r->weight * (r->speed - r->wanted);
 }
 
-static void set_weight(const td_direct *d, td_direct_constraint *c) {
+/* Sets the penalty weights of a constraint's rows. */
+static void set_penalties(const td_direct *d, td_direct_constraint *c) {
     double load = 0.0;
     for (int k = 0; k < TD_DIRECT_ROWS && d->unit_speed > 0.0; k++) {
         const td_direct_row *r = &c->row[k];
         if (r->used && r->kind < TD_ROW_FRICTION) {
-            load += (r->kind == TD_ROW_EQUAL ? size_of(r->impulse) : r->impulse) / d->unit_speed;
+            load += (r->kind == TD_ROW_EQUAL ? magnitude(r->impulse) : r->impulse) / d->unit_speed;
         }
     }
     for (int k = 0; k < TD_DIRECT_ROWS; k++) {
         td_direct_row *r = &c->row[k];
-        double weight = STIFFNESS * td_max_double(load, r->mass), most = STIFFNESS_MOST * r->mass;
-        weight = weight < most ? weight : most;
+        double weight = PENALTY * td_max_double(load, r->mass), max = PENALTY_MAX * r->mass;
+        weight = weight < max ? weight : max;
         r->weight = r->kind == TD_ROW_SOFT ? r->weight : weight;
     }
 }
 
-/* Nothing is known from a step before. */
-static bool is_new(const td_direct *d) {
+/* Whether no contact has a normal impulse from the last step. */
+static bool has_no_impulses(const td_direct *d) {
     for (int i = 0; i < d->constraint_count; i++) {
         if (td_direct_load(&d->constraints[i]) > 0.0) {
             return false;
@@ -98,26 +113,27 @@ static bool is_new(const td_direct *d) {
     return true;
 }
 
-/* What pushed before does so again, and so does what is about to meet. In an island that is new, or
- * that the soft solver has had so far, all that touches and does not part pushes; and of the
- * latter, whose impulses are still on their way, friction that hardly slides holds whatever it
- * takes. Returns how many rows there are. */
-static int guess(td_direct *d, double doubt) {
+/* Warm-starts the active set: unilateral rows that had an impulse in the last step, and those whose
+ * speed is below the wanted one. An island without impulses, or with those of the soft solver,
+ * which are not converged, has all rows active that do not separate; there, friction rows that
+ * slide by less than g h are unbounded until the first normal impulses are known. Returns the
+ * number of rows. */
+static int warm_start(td_direct *d, double hysteresis) {
     int rows = 0;
-    double parting = d->fresh || is_new(d) ? doubt : -doubt;
+    double margin = d->fresh || has_no_impulses(d) ? hysteresis : -hysteresis;
     td_direct_measure(d);
     for (int i = 0; i < d->constraint_count; i++) {
         td_direct_constraint *c = &d->constraints[i];
-        set_weight(d, c);
+        set_penalties(d, c);
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &c->row[k];
             rows += r->used;
             if (r->kind == TD_ROW_PUSH) {
-                r->active = r->impulse > 0.0 || r->speed < r->wanted + parting;
-            } else if (r->kind % 2) {
+                r->active = r->impulse > 0.0 || r->speed < r->wanted + margin;
+            } else if (r->kind % 2) { /* equality and soft rows */
                 r->active = true;
             } else if (d->fresh && c->friction > 0.0 &&
-                       size_of(r->speed - r->wanted) <= d->unit_speed) {
+                       magnitude(r->speed - r->wanted) <= d->unit_speed) {
                 r->most = __builtin_inf();
             }
         }
@@ -125,56 +141,57 @@ static int guess(td_direct *d, double doubt) {
     return rows;
 }
 
-/* Friction that has slid all the way to its bound slides on where that has grown a little since. */
-static bool slides_on(const td_direct_row *r, double doubt) {
+/* Whether a friction row keeps sliding although its bound has grown a little since: its impulse is
+ * near the bound, and the surfaces slide against it. */
+static bool keeps_sliding(const td_direct_row *r, double hysteresis) {
     double slip = r->impulse < 0.0 ? r->speed - r->wanted : r->wanted - r->speed;
-    return slip > doubt && size_of(r->impulse) > SLID * r->most;
+    return slip > hysteresis && magnitude(r->impulse) > SLIDING_SHARE * r->most;
 }
 
-typedef enum taking {
-    BEGINS, /* they are of the step before */
-    GOES_ON,
-    KEEPS /* nobody changes his mind; they are noted, to go back to */
-} taking;
+typedef enum multiplier_update {
+    FROM_LAST_STEP,  /* the impulses are the warm start */
+    FROM_THIS_SOLVE, /* the impulses are those of the Newton steps so far */
+    KEEP_ACTIVE_SET /* no row changes its activity; impulses are copied to `guess`, to go back to */
+} multiplier_update;
 
-/* The multipliers take the impulses. Friction that had reached a bound, which has grown by much
- * since, sticks for now. True where no row has changed its mind. */
-static bool take_multipliers(td_direct *d, double doubt, taking how) {
+/* Sets the multipliers to the impulses. A friction row whose bound has grown by much since it slid
+ * becomes active. True where no row has changed its activity. */
+static bool update_multipliers(td_direct *d, double hysteresis, multiplier_update how) {
     bool same = true;
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &d->constraints[i].row[k];
             bool before = r->active;
-            if (how == KEEPS) {
+            if (how == KEEP_ACTIVE_SET) {
                 r->guess = r->impulse;
-            } else if (r->kind == TD_ROW_FRICTION && slides_on(r, doubt)) {
+            } else if (r->kind == TD_ROW_FRICTION && keeps_sliding(r, hysteresis)) {
                 r->active = false;
                 r->impulse = r->impulse < 0.0 ? -r->most : r->most;
             } else if (r->kind == TD_ROW_FRICTION) {
-                double most = (how == BEGINS ? ROUNDED : AT_BOUND) * r->most;
-                r->active = size_of(r->impulse) < most;
-                r->impulse = clamped(r->impulse, r->most);
+                double sliding = (how == FROM_LAST_STEP ? AT_BOUND_BEFORE : AT_BOUND) * r->most;
+                r->active = magnitude(r->impulse) < sliding;
+                r->impulse = clamp(r->impulse, r->most);
             }
             r->base = r->kind == TD_ROW_SOFT ? 0.0 : r->impulse;
-            r->force = r->active ? penalised(r, r->base) : r->impulse;
+            r->force = r->active ? penalty_impulse(r, r->base) : r->impulse;
             same &= !r->used || r->active == before;
         }
     }
     return same;
 }
 
-/* How many rows change their mind by what their penalties say; they keep it all the same where
- * `keeps` is set. */
-static int judge(td_direct *d, double doubt, bool keeps) {
-    int turned = 0;
+/* Updates impulses and activities from the penalties, and returns how many rows changed their
+ * activity. With `keeps` such rows get their activity back. */
+static int update_active_set(td_direct *d, double hysteresis, bool keeps) {
+    int changed = 0;
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &d->constraints[i].row[k];
-            double impulse = penalised(r, r->base);
-            if (!r->used || !answer(r, impulse, doubt)) {
+            double impulse = penalty_impulse(r, r->base);
+            if (!r->used || !update_row(r, impulse, hysteresis)) {
                 continue;
             }
-            turned++;
+            changed++;
             if (keeps) {
                 r->active = !r->active;
                 r->force = impulse;
@@ -184,23 +201,24 @@ static int judge(td_direct *d, double doubt, bool keeps) {
             }
         }
     }
-    return turned;
+    return changed;
 }
 
-/* A whole Newton step, of the matrix as factored. *turned: how many rows change their mind. False
- * where numbers failed. */
-static bool leap(td_direct *d, double doubt, bool keeps, int *turned) {
+/* A whole Newton step with the factor that stands. *changed: the number of rows that changed their
+ * activity. False where numbers are not finite or the budget of work is spent. */
+static bool newton_step(td_direct *d, double hysteresis, bool keeps, int *changed) {
     if (!td_direct_step(d)) {
         return false;
     }
     bool done = td_direct_move(d, 1.0);
-    *turned = judge(d, doubt, keeps);
+    *changed = update_active_set(d, hysteresis, keeps);
     return done;
 }
 
-/* The speed by which friction is wrong for what pushes now: that at which something slides whose
- * bound has changed, or what a force beyond its bound gives. */
-static double slip(const td_direct *d) {
+/* The error of friction as a speed, since bounds are of other normal impulses than the present
+ * ones: the sliding speed of a row whose bound has changed, or the speed that an impulse beyond the
+ * bound gives the effective mass. */
+static double friction_error(const td_direct *d) {
     double worst = 0.0;
     for (int i = 0; i < d->constraint_count; i++) {
         const td_direct_constraint *c = &d->constraints[i];
@@ -208,20 +226,20 @@ static double slip(const td_direct *d) {
         if (!r->used || r->kind != TD_ROW_FRICTION) {
             continue;
         }
-        double most = td_direct_friction(c);
+        double max = td_direct_friction(c);
         if (r->active) {
-            worst = td_max_double(worst, (size_of(r->impulse) - GROWN * most) / r->mass);
-        } else if (most > r->most * GROWN || most * GROWN < r->most) {
-            worst = td_max_double(worst, size_of(r->speed - r->wanted));
+            worst = td_max_double(worst, (magnitude(r->impulse) - BOUND_FACTOR * max) / r->mass);
+        } else if (max > r->most * BOUND_FACTOR || max * BOUND_FACTOR < r->most) {
+            worst = td_max_double(worst, magnitude(r->speed - r->wanted));
         }
     }
     return worst;
 }
 
-/* The greatest speed at which something parts that is still pushed: impulses kept from a hit in the
- * step before are far too great for this one, and a penalty alone would let them push for another
- * step. */
-static double overshoot(const td_direct *d) {
+/* The error of complementarity: the greatest speed above the wanted one of a unilateral row that
+ * has an impulse. The impulse of a hit in the last step is far too great for this one, and a
+ * penalty alone would leave it for another step. */
+static double complementarity_error(const td_direct *d) {
     double worst = 0.0;
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
@@ -234,80 +252,88 @@ static double overshoot(const td_direct *d) {
     return worst;
 }
 
-/* The greatest speed by which anything is not as it should be. */
-static double off(const td_direct *d) {
-    return td_max_double(td_direct_miss(d), td_max_double(overshoot(d), slip(d)));
+/* The greatest error of any kind, as a speed. */
+static double error_of(const td_direct *d) {
+    return td_max_double(td_direct_miss(d),
+                         td_max_double(complementarity_error(d), friction_error(d)));
 }
 
-/* Newton steps until no row changes its mind; the matrix may stand already for the rows that are
- * active. False where that is not to be had, or more than `hopeless` change it at once. */
-static bool settle(td_direct *d, double doubt, int most, int hopeless, bool stands) {
-    int turned = 1;
-    while (turned) {
-        if (!stands && (d->factorings >= most || !td_direct_factor(d))) {
+/* Newton steps until one leaves the active set as it is. `factored`: the factor of the present
+ * active set stands. False where `factorings_max` is reached, a step fails, or more than
+ * `changes_max` rows change in one. */
+static bool find_active_set(td_direct *d, double hysteresis, int factorings_max, int changes_max,
+                            bool factored) {
+    int changed = 1;
+    while (changed) {
+        if (!factored && (d->factorings >= factorings_max || !td_direct_factor(d))) {
             return false;
         }
-        if (!leap(d, doubt, false, &turned) || turned > hopeless) {
+        if (!newton_step(d, hysteresis, false, &changed) || changed > changes_max) {
             return false;
         }
-        stands = false;
+        factored = false;
     }
     return true;
 }
 
-/* Polishes what is missed, where it is not too little, and has the rows judge anew. *turned: how
- * many change their mind; *worst: how far anything is off, or was. False where numbers failed. */
-static bool refine(td_direct *d, double tolerance, int *turned, double *worst) {
-    double fine = FINE * tolerance;
-    *worst = off(d);
-    if (!*turned && *worst <= fine) {
+/* Reduces the residual by conjugate gradients where it is worth it, and updates the active set.
+ * *changed: the number of rows that changed their activity; *error: the greatest error before and
+ * after, as a speed. False where numbers are not finite. */
+static bool reduce_residual(td_direct *d, double tolerance, int *changed, double *error) {
+    double enough = RESIDUAL_SHARE * tolerance;
+    *error = error_of(d);
+    if (!*changed && *error <= enough) {
         return true;
     }
-    bool done = td_direct_polish(d, fine);
-    *turned = judge(d, DOUBT * tolerance, false);
-    *worst = td_max_double(*worst, off(d));
+    bool done = td_direct_polish(d, enough);
+    *changed = update_active_set(d, HYSTERESIS * tolerance, false);
+    *error = td_max_double(*error, error_of(d));
     return done;
 }
 
 bool td_direct_active(td_direct *d, double tolerance) {
-    int most = td_min_int(d->factorings + PATIENCE, d->patience);
-    double doubt = DOUBT * tolerance;
-    bool stands = false, unbound = d->fresh;
-    int rows = guess(d, doubt), hopeless = rows < MANY ? rows : rows / HOPELESS;
-    take_multipliers(d, doubt, BEGINS);
-    for (int round = 0; round < ROUNDS; round++) {
-        int turned = 0;
-        double worst;
-        if (!settle(d, doubt, most, hopeless, stands) || !refine(d, tolerance, &turned, &worst)) {
+    int factorings_max = td_min_int(d->factorings + FACTORINGS_MAX, d->patience);
+    double hysteresis = HYSTERESIS * tolerance;
+    bool factored = false, unbounded_friction = d->fresh;
+    int rows = warm_start(d, hysteresis);
+    int changes_max = rows < CHANGED_ROWS_MIN ? rows : rows / CHANGED_PART;
+    update_multipliers(d, hysteresis, FROM_LAST_STEP);
+    for (int n = 0; n < UPDATES_MAX; n++) {
+        int changed = 0;
+        double error;
+        if (!find_active_set(d, hysteresis, factorings_max, changes_max, factored) ||
+            !reduce_residual(d, tolerance, &changed, &error)) {
             return false;
         }
-        bool well = worst <= tolerance && !unbound;
-        if (well && !turned) {
+        bool converged = error <= tolerance && !unbounded_friction;
+        if (converged && !changed) {
             return d->factored = true;
         }
-        if (!well) {
+        if (!converged) {
             td_direct_bound(d);
-            unbound = false;
+            unbounded_friction = false;
         }
-        stands = take_multipliers(d, doubt, GOES_ON) && !turned;
+        factored = update_multipliers(d, hysteresis, FROM_THIS_SOLVE) && !changed;
     }
     return false;
 }
 
 bool td_direct_again(td_direct *d, double tolerance) {
-    double doubt = DOUBT * tolerance, worst;
-    bool goes_on = d->factored && take_multipliers(d, doubt, KEEPS);
-    for (int round = 0; round < AGAIN && goes_on; round++) {
-        int turned;
-        /* Impulses may be so far off that rows would change their minds for nothing. */
-        if (!leap(d, doubt, true, &turned) || !refine(d, tolerance, &turned, &worst) || turned) {
+    double hysteresis = HYSTERESIS * tolerance, error;
+    bool same_set = d->factored && update_multipliers(d, hysteresis, KEEP_ACTIVE_SET);
+    for (int n = 0; n < UPDATES_AGAIN && same_set; n++) {
+        int changed;
+        /* The impulses may be far from the solution: the first Newton step keeps the active set, or
+         * rows would change for no reason. */
+        if (!newton_step(d, hysteresis, true, &changed) ||
+            !reduce_residual(d, tolerance, &changed, &error) || changed) {
             break;
         }
-        if (worst <= tolerance) {
+        if (error <= tolerance) {
             return true;
         }
         td_direct_bound(d);
-        goes_on = take_multipliers(d, doubt, GOES_ON);
+        same_set = update_multipliers(d, hysteresis, FROM_THIS_SOLVE);
     }
     if (d->factored) {
         td_direct_forget(d);

@@ -1,58 +1,71 @@
-/* direct_interior.c: the rows' complementarity approached from inside.
- *
+/* direct_interior.c: a primal-dual interior point for the quadratic programme of direct.h, by
  * Mehrotra's predictor-corrector ("On the implementation of a primal-dual interior point method",
- * 1992) for the quadratic problem of direct.h. A normal has a slack s = J v - wanted and an impulse
- * l, both > 0, whose product goes to zero. A tangent's impulse y lies between its bounds; the
- * distances to them, most + y and most - y, have slacks whose difference is the sliding speed, and
- * their products go to zero likewise. Products are measured in the mass that a row feels, so that
- * heavy and light contacts converge alike.
+ * 1992; Nocedal and Wright, Numerical Optimization, 2006, algorithm 16.4).
  *
- * A spring with a greatest force is a tangent that gives way: instead of J v - wanted,
- * J v - wanted + y / weight is zero between its bounds.
+ * unilateral row:  slack s = J v - wanted and impulse l, both > 0; the product s l goes to zero.
+ * friction row:    impulse y within its bounds; the distances low = most + y and high = most - y
+ * have slacks s0, s1 > 0 with s0 - s1 = J v - wanted; both products s0 low and s1 high go to zero.
+ * spring with a greatest force: as a friction row, with s0 - s1 = J v - wanted + y / weight, so
+ * that it is a spring between its bounds. equality row:    a penalty of weight STIFFNESS x mass,
+ * whose multiplier is its impulse so far. spring without a greatest force: a penalty of its own
+ * weight, without a multiplier.
  *
- * An equality has neither slack nor bound: it is a stiff penalty whose multiplier takes its impulse
- * with each step, which leaves no more of what it misses than the penalty's share. So is a spring
- * without a greatest force, but for the multiplier. */
+ * Each iteration linearises these conditions and the equilibrium of the bodies. Eliminating
+ * impulses and slacks leaves the equations of td_direct_step, where a row has weight = impulse /
+ * slack. They are solved twice with one factor: the predictor aims at products of zero; from how
+ * far it gets without leaving the positive numbers, the corrector takes its aim (`sigma`, the cube
+ * of the share of the gap that is left) and the second-order term of the products. Products are
+ * divided by the row's effective mass, so that heavy and light contacts converge alike. */
 #include "islands/direct.h"
 
-/* A step goes so much of the way to where the first number would be zero. */
-#define NEARLY 0.98
-/* So much of the tolerance may the square root of a product per mass be. */
-#define CLOSE 0.1
+/* The part of the way to the boundary, where the first number would be zero, that a step takes.
+ * Chosen; usual are 0.9 to 0.995. */
+#define BOUNDARY_SHARE 0.98
+/* The iteration ends where the square root of the mean product per mass, a speed, is below this
+ * share of the tolerance. Chosen. */
+#define GAP_SHARE 0.1
 
-/* The penalty of an equality, in multiples of the mass that it feels. */
+/* The penalty weight of an equality, in effective masses. It bounds what the row misses per
+ * iteration by 1e-9 of what it would without; rounding (2^-53) leaves seven digits of the masses.
+ */
 #define STIFFNESS 1e9
 
-enum { STEPS = 40 };
+/* Iterations at most. Islands at rest take 2 to 5, in motion 8 to 17. */
+enum { ITERATIONS_MAX = 40 };
 
-/* Impulses at least so strong, against what gravity gives the row's mass, are worth a tangent. */
-#define FRICTION_LEAST 1e-9
+/* A friction row whose bound is below this, in multiples of what gravity gives the row's mass in a
+ * step, is left out as frictionless: its slacks would be divided by next to nothing. Chosen. */
+#define FRICTION_MIN 1e-9
 
-/* It has neither slack nor bound. */
+/* Whether a row has neither slack nor bound: an equality, or a spring without a greatest force. */
 static bool is_unbound(const td_direct_row *r) {
     return r->kind == TD_ROW_EQUAL || (r->kind == TD_ROW_SOFT && !(r->most < __builtin_inf()));
 }
 
-/* 1 / weight of a spring, which `base` has meanwhile. */
+/* 1 / weight of a soft row, whose weight is in `base` while the interior point runs. */
 static double compliance(const td_direct_row *r) {
     return r->kind == TD_ROW_SOFT ? 1.0 / r->base : 0.0;
 }
 
-/* What the slacks of a bound row are to make up. */
-static double excess(const td_direct_row *r) {
+/* J v - wanted of a friction row, and J v - wanted + y / weight of a spring: the difference of
+ * their slacks. */
+static double slack_difference(const td_direct_row *r) {
     return r->speed - r->wanted + compliance(r) * r->impulse;
 }
 
-static bool slides_free(const td_direct *d, const td_direct_row *r) {
-    return !(r->most > FRICTION_LEAST * r->mass * d->unit_speed);
+static bool is_frictionless(const td_direct *d, const td_direct_row *r) {
+    return !(r->most > FRICTION_MIN * r->mass * d->unit_speed);
 }
 
-/* Distance of a tangent's impulse from its lower and upper bound. */
-static double room(const td_direct_row *r, int which) {
+/* Distance of a friction row's impulse from its lower (0) or upper (1) bound. */
+static double bound_distance(const td_direct_row *r, int which) {
     return which ? r->most - r->impulse : r->most + r->impulse;
 }
 
-/* What a state needs to begin with: everything well inside. */
+/* The starting point: v = v*, slacks and impulses well inside of the positive numbers, of the size
+ * of the root mean square of the residuals, or g h where that is more (1e-9 keeps it above zero in
+ * a world without gravity). Impulses of the last step are not used: stale ones of heavy bodies on
+ * light ones begin so far off that the method does not converge. */
 static void start(td_direct *d) {
     double sum = 0.0;
     int rows = 0;
@@ -92,15 +105,15 @@ static void start(td_direct *d) {
                 r->slack[1] = td_max_double(-over, 0.0) + typical;
                 r->impulse = 0.0;
             }
-            bool idle = r->kind >= TD_ROW_FRICTION && slides_free(d, r);
-            r->active = r->used && !idle;
+            bool frictionless = r->kind >= TD_ROW_FRICTION && is_frictionless(d, r);
+            r->active = r->used && !frictionless;
             r->force = 0.0;
         }
     }
 }
 
-/* Mean product per mass, after a part of the step. */
-static double gap(const td_direct *d, double part) {
+/* The mean of the products per mass (speed squared), after a part of the step. */
+static double complementarity_gap(const td_direct *d, double part) {
     double sum = 0.0;
     int products = 0;
     for (int i = 0; i < d->constraint_count; i++) {
@@ -115,7 +128,9 @@ static double gap(const td_direct *d, double part) {
                 products++;
             } else {
                 double second = r->slack[1] + part * r->push[2];
-                sum += (first * (room(r, 0) + impulse) + second * (room(r, 1) - impulse)) / r->mass;
+                sum += (first * (bound_distance(r, 0) + impulse) +
+                        second * (bound_distance(r, 1) - impulse)) /
+                       r->mass;
                 products += 2;
             }
         }
@@ -123,9 +138,10 @@ static double gap(const td_direct *d, double part) {
     return products ? sum / products : 0.0;
 }
 
-/* Sets what the row gives to matrix and right side. The products aim at `aim` per mass; with `mend`
- * they heed what the steps of the predictor, in `push`, did to them. */
-static void prepare_row(td_direct_row *r, double aim, double mend) {
+/* Sets the row's weight in the matrix and its force on the right side. `aim` is what products per
+ * mass are to become; with `second_order` 1 the products of the predictor's steps (in `push`) are
+ * taken into account, with 0 they are not. */
+static void linearise_row(td_direct_row *r, double aim, double second_order) {
     double over = r->speed - r->wanted;
     if (is_unbound(r)) {
         bool soft = r->kind == TD_ROW_SOFT;
@@ -135,21 +151,23 @@ static void prepare_row(td_direct_row *r, double aim, double mend) {
     }
     if (r->kind == TD_ROW_PUSH) {
         double lack = over - r->slack[0];
-        double product = aim * r->mass - r->slack[0] * r->impulse - mend * r->push[0] * r->push[1];
+        double product =
+            aim * r->mass - r->slack[0] * r->impulse - second_order * r->push[0] * r->push[1];
         r->weight = r->impulse / r->slack[0];
         r->force = r->impulse + product / r->slack[0] - r->weight * lack;
         return;
     }
-    double low = room(r, 0), high = room(r, 1);
-    double lack = excess(r) - (r->slack[0] - r->slack[1]);
-    double first = aim * r->mass - r->slack[0] * low - mend * r->push[0] * r->push[1];
-    double second = aim * r->mass - r->slack[1] * high + mend * r->push[0] * r->push[2];
+    double low = bound_distance(r, 0), high = bound_distance(r, 1);
+    double lack = slack_difference(r) - (r->slack[0] - r->slack[1]);
+    double first = aim * r->mass - r->slack[0] * low - second_order * r->push[0] * r->push[1];
+    double second = aim * r->mass - r->slack[1] * high + second_order * r->push[0] * r->push[2];
     r->weight = 1.0 / (r->slack[0] / low + r->slack[1] / high + compliance(r));
     r->force = r->impulse + r->weight * (first / low - second / high - lack);
 }
 
-/* The row's own steps, from the change of its speed. */
-static void follow_row(td_direct_row *r, double aim, double mend) {
+/* The steps of the row's impulse and slacks, from the change of its speed, by substitution into the
+ * linearised conditions. */
+static void substitute_row(td_direct_row *r, double aim, double second_order) {
     double over = r->speed - r->wanted, old = r->push[0];
     r->push[0] = r->force - r->impulse - r->weight * r->change;
     if (is_unbound(r)) {
@@ -159,46 +177,49 @@ static void follow_row(td_direct_row *r, double aim, double mend) {
         r->push[1] = r->change + over - r->slack[0];
         return;
     }
-    double low = room(r, 0), high = room(r, 1);
-    double first = aim * r->mass - r->slack[0] * low - mend * old * r->push[1];
-    double second = aim * r->mass - r->slack[1] * high + mend * old * r->push[2];
+    double low = bound_distance(r, 0), high = bound_distance(r, 1);
+    double first = aim * r->mass - r->slack[0] * low - second_order * old * r->push[1];
+    double second = aim * r->mass - r->slack[1] * high + second_order * old * r->push[2];
     r->push[1] = (first - r->slack[0] * r->push[0]) / low;
     r->push[2] = (second + r->slack[1] * r->push[0]) / high;
 }
 
-static double cut(double part, double value, double change) {
+/* Shortens a step so that value + part * change is not negative. */
+static double shorten(double part, double value, double change) {
     return value + part * change < 0.0 ? -value / change : part;
 }
 
-/* So many steps, or parts of one, may be taken until something is negative; at most `most`. */
-static double reach(const td_direct *d, double most) {
-    double part = most;
+/* The longest part of the step, up to `max`, for which no slack, impulse or distance to a bound is
+ * negative. */
+static double step_to_boundary(const td_direct *d, double max) {
+    double part = max;
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             const td_direct_row *r = &d->constraints[i].row[k];
             if (!r->active || is_unbound(r)) {
                 continue;
             }
-            part = cut(part, r->slack[0], r->push[1]);
+            part = shorten(part, r->slack[0], r->push[1]);
             if (r->kind == TD_ROW_PUSH) {
-                part = cut(part, r->impulse, r->push[0]);
+                part = shorten(part, r->impulse, r->push[0]);
             } else {
-                part = cut(part, r->slack[1], r->push[2]);
-                part = cut(part, room(r, 0), r->push[0]);
-                part = cut(part, room(r, 1), -r->push[0]);
+                part = shorten(part, r->slack[1], r->push[2]);
+                part = shorten(part, bound_distance(r, 0), r->push[0]);
+                part = shorten(part, bound_distance(r, 1), -r->push[0]);
             }
         }
     }
     return part;
 }
 
+/* Calls a function for every active row. */
 static void for_rows(td_direct *d, void (*each)(td_direct_row *, double, double), double aim,
-                     double mend) {
+                     double second_order) {
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &d->constraints[i].row[k];
             if (r->active) {
-                each(r, aim, mend);
+                each(r, aim, second_order);
             }
         }
     }
@@ -211,7 +232,7 @@ static void advance_row(td_direct_row *r, double part, double unused) {
     r->slack[1] += part * r->push[2];
 }
 
-/* Forward by a part of the step; false where numbers failed. */
+/* Takes a part of the step. False where a velocity is not finite. */
 static bool advance(td_direct *d, double part) {
     bool done = td_direct_move(d, part);
     for_rows(d, advance_row, part, 0.0);
@@ -219,8 +240,9 @@ static bool advance(td_direct *d, double part) {
     return done;
 }
 
-/* The greatest speed that a slack is off by: zero once a whole step was taken. */
-static double lack(const td_direct *d) {
+/* The primal residual: the greatest difference between a unilateral row's slack and J v - wanted,
+ * and the greatest miss of an equality. It is zero once a whole step was taken. */
+static double primal_residual(const td_direct *d) {
     double worst = 0.0;
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
@@ -235,36 +257,39 @@ static double lack(const td_direct *d) {
     return worst;
 }
 
-/* What is nearer to opening than to pushing does not push. */
-static void decide(td_direct_row *r, double unused, double nor_this) {
-    (void)unused, (void)nor_this;
+/* Sets the impulse of a unilateral row to zero where the slack is the larger of the two: the active
+ * set that the interior has converged to. */
+static void round_to_active_set(td_direct_row *r, double unused, double also_unused) {
+    (void)unused, (void)also_unused;
     if (r->kind == TD_ROW_PUSH && !(r->impulse > r->mass * r->slack[0])) {
         r->impulse = 0.0;
     }
 }
 
-static bool approach(td_direct *d, double tolerance) {
-    double close = CLOSE * tolerance * CLOSE * tolerance;
+/* The iteration. False where a factorisation fails, or budgets run out. */
+static bool iterate(td_direct *d, double tolerance) {
+    double gap_enough = GAP_SHARE * tolerance * GAP_SHARE * tolerance;
     start(d);
-    for (int n = 0; n < STEPS && d->factorings < d->patience; n++) {
-        for_rows(d, prepare_row, 0.0, 0.0);
+    for (int n = 0; n < ITERATIONS_MAX && d->factorings < d->patience; n++) {
+        for_rows(d, linearise_row, 0.0, 0.0);
         if (!td_direct_factor(d) || !td_direct_step(d)) {
             return false;
         }
-        for_rows(d, follow_row, 0.0, 0.0);
-        double now = gap(d, 0.0), after = gap(d, reach(d, 1.0)),
-               share = now > 0.0 ? after / now : 0.0;
-        double aim = share * share * share * now;
-        for_rows(d, prepare_row, aim, 1.0);
+        for_rows(d, substitute_row, 0.0, 0.0);
+        double now = complementarity_gap(d, 0.0);
+        double after = complementarity_gap(d, step_to_boundary(d, 1.0));
+        double left = now > 0.0 ? after / now : 0.0, sigma = left * left * left;
+        double aim = sigma * now;
+        for_rows(d, linearise_row, aim, 1.0);
         if (!td_direct_step(d)) {
             return false;
         }
-        for_rows(d, follow_row, aim, 1.0);
-        if (!advance(d, NEARLY * reach(d, 1.0 / NEARLY))) {
+        for_rows(d, substitute_row, aim, 1.0);
+        if (!advance(d, BOUNDARY_SHARE * step_to_boundary(d, 1.0 / BOUNDARY_SHARE))) {
             return false;
         }
-        if (gap(d, 0.0) <= close && lack(d) <= tolerance) {
-            for_rows(d, decide, 0.0, 0.0);
+        if (complementarity_gap(d, 0.0) <= gap_enough && primal_residual(d) <= tolerance) {
+            for_rows(d, round_to_active_set, 0.0, 0.0);
             return true;
         }
     }
@@ -272,7 +297,7 @@ static bool approach(td_direct *d, double tolerance) {
 }
 
 bool td_direct_interior(td_direct *d, double tolerance) {
-    bool done = approach(d, tolerance);
+    bool done = iterate(d, tolerance);
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &d->constraints[i].row[k];

@@ -1,12 +1,13 @@
-/* direct_islands.c: finds the islands that are to be solved at once.
+/* direct_islands.c: finds the islands that are solved directly in this step.
  *
- * An island is what constraints that act between dynamic bodies connect. It is direct when a body
- * of it is: for TD_DIRECT_STEPS after a constraint of it was last found to give way too much. That
- * is looked for in an eighth of the blocks a step, and must be found twice in succession, and where
- * the two bodies are calm: an impact is as heavy but passes, and of a heap in motion the soft
- * solver makes as much for less. Where a heavy body lies on a light one, which sinks in at once,
- * half the load found once will do. A joint is found once, and its island is solved directly in
- * that very step (linkages/late_islands.c). Where the limit is 0 every island is direct. */
+ * An island is a connected component of dynamic bodies and the constraints that act between them.
+ * It is direct if one of its bodies is marked (direct_steps). td_islands_watch marks the bodies of
+ * a contact whose load is above the threshold of td_islands_most twice in succession, while both
+ * bodies are nearly at rest: an impact is as heavy, but passes, and a heap in motion is solved as
+ * well by the soft solver for less. It looks at an eighth of the blocks in each step. Where a heavy
+ * body lies on a light one, which sinks in at once, half the load found once is enough. A joint is
+ * marked when its load is found once, and its island is solved directly in the same step
+ * (linkages/late_islands.c). With sag_limit 0 every island is direct. */
 #include "islands/direct_islands.h"
 
 #include "constraint/constraint.h"
@@ -45,8 +46,8 @@ void td_islands_free(td_memory *memory, td_islands *s) {
     td_sparse_free(memory, &s->matrix);
 }
 
-/* Room in each list for all bodies and constraints that there are, where that takes little. */
-static bool room_for_all(thud_world *w) {
+/* Reserves room in each list for all bodies and constraints. False when memory is short. */
+static bool reserve_lists(thud_world *w) {
     td_islands *s = &w->islands;
     int bodies = w->body_of.count, constraints = w->touching + TD_JOINT_PARTS * w->joints.live;
     return td_islands_room(w, &s->local, bodies) && td_islands_room(w, &s->island, bodies) &&
@@ -58,13 +59,15 @@ static bool room_for_all(thud_world *w) {
 
 /* ---- which ---- */
 
-/* The values of td_islands.local that are no numbers in an island. */
+/* Values of td_islands.local of bodies that are in no listed island. */
 enum {
-    TOO_MANY = -1, /* its island has more bodies than the limit */
-    ALONE = -2,    /* nothing touches it */
-    COOLING = -3   /* its island is left alone for now */
+    TOO_MANY = -1, /* its island has more bodies than quality.island_limit */
+    ALONE = -2,    /* it has no constraints */
+    COOLING = -3   /* its island is in the cooldown */
 };
 
+/* Whether a body begins an island: it is marked, or every island is direct, and it is in none yet.
+ */
 static bool is_seed(const thud_world *w, td_awake_slot slot) {
     int direct_steps = *td_direct_steps_at(w, slot);
     return direct_steps <= TD_DIRECT_COOLDOWN &&
@@ -81,15 +84,18 @@ static bool any_direct(const thud_world *w) {
     return any > 0;
 }
 
-enum { MOST_TIMES = 5 }; /* left alone for half a minute then, at 60 steps a second */
+enum {
+    COOLDOWNS_MAX = 5
+}; /* 2^4 times TD_COOLDOWN_STEPS: half a minute at 60 steps a second. Chosen. */
 
+/* Begins the cooldown of a body, the `times`th in succession. */
 static void cool_down(thud_world *w, td_awake_slot slot, int steps, int times) {
     *td_direct_steps_at(w, slot) = (uint8_t)(TD_DIRECT_COOLDOWN + steps);
-    *td_slow_steps_at(w, slot) = (uint16_t)(td_min_int(times, MOST_TIMES) * TD_SLOW_ONCE);
+    *td_slow_steps_at(w, slot) = (uint16_t)(td_min_int(times, COOLDOWNS_MAX) * TD_SLOW_ONCE);
 }
 
-/* What thud_world.direct_steps of a body is after this step. While it is left alone, a body counts
- * down; one that was left n times does so in one of 2^(n - 1) steps. */
+/* direct_steps of a body after this step: in the cooldown it counts down, in one of 2^(n - 1) steps
+ * in the nth cooldown in succession. */
 static int direct_after_step(const thud_world *w, td_awake_slot slot) {
     int direct_steps = *td_direct_steps_at(w, slot);
     uint64_t halvings = TD_SLOW_LEFT(*td_slow_steps_at(w, slot));
@@ -102,7 +108,7 @@ void td_islands_leave(thud_world *w, const td_island *island, int steps, bool fo
     for (int i = 0; i < island->bodies; i++) {
         td_awake_slot slot = td_slot_in(&w->islands.slots, island->first_body + i);
         int times = TD_SLOW_LEFT(*td_slow_steps_at(w, slot)) + 1;
-        cool_down(w, slot, steps, for_long ? MOST_TIMES : times);
+        cool_down(w, slot, steps, for_long ? COOLDOWNS_MAX : times);
     }
 }
 
@@ -123,9 +129,9 @@ void td_islands_settle(thud_world *w) {
     }
 }
 
-/* Adds the contacts of a body, and whom they bring; each contact once, by its first side that is a
- * body of an island. False: the island has too many bodies. */
-static bool spread(thud_world *w, td_island *island, td_awake_slot slot) {
+/* Adds the constraints of a body to its island, each once, and the bodies at their other ends.
+ * False where the island has too many bodies. */
+static bool add_constraints_of(thud_world *w, td_island *island, td_awake_slot slot) {
     td_body_index body = td_body_of(w, slot);
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, e / 2);
@@ -158,7 +164,8 @@ int64_t td_island_cost(const td_island *island) {
     return island->system.work + island->bodies + 2 * (int64_t)island->constraints;
 }
 
-/* One newcomer does not rouse a whole heap that was left alone. */
+/* Whether an island stays in its cooldown: more than half of its bodies are. A few bodies that join
+ * a heap do not end its cooldown. */
 static bool cools_down(const thud_world *w, const td_island *island) {
     int cooling = 0;
     for (int i = 0; i < island->bodies; i++) {
@@ -174,7 +181,7 @@ void td_islands_follow(thud_world *w, td_awake_slot seed) {
     bool whole = true;
     td_island_add(w, &island, seed);
     for (int i = island.first_body; whole && i < s->slots.count; i++) {
-        whole = spread(w, &island, td_slot_in(&s->slots, i));
+        whole = add_constraints_of(w, &island, td_slot_in(&s->slots, i));
     }
     island.constraints = s->constraints.count - island.first_constraint;
     bool cooling = cools_down(w, &island);
@@ -199,7 +206,7 @@ bool td_islands_find(thud_world *w) {
     if (w->quality.sag_limit > 0.0f && !any_direct(w) && !w->joints.live) {
         return true;
     }
-    if (!room_for_all(w)) {
+    if (!reserve_lists(w)) {
         return false;
     }
     s->local.count = slots;
@@ -214,13 +221,16 @@ bool td_islands_find(thud_world *w) {
 
 /* ---- load ---- */
 
-#define UNEQUAL 30.0f /* masses */
+/* Mass ratio of two bodies above which half the load marks them: the soft solver holds ratios up to
+ * some 30, and above it the heavy body sinks in at once. */
+#define MASS_RATIO 30.0f
 
 enum {
-    FEW = 32, /* blocks, that are all looked at */
-    OFTEN = 2
+    ALL_BLOCKS = 32, /* with fewer blocks than this, all are looked at in each step. Chosen. */
+    TIMES_SEEN = 2   /* times in succession that a contact's load must be above the threshold */
 };
 
+/* Marks the body of a lane's side as direct, unless it is static or in its cooldown. */
 static void mark_direct(thud_world *w, uint32_t record) {
     td_awake_slot slot = td_slot_of_side(record);
     uint8_t *direct_steps = td_direct_steps_at(w, slot);
@@ -229,18 +239,22 @@ static void mark_direct(thud_world *w, uint32_t record) {
     }
 }
 
-/* A spring of frequency f gives way by (impulse / mass / h) / (2 pi f)^2 under an impulse a
- * substep. */
+/* The soft contact is a spring of angular frequency omega = 2 pi f, so that under an impulse per
+ * substep of length h it sinks in by  s = (impulse / mass / h) / omega^2.  contact_stiffness is f
+ * h, and h is time_step / substeps, so that  impulse / mass = s (2 pi contact_stiffness)^2 substeps
+ * / time_step; the limits of s are given for the quality's own number of substeps, and a max_error
+ * for the present one: sinking is proportional to h^2. */
 float td_islands_most(const thud_world *w, float size) {
     float steps = (float)w->substeps, own = td_max_float(steps, (float)w->quality.substeps);
     float sag = w->quality.sag_limit * size * (own * own);
-    float omega = 2.0f * (float)TD_PI * w->quality.contact_stiffness; /* a substep */
+    float omega = 2.0f * (float)TD_PI * w->quality.contact_stiffness; /* rad a substep */
     if (w->def.max_error > 0.0) {
         sag = td_min_float(sag, (float)w->def.max_error * (steps * steps));
     }
     return sag * omega * omega / (steps * (float)w->def.time_step);
 }
 
+/* Thickness of a body's thinnest shape; static bodies have none. */
 static float size_of(const thud_world *w, td_awake_slot slot) {
     return slot.at ? 2.0f * td_row(&w->reach, slot)[0] : 3.0e38f;
 }
@@ -249,57 +263,61 @@ float td_islands_size(const thud_world *w, td_awake_slot a, td_awake_slot b) {
     return td_min_float(size_of(w, a), size_of(w, b));
 }
 
-static bool is_calm(const thud_world *w, td_awake_slot a, td_awake_slot b) {
+/* Whether two bodies hardly move against each other. */
+static bool is_nearly_at_rest(const thud_world *w, td_awake_slot a, td_awake_slot b) {
     const float *v = td_row(&w->velocity, a), *u = td_row(&w->velocity, b);
-    float x = u[0] - v[0], y = u[1] - v[1], most = td_calm_speed(w);
-    return x * x + y * y < most * most;
+    float x = u[0] - v[0], y = u[1] - v[1], max = td_calm_speed(w);
+    return x * x + y * y < max * max;
 }
 
+/* Looks at the lanes of one block, and marks bodies as direct. A lane's `loaded` counts how often
+ * in succession its load was above the threshold; the flag TD_DIRECT beside it says that its
+ * impulses are the direct solver's. True where a joint is marked. */
 static bool watch_block(thud_world *w, td_block *block, int kind) {
     float deep = w->def.max_error > 0.0 ? (float)w->def.max_error : 3.0e38f;
     int points = td_form_points(w->kinds[kind]->form);
-    bool contact = kind < TD_PAIR_COUNT, late = false;
+    bool contact = kind < TD_PAIR_COUNT, joint_marked = false;
     for (int lane = 0; lane < block->used; lane++) {
         td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
         float inverse_a = td_row(&w->velocity, a)[3], inverse_b = td_row(&w->velocity, b)[3];
         float light = td_max_float(inverse_a, inverse_b),
               other = td_min_float(inverse_a, inverse_b);
-        float size = td_islands_size(w, a, b), most = td_islands_most(w, size);
+        float size = td_islands_size(w, a, b), threshold = td_islands_most(w, size);
         float load = 0.0f, off = 0.0f;
         for (int k = 0; contact && k < points; k++) {
             load += block->point[k].normal_impulse[lane];
             off = td_max_float(off, -(block->point[k].separation[lane] + w->skin));
         }
         load = contact ? load * light : w->kinds[kind]->lanes->load(w, block, lane, size, &off);
-        bool sinks = 2.0f * load > most && other > 0.0f && light > UNEQUAL * other;
+        bool sinks = 2.0f * load > threshold && other > 0.0f && light > MASS_RATIO * other;
         int direct = block->mark[lane].loaded & TD_DIRECT,
             before = block->mark[lane].loaded - direct;
-        /* Joints stay: their load is none of an impact that passes. */
-        bool passes = contact && !is_calm(w, a, b);
-        bool gives_way = (load > most && !passes) || off > deep;
-        int seen = gives_way ? td_min_int(before + 1, OFTEN) : 0;
-        if (sinks || seen >= (contact ? OFTEN : 1)) {
+        /* A contact between moving bodies may be an impact, which passes; a joint's load stays. */
+        bool impact = contact && !is_nearly_at_rest(w, a, b);
+        bool yields = (load > threshold && !impact) || off > deep;
+        int seen = yields ? td_min_int(before + 1, TIMES_SEEN) : 0;
+        if (sinks || seen >= (contact ? TIMES_SEEN : 1)) {
             mark_direct(w, block->a[lane]);
             mark_direct(w, block->b[lane]);
-            late |= !contact;
+            joint_marked |= !contact;
         }
         block->mark[lane].loaded = (uint8_t)(seen | direct);
     }
-    return late;
+    return joint_marked;
 }
 
 bool td_islands_watch(thud_world *w) {
-    bool late = false;
+    bool joint_marked = false;
     if (w->quality.sag_limit == 0.0f) {
-        return late;
+        return joint_marked;
     }
-    int stride = w->scratch.blocks.count < FEW ? 1 : 8;
+    int stride = w->scratch.blocks.count < ALL_BLOCKS ? 1 : 8;
     for (int i = (int)(w->steps % (uint64_t)stride); i < w->scratch.blocks.count; i += stride) {
         td_block *block = *TD_AT(td_block *, &w->scratch.blocks, i);
         if (block->used) {
             int kind = td_constraint_at(w, block->constraint[0])->kind;
-            late |= watch_block(w, block, kind);
+            joint_marked |= watch_block(w, block, kind);
         }
     }
-    return late;
+    return joint_marked;
 }

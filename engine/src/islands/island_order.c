@@ -1,5 +1,6 @@
-/* island_order.c: in which order the bodies of each island are eliminated. It follows from which of
- * them are tied, and from nothing else, so that it stands until that changes. */
+/* island_order.c: the elimination order of each island's bodies. It depends on nothing but the
+ * graph of the island (how many bodies there are, and which of them constraints join), so that it
+ * is kept from step to step until that changes. */
 #include "islands/island_order.h"
 
 #include "constraint/constraint.h"
@@ -32,7 +33,8 @@ void td_island_list_ties(thud_world *w, const td_island *island) {
     }
 }
 
-/* Lists the sizes of all islands and their ties, which is all that their order follows from. */
+/* Lists the sizes of all islands and their pairs, which is all that the orders depend on. False
+ * when memory is short. */
 static bool list_shape(thud_world *w) {
     td_islands *s = &w->islands;
     if (!td_islands_room(w, &s->shape, 2 * (s->island.count + s->constraints.count))) {
@@ -48,6 +50,7 @@ static bool list_shape(thud_world *w) {
     return true;
 }
 
+/* Whether that list is as it was in the last step that had one. */
 static bool is_same_shape(const td_islands *s) {
     return s->shape.count == s->shape_before.count && s->shape.count &&
            memcmp(s->shape.data, s->shape_before.data, (size_t)s->shape.count * sizeof(int)) == 0;
@@ -66,7 +69,8 @@ bool td_island_order(thud_world *w, const td_island *island, const int *ties, in
     return td_sparse_order(&w->memory, &s->matrix, most);
 }
 
-/* The order of islands that are tied as they were in the step before stands. */
+/* Finds the order of every island, or keeps those of the last step where no graph has changed.
+ * False when memory is short. */
 static bool order_all(thud_world *w) {
     td_islands *s = &w->islands;
     if (!list_shape(w) || !td_islands_room(w, &s->systems, s->island.count)) {
@@ -75,7 +79,7 @@ static bool order_all(thud_world *w) {
     if (is_same_shape(s)) {
         return true;
     }
-    s->shape_before.count = 0; /* until all is in order */
+    s->shape_before.count = 0; /* the orders are not whole until the end of this function */
     td_sparse_forget(&s->matrix);
     const int *shape = s->shape.data;
     for (int i = 0; i < s->island.count; i++) {

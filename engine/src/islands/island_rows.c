@@ -1,15 +1,22 @@
-/* island_rows.c: the problem of direct.h, taken from an island's bodies and constraints. */
+/* island_rows.c: sets up the problem of direct.h for an island: bodies, rows and warm-start
+ * impulses.
+ *
+ * The unknown is the mean velocity over the step. A body's free mean velocity is half the sum of
+ * its velocity before the step and that after all substeps without constraints, so that free flight
+ * is the same as under the soft solver. */
 #include "islands/island_order.h"
 #include "islands/island_solve.h"
 
 #include <string.h>
 
-enum { PATIENCE = 200 };
+enum { FACTORINGS_MAX = 200 }; /* of an island in a step, whatever the quality allows. Chosen. */
 
-#define TURN_MOST 0.4 /* by which arms may swing that are taken as they were at the start */
+/* Greatest rotation, rad, for which lever arms of the start of the step are good enough. Chosen;
+ * their error is 1 - cos 0.4, 8 %. */
+#define TURN_MAX 0.4
 
-/* The soft solver begins without the direct one's impulses, which would be too much for it to take
- * back: a light body between heavy ones would leave at any speed. */
+/* Lanes whose impulses are the direct solver's begin without a warm start in the soft solver: it
+ * cannot take back such an impulse within a step where a light body is between heavy ones. */
 void td_island_note(thud_world *w) {
     td_islands *s = &w->islands;
     for (int i = 0; i < s->slots.count; i++) {
@@ -42,7 +49,7 @@ void td_island_guess(thud_world *w, int i, float soft) {
 
 /* ---- the problem ---- */
 
-/* Mean velocity of a step without contacts, whose end is as the substeps would have it. */
+/* Mass, velocity before the step, and free mean velocity of body i. */
 static void take_body(td_island_work *work, int i) {
     thud_world *w = work->w;
     td_awake_slot slot = work->slots[i];
@@ -64,9 +71,9 @@ static void take_body(td_island_work *work, int i) {
     }
 }
 
-/* The body's number in the island; TD_NONE where the solver does not move it. Its velocity then
- * goes to `known`: of a body that moves, but in another island, as the soft solver has it, its mean
- * velocity. */
+/* The number in the island of a lane's body; TD_NONE where it is no variable of the problem.
+ * `known` gets its velocity: of a static or kinematic body the present one, of a body of another
+ * island the mean velocity of the soft solver's result. */
 static int side_of(const td_island_work *work, uint32_t record, double known[3]) {
     const thud_world *w = work->w;
     td_awake_slot slot = td_slot_of_side(record);
@@ -78,16 +85,17 @@ static int side_of(const td_island_work *work, uint32_t record, double known[3])
     return moves ? td_island_number(w, work->island, slot) : TD_NONE;
 }
 
-static double by_known(const double *j, const double *v) {
+static double dot(const double *j, const double *v) {
     return j[0] * v[0] + j[1] * v[1] + j[2] * v[2];
 }
 
-/* What the sides that the solver does not move bring to a row. */
+/* Sets the speed along a row of the sides that are no variables. */
 static void set_known(const td_direct_constraint *c, td_direct_row *r, double known[2][3]) {
-    r->known = (c->a == TD_NONE ? by_known(r->a, known[0]) : 0.0) +
-               (c->b == TD_NONE ? by_known(r->b, known[1]) : 0.0);
+    r->known = (c->a == TD_NONE ? dot(r->a, known[0]) : 0.0) +
+               (c->b == TD_NONE ? dot(r->b, known[1]) : 0.0);
 }
 
+/* Sets up the rows of constraint i. */
 static void take_constraint(td_island_work *work, int i) {
     thud_world *w = work->w;
     const td_constraint *constraint = td_constraint_at(w, work->constraints[i]);
@@ -116,12 +124,12 @@ static void take_constraint(td_island_work *work, int i) {
     }
 }
 
-/* Matrices that the island may take of what the quality allows for the step; a time budget that
- * lowers the substeps lowers that as well. */
+/* The factorisations that the quality's island_work leaves for the island in this step. A time
+ * budget that lowers the substeps lowers island_work in proportion. */
 int td_island_patience(const thud_world *w, const td_island *island) {
     int64_t work = w->quality.island_work / w->quality.substeps * w->substeps;
-    int64_t most = (work - w->stats.island_work) / td_island_cost(island);
-    return most < 0 ? 0 : most < PATIENCE ? (int)most : PATIENCE;
+    int64_t left = (work - w->stats.island_work) / td_island_cost(island);
+    return left < 0 ? 0 : left < FACTORINGS_MAX ? (int)left : FACTORINGS_MAX;
 }
 
 static td_direct problem_of(thud_world *w, const td_island *island) {
@@ -151,7 +159,7 @@ td_island_work td_island_take(thud_world *w, const td_island *island) {
                            .time = w->def.time_step,
                            .elapsed = w->def.time_step,
                            .next = w->def.time_step,
-                           .turn_most = TURN_MOST};
+                           .turn_most = TURN_MAX};
     for (int i = 0; i < island->bodies; i++) {
         take_body(&work, i);
     }
@@ -161,7 +169,8 @@ td_island_work td_island_take(thud_world *w, const td_island *island) {
         soft += impulses[TD_DIRECT_ROWS] > 0.0f;
         take_constraint(&work, i);
     }
-    /* Without a limit of sag islands are the direct solver's from their first contact on. */
+    /* At qualities that solve every island directly, impulses are the direct solver's from the
+     * first contact on. */
     work.problem.fresh = w->quality.sag_limit > 0.0f && 2 * soft > island->constraints;
     return work;
 }

@@ -1,12 +1,13 @@
-/* label.c: see label.h. */
+/* label.c: union-find over the constraints that act; see label.h. */
 #include "islands/label.h"
 
 #include "constraint/lanes.h"
 
+/* Unites two trees. */
 static void join(td_awake_slot *parents, td_awake_slot a, td_awake_slot b) {
     a = td_root_of(parents, a);
     b = td_root_of(parents, b);
-    /* The lower slot leads, so that roots do not depend on the order of contacts. */
+    /* The lower slot becomes the root, so that roots do not depend on the order of contacts. */
     if (a.at < b.at) {
         parents[b.at] = a;
     } else {
@@ -23,9 +24,11 @@ static bool moves(const thud_world *w, td_awake_slot slot) {
     return v[0] != 0.0f || v[1] != 0.0f || v[2] != 0.0f;
 }
 
-/* A lane ties two dynamic bodies together; a moving kinematic body `keeps` its neighbour awake. */
-static void tie(thud_world *w, td_awake_slot *parents, td_awake_slot a, td_awake_slot b,
-                bool keeps) {
+/* Unites the islands of two bodies that a constraint joins, if both are dynamic. With `keeps` a
+ * moving kinematic body sets the idle time of the other one to 0. Slot 0 stands for all static
+ * bodies. */
+static void join_islands(thud_world *w, td_awake_slot *parents, td_awake_slot a, td_awake_slot b,
+                         bool keeps) {
     if (a.at == 0 || b.at == 0) {
         return;
     }
@@ -51,8 +54,8 @@ bool td_islands_label(thud_world *w, bool keep_awake) {
         if (constraint->state == TD_TOUCHING && constraint->bin != TD_SLEEPING &&
             constraint->live) {
             td_lane at = td_lane_of(w, constraint);
-            tie(w, parent, td_slot_of_side(at.block->a[at.lane]),
-                td_slot_of_side(at.block->b[at.lane]), keep_awake);
+            join_islands(w, parent, td_slot_of_side(at.block->a[at.lane]),
+                         td_slot_of_side(at.block->b[at.lane]), keep_awake);
         }
     }
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {

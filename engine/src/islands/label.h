@@ -1,11 +1,13 @@
-/* label.h: which bodies belong together: an island is what touching contacts between dynamic
- * bodies connect. */
+/* label.h: the island of every awake body: the connected components of the graph whose nodes are
+ * dynamic bodies and whose edges are touching contacts and joints in force, by union-find (Tarjan,
+ * "Efficiency of a good but not linear set union algorithm", 1975). */
 #ifndef TD_LABEL_H
 #define TD_LABEL_H
 
 #include "state/world.h"
 
-/* In a forest of parents, each of which may be its own; ways there get shorter. */
+/* The root of a slot in a forest where each slot has a parent and a root is its own parent. Halves
+ * the path on the way. */
 static inline td_awake_slot td_root_of(td_awake_slot *parents, td_awake_slot i) {
     while (parents[i.at].at != i.at) {
         parents[i.at] = parents[parents[i.at].at];
@@ -14,9 +16,9 @@ static inline td_awake_slot td_root_of(td_awake_slot *parents, td_awake_slot i) 
     return i;
 }
 
-/* scratch.parents gets the island of each awake slot, named by its lowest slot; false when memory
- * is short. `keep_awake`: what a moving kinematic body touches is not at rest, and its idle time
- * starts over. */
+/* Sets scratch.parents of each awake slot to the lowest slot of its island. False when memory is
+ * short. With `keep_awake` the idle time of a body that touches a moving kinematic body becomes 0.
+ */
 bool td_islands_label(thud_world *w, bool keep_awake);
 
 #endif

@@ -1,9 +1,9 @@
-/* sleep.c: islands fall asleep as a whole.
+/* sleep.c: the stage that puts islands to sleep, each as a whole.
  *
- * Islands are only worked out when a body has been at rest for long enough, and then at most every
- * eighth step: a world in which nothing rests pays nothing. Who rests, and for how long, is counted
- * where motion becomes pose, in solver/wide_finalize.c. The lanes of a sleeping island lie,
- * with their impulses, in bins that no stage visits. */
+ * An island sleeps when every body of it has been idle for TD_SLEEP_TIME. The idle time of a body
+ * is counted in solver/wide_finalize.c. Islands are labelled only when some body has been idle for
+ * that long, and then in one of eight steps, so that a world in which nothing rests pays nothing.
+ * The lanes of a sleeping island are moved, with their impulses, into bins that no stage visits. */
 #include "state/awake.h"
 #include "constraint/constraint.h"
 #include "constraint/lanes.h"
@@ -13,7 +13,7 @@
 
 #include <string.h>
 
-/* Puts the bodies listed to sleep; there is room. */
+/* Puts the bodies in scratch.bodies, which are whole islands, to sleep. Room has been reserved. */
 static void put_to_sleep(thud_world *w) {
     td_array *bodies = &w->scratch.bodies, *constraints = &w->scratch.constraints;
     constraints->count = 0;
@@ -48,8 +48,8 @@ static void put_to_sleep(thud_world *w) {
     }
     w->rest_epoch++;
     for (int i = 0; i < bodies->count; i++) {
-        /* In a crowd pairs may be missing. An older epoch makes the body look around when it wakes.
-         */
+        /* Where the broadphase was too crowded to list all pairs, an older epoch makes the body
+         * look for them when it wakes. */
         td_body_at(w, td_body_in(bodies, i))->rest_epoch =
             w->rest_epoch - (w->scratch.crowded.count > 0);
     }
@@ -57,6 +57,8 @@ static void put_to_sleep(thud_world *w) {
     td_proxy_set_forget(&w->rest_shapes);
 }
 
+/* Whether this step looks for islands to put to sleep. `bodies`: how many have been idle long
+ * enough. */
 static bool is_due(const thud_world *w, int bodies) {
     return w->def.sleeping && bodies > 0 && w->steps % 8 == 0;
 }
@@ -67,41 +69,44 @@ static bool reserve(thud_world *w) {
 }
 
 bool td_sleep_reserve(thud_world *w) {
-    /* A body that enters or wakes has not been counted: a long step by itself may be enough for it.
-     */
+    /* A body that enters or wakes in this step is not among drowsy_bodies; where one step is as
+     * long as TD_SLEEP_TIME, it may fall asleep at the end of this one. */
     bool long_step = (float)w->def.time_step >= TD_SLEEP_TIME;
-    /* Making room for sleepers may move the blocks, so they are listed again. */
+    /* Reserving room for sleeping lanes may move the blocks, so that they are listed again. */
     return !is_due(w, long_step ? w->body_of.count : w->drowsy_bodies) ||
            (reserve(w) && td_lanes_sequence(w));
 }
 
-/* Gaps of joints and overlaps are closed by motion that velocity knows nothing of, and idle time
- * with it: whether a body still moved in this step. */
-static bool is_mended(const thud_world *w, td_awake_slot slot) {
+/* Whether a body moved in this step by at least the sleep speed times the time step. Position
+ * correction of joint gaps and overlaps moves a body without a velocity, so that the idle time,
+ * which looks at the velocity, does not see it. */
+static bool is_corrected(const thud_world *w, td_awake_slot slot) {
     const float *delta = td_row(&w->delta, slot);
-    double most = (double)(TD_SLEEP_SPEED * w->unit) * w->def.time_step;
+    double max = (double)(TD_SLEEP_SPEED * w->unit) * w->def.time_step;
     double x = (double)delta[0], y = (double)delta[1];
     double turn = (double)delta[2] * (double)td_row(&w->reach, slot)[1];
-    return x * x + y * y >= most * most || turn * turn >= most * most;
+    return x * x + y * y >= max * max || turn * turn >= max * max;
 }
 
-/* The idle time of a body as its island counts it: 0 of what is not to sleep now. */
+/* The idle time of a body, s; 0 for a body that must not sleep now. */
 static float idle_time(const thud_world *w, td_awake_slot slot) {
     const td_body *body = td_body_at(w, td_body_of(w, slot));
     bool restless = body->flags & TD_BODY_RESTLESS || body->kind != THUD_DYNAMIC;
-    return restless || is_mended(w, slot) ? 0.0f : *td_row(&w->idle, slot);
+    return restless || is_corrected(w, slot) ? 0.0f : *td_row(&w->idle, slot);
 }
 
 void td_sleep(thud_world *w) {
-    /* Where nobody was expected to fall asleep there may be no room: then they do so later. */
+    /* Room was reserved only if some body was expected to fall asleep. Without memory for more,
+     * bodies fall asleep in a later step. */
     if (!is_due(w, w->idle_bodies) || !reserve(w) || !td_islands_label(w, true)) {
         return;
     }
     const td_awake_slot *root = w->scratch.parents.data;
-    /* The least idle time of an island, kept at its root's slot; a restless body keeps it up. */
+    /* The idle time of an island is the least of its bodies, and is kept at the slot of its root.
+     */
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
-        float *least = td_row(&w->idle, root[slot.at]);
-        *least = td_min_float(*least, idle_time(w, slot));
+        float *island_idle = td_row(&w->idle, root[slot.at]);
+        *island_idle = td_min_float(*island_idle, idle_time(w, slot));
     }
     w->scratch.bodies.count = 0;
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {

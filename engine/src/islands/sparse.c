@@ -1,4 +1,10 @@
-/* sparse.c: see sparse.h. */
+/* sparse.c: the symbolic part of sparse.h: minimum-degree ordering and the structure of L.
+ *
+ * Ordering simulates the elimination on the graph of the nodes (Tinney and Walker, 1967): the node
+ * of least degree goes next, and its neighbours become neighbours of each other, which are the
+ * blocks that fill in. The graph is a matrix of bits, so that an elimination is an OR of rows;
+ * nodes of equal degree are taken in the order in which they got that degree, last first, which is
+ * the same everywhere. */
 #include "islands/sparse.h"
 
 #include <string.h>
@@ -7,7 +13,7 @@ static int *ints(const td_array *array) {
     return array->data;
 }
 
-/* Of the present system. */
+/* The arrays of the present system. */
 static int *places(const td_sparse *s) {
     return ints(&s->place) + s->now.place;
 }
@@ -28,8 +34,8 @@ static uint64_t *ties_of(const td_sparse *s, int node) {
     return (uint64_t *)s->ties.data + (size_t)node * (size_t)s->words;
 }
 
-/* Room from the start for what is usual. */
-static bool roomy(td_memory *memory, td_array *array, int count) {
+/* Reserves at least 128 elements, so that arrays of small systems do not grow step by step. */
+static bool reserve(td_memory *memory, td_array *array, int count) {
     return td_array_reserve(memory, array, td_max_int(count, 128));
 }
 
@@ -52,10 +58,11 @@ void td_sparse_free(td_memory *memory, td_sparse *s) {
     td_arrays_free(memory, s, ARRAYS, ARRAY_COUNT);
 }
 
-/* A column more than nodes in each system, which has a node at least. */
+/* `column` has one more element than nodes in each system, and a system has at least one node:
+ * twice the nodes is enough. */
 bool td_sparse_reserve(td_memory *memory, td_sparse *s, int nodes) {
-    return roomy(memory, &s->place, 2 * nodes) && roomy(memory, &s->node, 2 * nodes) &&
-           roomy(memory, &s->column, 2 * nodes);
+    return reserve(memory, &s->place, 2 * nodes) && reserve(memory, &s->node, 2 * nodes) &&
+           reserve(memory, &s->column, 2 * nodes);
 }
 
 void td_sparse_forget(td_sparse *s) {
@@ -68,14 +75,14 @@ bool td_sparse_begin(td_memory *memory, td_sparse *s, int size) {
                                &s->map,    &s->walk, &s->chain, &s->diagonal};
     int place = s->now.size ? s->now.place + s->now.size + 1 : 0;
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) {
-        if (!roomy(memory, lists[i], size + 1)) {
+        if (!reserve(memory, lists[i], size + 1)) {
             return false;
         }
     }
     assert(place + size < s->column.capacity);
     s->now = (td_system){.size = size, .place = place, .row = s->row.count};
     s->words = (size + 63) / 64;
-    if (!roomy(memory, &s->ties, size * s->words)) {
+    if (!reserve(memory, &s->ties, size * s->words)) {
         return false;
     }
     memset(s->ties.data, 0, (size_t)(size * s->words) * sizeof(uint64_t));
@@ -90,7 +97,8 @@ void td_sparse_tie(td_sparse *s, int a, int b) {
 
 /* ---- order ---- */
 
-static void list(td_sparse *s, int node) {
+/* Puts a node at the front of the list of its degree. */
+static void link_by_degree(td_sparse *s, int node) {
     int degree = ints(&s->degree)[node], first = ints(&s->head)[degree];
     ints(&s->next)[node] = first;
     ints(&s->prev)[node] = TD_NONE;
@@ -100,7 +108,8 @@ static void list(td_sparse *s, int node) {
     ints(&s->head)[degree] = node;
 }
 
-static void unlist(td_sparse *s, int node) {
+/* Takes a node out of the list of its degree. */
+static void unlink_by_degree(td_sparse *s, int node) {
     int next = ints(&s->next)[node], prev = ints(&s->prev)[node];
     if (next != TD_NONE) {
         ints(&s->prev)[next] = prev;
@@ -120,10 +129,11 @@ static void count_degree(td_sparse *s, int node) {
     ints(&s->degree)[node] = degree;
 }
 
-/* Appends the node's neighbours to the rows of its column; they become each other's. */
+/* Eliminates a node: appends its neighbours to the rows of its column, and makes them neighbours of
+ * each other. False when memory is short. */
 static bool eliminate(td_memory *memory, td_sparse *s, int node) {
     int first = s->row.count, degree = ints(&s->degree)[node];
-    if (!roomy(memory, &s->row, first + degree)) {
+    if (!reserve(memory, &s->row, first + degree)) {
         return false;
     }
     const uint64_t *own = ties_of(s, node);
@@ -140,15 +150,15 @@ static bool eliminate(td_memory *memory, td_sparse *s, int node) {
         }
         ties[node / 64] &= ~(1ull << (node % 64));
         ties[other / 64] &= ~(1ull << (other % 64));
-        unlist(s, other);
+        unlink_by_degree(s, other);
         count_degree(s, other);
-        list(s, other);
+        link_by_degree(s, other);
     }
     return true;
 }
 
-/* The rows of a column are nodes yet: they become places, rising. */
-static void settle_column(td_sparse *s, int first, int end) {
+/* Turns the rows of a column from nodes into places, sorted by insertion. */
+static void sort_column(td_sparse *s, int first, int end) {
     int *row = rows(s);
     for (int i = first; i < end; i++) {
         int place = places(s)[row[i]], k = i;
@@ -166,15 +176,15 @@ bool td_sparse_order(td_memory *memory, td_sparse *s, int most) {
     }
     for (int node = size - 1; node >= 0; node--) {
         count_degree(s, node);
-        list(s, node);
+        link_by_degree(s, node);
     }
-    int least = 0;
+    int degree_min = 0;
     for (int place = 0; place < size; place++) {
-        while (ints(&s->head)[least] == TD_NONE) {
-            least++;
+        while (ints(&s->head)[degree_min] == TD_NONE) {
+            degree_min++;
         }
-        int node = ints(&s->head)[least];
-        unlist(s, node);
+        int node = ints(&s->head)[degree_min];
+        unlink_by_degree(s, node);
         columns(s)[place] = s->row.count - s->now.row;
         nodes(s)[place] = node;
         places(s)[node] = place;
@@ -182,15 +192,15 @@ bool td_sparse_order(td_memory *memory, td_sparse *s, int most) {
         if (entries > most || !eliminate(memory, s, node)) {
             return false;
         }
-        least = td_max_int(least - 1, 0); /* a neighbour has lost one at most */
+        degree_min = td_max_int(degree_min - 1, 0); /* neighbours lose at most one neighbour */
     }
     columns(s)[size] = s->row.count - s->now.row;
     for (int place = 0; place < size; place++) {
         int64_t entries = columns(s)[place + 1] - columns(s)[place];
         s->now.work += 1 + entries + entries * (entries + 1) / 2;
-        settle_column(s, columns(s)[place], columns(s)[place + 1]);
+        sort_column(s, columns(s)[place], columns(s)[place + 1]);
     }
-    return roomy(memory, &s->entry, columns(s)[size]);
+    return reserve(memory, &s->entry, columns(s)[size]);
 }
 
 int td_sparse_find(const td_sparse *s, int a, int b) {

@@ -1,4 +1,5 @@
-/* sparse_numbers.c: the numbers of the present system, of which wide_sparse.c has the kernels. */
+/* sparse_numbers.c: the numeric part of sparse.h: hands the present system to the kernels of
+ * wide_sparse.c, and puts right sides into the order of elimination and back. */
 #include "islands/sparse.h"
 
 #include "base/simd.h"

@@ -1,4 +1,4 @@
-/* wake.c: see wake.h. */
+/* wake.c: breadth-first search over the constraints of sleeping bodies; see wake.h. */
 #include "islands/wake.h"
 
 #include "constraint/constraint.h"
@@ -6,6 +6,7 @@
 #include "state/awake.h"
 #include "state/shape.h"
 
+/* Whether a body is asleep and can wake. */
 static bool may_wake(const td_body *body) {
     return body->kind == THUD_DYNAMIC && body->awake.at < 0 &&
            !(body->flags & (TD_BODY_QUARANTINED | TD_BODY_DISABLED)) &&
@@ -17,8 +18,9 @@ bool td_wake_reserve(thud_world *w) {
            td_array_reserve(&w->memory, &w->scratch.constraints, w->constraints.count);
 }
 
-/* Shapes of a body that slept while others came to rest near it look for them. */
-static void look_around(thud_world *w, td_body_index index) {
+/* Marks the shapes of a body for the broadphase, which finds pairs with bodies that fell asleep
+ * near it while it slept: pairs of two sleeping bodies are not looked for. */
+static void find_new_pairs(thud_world *w, td_body_index index) {
     const td_body *body = td_body_at(w, index);
     if (body->rest_epoch == w->rest_epoch) {
         return;
@@ -77,7 +79,7 @@ bool td_wake(thud_world *w, td_body_index index) {
                 td_constraint_wait(w, e / 2);
             }
         }
-        look_around(w, body);
+        find_new_pairs(w, body);
     }
     td_proxy_set_forget(&w->awake_shapes);
     td_proxy_set_forget(&w->rest_shapes);

@@ -1,10 +1,11 @@
-/* wide_sparse.c: L L' of the blocks of sparse.h, and solving by it. Loops go over whole columns of
- * a block, with the row that is nothing, so that compilers make vectors of them. */
+/* wide_sparse.c: the numeric part of sparse.h: left-looking block Cholesky factorisation, and
+ * forward and backward substitution. Loops run over all four numbers of a block's column, padding
+ * included, so that compilers make vector instructions of them. */
 #include "islands/sparse.h"
 
 #include "base/simd.h"
 
-enum { ROWS = 4 }; /* of a column, in memory */
+enum { ROWS = 4 }; /* rows of a block in memory, with the padding */
 
 /* c -= a b' */
 TD_INLINE void subtract_product(td_block3 *restrict c, const td_block3 *restrict a,
@@ -17,8 +18,8 @@ TD_INLINE void subtract_product(td_block3 *restrict c, const td_block3 *restrict
     }
 }
 
-/* Cholesky's of a single block; the upper half is left alone. A pivot that cancellation has used
- * up, down to rounding, is none. */
+/* Cholesky factor of a single block, in its lower half. False where a pivot is not positive, as
+ * after cancellation down to rounding, or not finite. */
 static bool factor_block(td_block3 *block) {
     double *c0 = block->at[0], *c1 = block->at[1], *c2 = block->at[2];
     if (!(c0[0] > 0.0)) {
@@ -41,7 +42,7 @@ static bool factor_block(td_block3 *block) {
     return td_finite(c0[0] + c1[1] + c2[2]);
 }
 
-/* a becomes a l'^-1, for the factor of a diagonal block. */
+/* a = a (l')^-1, where l is the factor of a diagonal block. */
 TD_INLINE void divide_by_factor(td_block3 *restrict a, const td_block3 *restrict l) {
     double i0 = 1.0 / l->at[0][0], i1 = 1.0 / l->at[1][1], i2 = 1.0 / l->at[2][2];
     for (int i = 0; i < ROWS; i++) {
@@ -51,9 +52,10 @@ TD_INLINE void divide_by_factor(td_block3 *restrict a, const td_block3 *restrict
     }
 }
 
-/* The columns that reach a row are chained: chain[row] is the first, next[column] the one after it;
- * walk[column] is the entry that it has in that row. */
-TD_INLINE void chain_up(const td_sparse_view *s, int column) {
+/* The left-looking update of a row needs the columns that have a block in it. They are in a linked
+ * list: chain[row] is the first column, next[column] the one after it, and walk[column] the entry
+ * of the column in that row. This moves a column to the list of its next row. */
+TD_INLINE void chain_next_row(const td_sparse_view *s, int column) {
     if (s->walk[column] < s->column[column + 1]) {
         int row = s->row[s->walk[column]];
         s->next[column] = s->chain[row];
@@ -81,7 +83,7 @@ bool TD_WIDE(td_sparse_factor)(const td_sparse_view *s) {
             for (i++; i < column_end; i++) {
                 subtract_product(&entry[map[row[i]]], &entry[i], &mine);
             }
-            chain_up(s, c);
+            chain_next_row(s, c);
         }
         if (!factor_block(&diagonal[place])) {
             return false;
@@ -90,12 +92,12 @@ bool TD_WIDE(td_sparse_factor)(const td_sparse_view *s) {
             divide_by_factor(&entry[i], &diagonal[place]);
         }
         walk[place] = first;
-        chain_up(s, place);
+        chain_next_row(s, place);
     }
     return true;
 }
 
-/* L y = y, place by place. */
+/* Solves L z = y in place of y. */
 static void solve_down(const td_sparse_view *s, double (*y)[4]) {
     for (int p = 0; p < s->size; p++) {
         const td_block3 *l = &s->diagonal[p];
@@ -113,7 +115,7 @@ static void solve_down(const td_sparse_view *s, double (*y)[4]) {
     }
 }
 
-/* L' y = y */
+/* Solves L' z = y in place of y. */
 static void solve_up(const td_sparse_view *s, double (*y)[4]) {
     for (int p = s->size - 1; p >= 0; p--) {
         const td_block3 *l = &s->diagonal[p];

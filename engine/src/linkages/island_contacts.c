@@ -1,10 +1,11 @@
-/* island_contacts.c: see island_contacts.h. */
+/* island_contacts.c: compares the separations of contacts under two results, to first order. */
 #include "linkages/island_contacts.h"
 
 #include "constraint/constraint.h"
 #include "islands/island_order.h"
 
-/* The motion of a body in the step: as the soft solver has it, or as it is solved here. */
+/* The motion of a body in the step, by the soft solver or by the direct one. A body that is not in
+ * the island has the soft solver's. */
 static void motion_of(const td_island_work *work, td_awake_slot slot, bool soft, double out[3]) {
     int local = slot.at ? *td_island_local_at(work->w, slot) : 0;
     bool here =
@@ -15,7 +16,7 @@ static void motion_of(const td_island_work *work, td_awake_slot slot, bool soft,
     }
 }
 
-/* Whether one of its points ends deeper than `least` allows. */
+/* Whether one of the contact's points ends deeper than it may. */
 static bool sinks_in(const td_island_work *work, td_lane at, int points, double slack) {
     const td_block *block = at.block;
     double x = (double)block->nx[at.lane], y = (double)block->ny[at.lane];
@@ -32,8 +33,8 @@ static bool sinks_in(const td_island_work *work, td_lane at, int points, double 
                         (double)p->cross_b[at.lane] * b[soft][2] -
                         (double)p->cross_a[at.lane] * a[soft][2];
         }
-        double least = td_min_double(0.0, td_min_double(base, gap[1]));
-        if (p->normal_mass[at.lane] > 0.0f && !(gap[0] >= least - slack)) {
+        double min = td_min_double(0.0, td_min_double(base, gap[1]));
+        if (p->normal_mass[at.lane] > 0.0f && !(gap[0] >= min - slack)) {
             return true;
         }
     }

@@ -1,12 +1,12 @@
-/* island_contacts.h: whether what joints do to an island keeps its contacts. */
+/* island_contacts.h: checks that a direct solution of joints does not press contacts together. */
 #ifndef TD_ISLAND_CONTACTS_H
 #define TD_ISLAND_CONTACTS_H
 
 #include "islands/island_solve.h"
 
-/* A contact of one of its bodies, whether it is a row of the problem or not, ends the step deeper,
- * by more than `slack`, than it was and than the soft solver has it. Directions are those at the
- * start of the step. */
+/* Whether some contact of the island's bodies, in the problem or not, ends the step with more
+ * overlap than it had at the start and than it has in the soft solver's result, by more than
+ * `slack`. Normals and arms are those of the start of the step. */
 bool td_island_sinks(const td_island_work *work, double slack);
 
 #endif

@@ -1,33 +1,50 @@
-/* island_joints.c: islands with joints, solved directly.
+/* island_joints.c: a step of an island with joints, solved directly by an energy-momentum method.
  *
- * Their rows turn with the bodies, within a step as well. Directions are such that the work along
- * them over a part of the step is that of the joint's own coordinates (td_turn_rows_fn), and mean
- * velocities are sought by Newton's method, so that at the end of the part gaps are closed and
- * energy is what it was. Impulses that turn with a body count as its stiffness against turning. */
+ * The step is divided into parts (island_parts.c). In a part of length h the unknown is the mean
+ * velocity v of each body, so that its motion is h v and its velocity at the end 2 v - v_before, as
+ * in the implicit midpoint rule. Joint rows change as bodies turn. Their Jacobian is a discrete
+ * gradient: J(h v) (h v) = q(after) - q(before) exactly, for the joint's coordinate q (Gonzalez,
+ * "Time integration and discrete Hamiltonian systems", 1996; td_turn_rows_fn computes it). Then
+ * impulses J' l of locked rows do no work, and gaps are closed at the end of the part instead of in
+ * its tangent direction.
+ *
+ * Since J depends on v, the equations are solved by Newton's method: solve direct.h's problem with
+ * the present rows, compute the rows for the new motion, and so on. The derivative of J' l with
+ * respect to the rotation, the geometric stiffness, is added to the moments of inertia.
+ *
+ * A second problem gives the velocity at the end of the part, for the rows as they are there: see
+ * solve_end_velocity. Contacts in the island keep the normals and arms of the start of the step. */
 #include "islands/island_solve.h"
 
 #include "constraint/joining.h"
 #include "linkages/island_contacts.h"
 #include "linkages/island_parts.h"
 
-/* A result is refused whose kinetic energy is so many times what was there or could come. */
-#define ENERGY_MOST 16.0
-/* They may take so many times the matrices: softly a chain under load would come apart. */
-enum { WORK_OF_JOINTS = 8, WORK_WITH_CONTACTS = 2 };
-/* Rounds in which the rows of joints follow the motion that they make. */
-enum { ROUNDS = 12 };
-/* A body is not taken to turn more lightly than by so much of its inertia less. */
-#define SOFTEST (-0.5)
-/* What gaps may be left, in parts of the tolerance: where each island is direct, and elsewhere.
- * With contacts, which change their minds from round to round, they may be all of it. */
-#define FINE 1e-3
-#define FINE_ENOUGH 0.05
-/* Velocities at the end that miss what joints want by no more than so many times what gravity gives
- * in a step are left as they are: to take that out would take energy from whatever swings. */
-#define AMISS 4.0
-
-/* How far a side has moved by the start of a part of the step, and by its end at mean velocities.
+/* A result is refused if its kinetic energy is more than this many times what the island had, or
+ * could get from gravity, motors and springs. Chosen: an explosion exceeds any factor, and a whip
+ * of light bodies may well have a few times the mean. */
+#define ENERGY_RATIO_MAX 16.0
+/* Factor of the budget of factorisations for islands of joints alone, and with contacts: Newton's
+ * method needs several where contacts need one, and the soft solver would let a loaded chain come
+ * apart. */
+enum { BUDGET_OF_JOINTS = 8, BUDGET_WITH_CONTACTS = 2 };
+/* Newton iterations of a part. Chosen; each is one or more factorisations. */
+enum { NEWTON_ITERATIONS_MAX = 12 };
+/* Least geometric stiffness, in moments of inertia: a negative one makes the body turn more easily,
+ * and at -1 the matrix would not be positive definite. Chosen. */
+#define STIFFNESS_MIN (-0.5)
+/* Residual of Newton's method, in tolerances: at qualities that solve every island directly, and at
+ * others. With contacts, whose active set may change from iteration to iteration, it is 1. Chosen.
  */
+#define RESIDUAL_EXACT 1e-3
+#define RESIDUAL_OTHER 0.05
+/* Velocities at the end of a part that miss those of the joints by less than this many times g h
+ * are left as they are, since correcting them would take energy out of every swing. Chosen. */
+#define END_ERROR_MAX 4.0
+
+/* The motion of one side from the start of the step to the start of the part (motion[0]) and, at
+ * the mean velocity, to its end (motion[1]). `start` is the time of the part's start in the step,
+ * s. */
 static void span_of_side(const td_island_work *work, int body, uint32_t record, double start,
                          double motion[2][3]) {
     const float *v = td_row(&work->w->velocity, td_slot_of_side(record));
@@ -39,8 +56,8 @@ static void span_of_side(const td_island_work *work, int body, uint32_t record, 
     }
 }
 
-/* Bodies that do not turn feel no arms. */
-static void forget_arms(const td_direct *d, td_direct_constraint *c) {
+/* Sets the lever arms of bodies that do not turn to 0. */
+static void clear_arms(const td_direct *d, td_direct_constraint *c) {
     bool turns_a = c->a == TD_NONE || d->bodies[c->a].inverse_inertia > 0.0;
     bool turns_b = c->b == TD_NONE || d->bodies[c->b].inverse_inertia > 0.0;
     for (int k = 0; k < TD_DIRECT_ROWS; k++) {
@@ -49,9 +66,9 @@ static void forget_arms(const td_direct *d, td_direct_constraint *c) {
     }
 }
 
-/* Turns the rows of joints to where the velocities as known take them; in an instant at the end of
- * the part, where `ended` is set. */
-static void turn_rows(td_island_work *work, double start, bool ended) {
+/* Computes the rows of all joints for the motion at the present mean velocities; with `ended`, the
+ * ordinary Jacobian for the poses at the end of the part. */
+static void update_joint_rows(td_island_work *work, double start, bool ended) {
     for (int i = 0; i < work->island->constraints; i++) {
         td_direct_constraint *c = &work->problem.constraints[i];
         int kind = td_constraint_at(work->w, work->constraints[i])->kind;
@@ -67,15 +84,17 @@ static void turn_rows(td_island_work *work, double start, bool ended) {
             span.b[1][k] = span.b[0][k];
         }
         work->w->kinds[kind]->lanes->turn_rows(work->w, at.block, at.lane, &span, c);
-        forget_arms(&work->problem, c);
+        clear_arms(&work->problem, c);
     }
     td_direct_measure(&work->problem);
 }
 
-/* Impulses that turn with a body resist its turn, or help it, by so much about the turn that is
- * known: as if it were so much harder to turn away from there. Without that a light link between
- * heavy ones would turn too far, and back, in each round. */
-static void stiffen(td_island_work *work) {
+/* Adds the geometric stiffness k of the joints' impulses to the moments of inertia. The moment of
+ * an impulse that turns with its body changes by -k per angle, so that near the present velocity w
+ * of the last iteration the body behaves as one of inertia I + k that is pulled towards w: (I + k)
+ * w_new = I w_free + k w + impulses. Without it, the iteration overshoots for a light body between
+ * heavy ones. */
+static void add_geometric_stiffness(td_island_work *work) {
     td_direct *d = &work->problem;
     for (int i = 0; i < work->island->constraints; i++) {
         const td_direct_constraint *c = &d->constraints[i];
@@ -90,7 +109,7 @@ static void stiffen(td_island_work *work) {
         td_direct_body *b = &d->bodies[i];
         if (b->inverse_inertia > 0.0) {
             double own = 1.0 / b->own_inverse_inertia;
-            double more = td_max_double(b->stiff, SOFTEST * own);
+            double more = td_max_double(b->stiff, STIFFNESS_MIN * own);
             b->inverse_inertia = 1.0 / (own + more);
             b->free[2] =
                 (own * (b->before[2] + b->gain[2]) + more * b->velocity[2]) * b->inverse_inertia;
@@ -99,7 +118,8 @@ static void stiffen(td_island_work *work) {
     }
 }
 
-static void loosen(td_island_work *work) {
+/* Restores the moments of inertia and free velocities. */
+static void remove_geometric_stiffness(td_island_work *work) {
     for (int i = 0; i < work->island->bodies; i++) {
         td_direct_body *b = &work->problem.bodies[i];
         b->inverse_inertia = b->own_inverse_inertia;
@@ -107,13 +127,14 @@ static void loosen(td_island_work *work) {
     }
 }
 
-static double fine_of(const td_island_work *work) {
+/* Newton's residual, in tolerances. */
+static double newton_residual(const td_island_work *work) {
     bool everywhere = work->w->quality.sag_limit == 0.0f;
-    return !td_island_is_joints(work) ? 1.0 : everywhere ? FINE : FINE_ENOUGH;
+    return !td_island_is_joints(work) ? 1.0 : everywhere ? RESIDUAL_EXACT : RESIDUAL_OTHER;
 }
 
-/* All velocities are numbers, and turns small enough to have a sine. */
-static bool turns_count(const td_island_work *work) {
+/* Whether all velocities are finite, and rotations small enough for td_sin. */
+static bool velocities_are_valid(const td_island_work *work) {
     bool all = true;
     for (int i = 0; i < work->island->bodies; i++) {
         const double *v = work->problem.bodies[i].velocity;
@@ -122,33 +143,34 @@ static bool turns_count(const td_island_work *work) {
     return all;
 }
 
-/* Mean velocities with the rows of joints as the motion turns them. Returns what is missed;
- * infinite where numbers failed. */
-static double solve_turning(td_island_work *work, double start, double tolerance) {
+/* The first problem: mean velocities, by Newton's method. Returns the residual, as a speed;
+ * infinite where a solve failed. */
+static double solve_mean_velocity(td_island_work *work, double start, double tolerance) {
     td_direct *d = &work->problem;
     double missing = __builtin_inf();
-    double fine = fine_of(work) * tolerance;
-    for (int round = 0; round < ROUNDS && turns_count(work); round++) {
-        turn_rows(work, start, false);
-        if (round && td_direct_miss(d) <= fine) {
+    double enough = newton_residual(work) * tolerance;
+    for (int n = 0; n < NEWTON_ITERATIONS_MAX && velocities_are_valid(work); n++) {
+        update_joint_rows(work, start, false);
+        if (n && td_direct_miss(d) <= enough) {
             return missing;
         }
-        stiffen(work);
+        add_geometric_stiffness(work);
         missing = td_direct_solve(d, tolerance);
         if (!td_finite(missing)) {
             return missing;
         }
-        d->fresh = false; /* the next round goes on from this one */
+        d->fresh = false; /* the next iteration starts from this one's active set */
     }
-    if (!turns_count(work)) {
+    if (!velocities_are_valid(work)) {
         return __builtin_inf();
     }
-    turn_rows(work, start, false);
+    update_joint_rows(work, start, false);
     return td_max_double(missing, td_direct_miss(d));
 }
 
-/* A spring goes on pushing as it did on the way, and bounds are those of the whole part. */
-static void keep_drives(td_direct_constraint *c) {
+/* Prepares motors and springs for the second problem, which is over the whole part instead of the
+ * mean (half): bounds are doubled, and a spring keeps the force that it had on the way. */
+static void set_end_drives(td_direct_constraint *c) {
     c->bound *= 2.0;
     c->row[TD_DIRECT_TANGENT].most +=
         c->row[TD_DIRECT_TANGENT].kind == TD_ROW_FRICTION ? 0.5 * c->bound : 0.0;
@@ -161,17 +183,19 @@ static void keep_drives(td_direct_constraint *c) {
     }
 }
 
-static void take_back(td_direct_body *b, const double *j, double impulse) {
+/* Removes an impulse along the Jacobian j from a free velocity. */
+static void remove_impulse(td_direct_body *b, const double *j, double impulse) {
     b->free[0] -= b->inverse_mass * j[0] * impulse;
     b->free[1] -= b->inverse_mass * j[1] * impulse;
     b->free[2] -= b->inverse_inertia * j[2] * impulse;
 }
 
-/* A gap closes in this part, at a speed that tells beside those of the bodies: that moves them, and
- * must not go on as speed. */
-#define TELLS 1e-3
+/* Share of the bodies' speed above which the closing of a gap counts: see closes_gaps. Chosen. */
+#define CLOSING_SHARE 1e-3
 
-static bool closes(const td_island_work *work, double tolerance) {
+/* Whether a joint's gap closes in this part, at a speed that is not negligible beside the bodies'
+ * own. That speed is position correction, and must not remain in the velocities at the end. */
+static bool closes_gaps(const td_island_work *work, double tolerance) {
     double worst = 0.0, fastest = 0.0;
     for (int i = 0; i < work->island->bodies; i++) {
         const double *v = work->problem.bodies[i].before;
@@ -184,13 +208,14 @@ static bool closes(const td_island_work *work, double tolerance) {
             worst = locks ? td_max_double(worst, r->closing) : worst;
         }
     }
-    return worst > tolerance + TELLS * __builtin_sqrt(fastest);
+    return worst > tolerance + CLOSING_SHARE * __builtin_sqrt(fastest);
 }
 
-/* What locks have given on the way they gave in the directions of the way, and it stays: solved
- * anew at the end it would take the square of what a direction turns from what swings. Only what is
- * still amiss then is theirs to mend. What pushes and drives is solved anew. */
-static void keep_locks(td_island_work *work) {
+/* Keeps the impulses of equality rows that the first problem found, in `given`, and removes those
+ * of all other rows from the free velocities, which the second problem solves for anew. Solving for
+ * equality rows again in the directions at the end of the part would take out energy, by the square
+ * of the angle by which a direction turns. */
+static void keep_lock_impulses(td_island_work *work) {
     td_direct *d = &work->problem;
     for (int i = 0; i < work->island->bodies; i++) {
         td_direct_body *b = &d->bodies[i];
@@ -206,16 +231,17 @@ static void keep_locks(td_island_work *work) {
             r->given = locks ? r->impulse : 0.0;
             r->impulse -= r->given;
             if (r->used && !locks && c->a != TD_NONE) {
-                take_back(&d->bodies[c->a], r->a, r->impulse);
+                remove_impulse(&d->bodies[c->a], r->a, r->impulse);
             }
             if (r->used && !locks && c->b != TD_NONE) {
-                take_back(&d->bodies[c->b], r->b, r->impulse);
+                remove_impulse(&d->bodies[c->b], r->b, r->impulse);
             }
         }
     }
 }
 
-static void return_locks(td_island_work *work) {
+/* Adds the kept impulses to those of the second problem. */
+static void restore_lock_impulses(td_island_work *work) {
     for (int i = 0; i < work->island->constraints; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &work->problem.constraints[i].row[k];
@@ -224,8 +250,8 @@ static void return_locks(td_island_work *work) {
     }
 }
 
-/* Nothing pushes or drives: all there is locks, or springs. */
-static bool swings(const td_island_work *work) {
+/* Whether the island has equality rows and springs alone: no contact, limit or motor. */
+static bool has_only_locks_and_springs(const td_island_work *work) {
     bool any = false;
     for (int i = 0; i < work->island->constraints; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
@@ -236,28 +262,33 @@ static bool swings(const td_island_work *work) {
     return !any;
 }
 
-/* Velocities at the end. Of what swings they follow from the mean ones, and are mended only where
- * something else has set them amiss. */
-static double end_turning(td_island_work *work, double start, double tolerance) {
+/* The second problem: velocities at the end of the part. They start from 2 v - v_before.
+ * - Where gaps were closed, all rows are solved for anew, from the velocities without impulses.
+ * - Otherwise impulses of equality rows are kept, and the rest is solved for. In an island without
+ *   contacts, limits and motors nothing is solved unless the velocities miss the joints' by more
+ * than END_ERROR_MAX g h. Returns the residual, as a speed. */
+static double solve_end_velocity(td_island_work *work, double start, double tolerance) {
     td_direct *d = &work->problem;
     td_island_carry_on(work);
     for (int i = 0; i < work->island->constraints; i++) {
-        keep_drives(&d->constraints[i]);
+        set_end_drives(&d->constraints[i]);
     }
-    if (closes(work, tolerance)) {
-        turn_rows(work, start, true);
+    if (closes_gaps(work, tolerance)) {
+        update_joint_rows(work, start, true);
         return td_direct_solve(d, tolerance);
     }
-    keep_locks(work);
-    turn_rows(work, start, true);
-    bool fine = swings(work) && td_direct_miss(d) <= AMISS * d->unit_speed;
-    double missing = fine ? 0.0 : td_direct_solve(d, tolerance);
-    return_locks(work);
+    keep_lock_impulses(work);
+    update_joint_rows(work, start, true);
+    bool stays =
+        has_only_locks_and_springs(work) && td_direct_miss(d) <= END_ERROR_MAX * d->unit_speed;
+    double missing = stays ? 0.0 : td_direct_solve(d, tolerance);
+    restore_lock_impulses(work);
     return missing;
 }
 
-/* What gravity, forces and damping give in one of so many parts. */
-static void begin(td_island_work *work, int parts) {
+/* Sets what gravity, forces and damping add in one of so many parts, and the closing speeds of all
+ * rows. */
+static void begin_step(td_island_work *work, int parts) {
     for (int i = 0; i < work->island->constraints; i++) {
         for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
             td_direct_row *r = &work->problem.constraints[i].row[k];
@@ -273,9 +304,10 @@ static void begin(td_island_work *work, int parts) {
     }
 }
 
-/* The speeds that contacts want in the part, by their gaps at its start. Directions and arms are as
- * they were at the start of the step, and so is what is pushed apart. */
-static void want_part(td_island_work *work) {
+/* Sets the wanted speeds of contacts from their separations at the start of the part, which follow
+ * from the motion so far with the normals and arms of the start of the step. The speed at which an
+ * overlap is pushed apart is that of the start of the step. */
+static void set_contact_speeds(td_island_work *work) {
     for (int i = 0; i < work->island->constraints; i++) {
         td_direct_constraint *c = &work->problem.constraints[i];
         td_lane at = td_island_lane(work, i);
@@ -289,7 +321,7 @@ static void want_part(td_island_work *work) {
     }
 }
 
-/* The next part begins with the velocities, and guesses the impulses, of the one before. */
+/* Begins a part with the velocities at the end of the part before. */
 static void begin_part(td_island_work *work) {
     for (int i = 0; i < work->island->bodies; i++) {
         td_direct_body *b = &work->problem.bodies[i];
@@ -308,7 +340,8 @@ static void scale_impulses(td_island_work *work, double by) {
     }
 }
 
-/* Twice the kinetic energy; `free`: of what there was, or would be without joints. */
+/* Twice the kinetic energy; with `free`, of the larger of the velocities before and without
+ * constraints, number by number. */
 static double energy_of(const td_island_work *work, bool free) {
     double sum = 0.0;
     for (int i = 0; i < work->island->bodies; i++) {
@@ -323,8 +356,8 @@ static double energy_of(const td_island_work *work, bool free) {
     return sum;
 }
 
-/* Twice the energy that springs and motors may give: what a spring holds, and what is there once
- * all goes at the speed of a motor. */
+/* Twice the energy that springs and motors may add in a step: a spring its potential energy, a
+ * motor the kinetic energy of its effective mass at its target speed. */
 static double energy_of_drives(const td_island_work *work) {
     double sum = 0.0;
     for (int i = 0; i < work->island->constraints; i++) {
@@ -338,17 +371,18 @@ static double energy_of_drives(const td_island_work *work) {
     return sum;
 }
 
-/* What only locks takes no energy, nor gives any but by closing gaps. `there`: twice the energy
- * that there was as the step began, or could come. A motor may move more than its own two bodies,
- * so that what there was as the last part began counts as well. */
-static bool explodes(const td_island_work *work, double there) {
+/* Whether the solution has more than ENERGY_RATIO_MAX times the energy that it may have: `there`
+ * (twice the energy at the start of the step, with that of motors and springs), or twice the energy
+ * at the start of the last part, since a motor may move more than its own two bodies; and what
+ * closing gaps and overlaps may add. Equality rows do no work themselves. */
+static bool gains_energy(const td_island_work *work, double there) {
     double mass = 0.0, pushed = work->pushed + work->problem.unit_speed;
     for (int i = 0; i < work->island->bodies; i++) {
         mass += 1.0 / work->problem.bodies[i].inverse_mass;
     }
     there = td_max_double(there, energy_of(work, true));
-    double most = there + mass * pushed * pushed * work->island->bodies;
-    return !(energy_of(work, false) <= ENERGY_MOST * most);
+    double max = there + mass * pushed * pushed * work->island->bodies;
+    return !(energy_of(work, false) <= ENERGY_RATIO_MAX * max);
 }
 
 double td_island_solve_joints(td_island_work *work, double tolerance) {
@@ -359,31 +393,32 @@ double td_island_solve_joints(td_island_work *work, double tolerance) {
         return __builtin_inf();
     }
     work->problem.effort = work->w->islands.effort;
-    work->problem.patience *= td_island_is_joints(work) ? WORK_OF_JOINTS : WORK_WITH_CONTACTS;
+    work->problem.patience *= td_island_is_joints(work) ? BUDGET_OF_JOINTS : BUDGET_WITH_CONTACTS;
     work->time = whole / parts;
     scale_impulses(work, 1.0 / parts);
-    begin(work, parts);
+    begin_step(work, parts);
     for (int part = 0; part < parts && td_finite(missing); part++) {
         begin_part(work);
         work->elapsed = part * work->time;
         if (parts > 1) {
-            want_part(work);
+            set_contact_speeds(work);
         }
         work->elapsed = (part + 1) * work->time;
         work->next = part + 1 < parts ? work->time : whole;
-        double then = solve_turning(work, part * work->time, tolerance);
-        loosen(work);
+        double then = solve_mean_velocity(work, part * work->time, tolerance);
+        remove_geometric_stiffness(work);
         td_island_move_on(work);
         missing = td_max_double(missing, then);
         if (td_finite(missing)) {
-            then = end_turning(work, (part + 1) * work->time, tolerance);
+            then = solve_end_velocity(work, (part + 1) * work->time, tolerance);
             missing = td_max_double(missing, then);
         }
         scale_impulses(work, part + 1 < parts ? 0.5 : (double)parts);
     }
     work->w->islands.effort = work->problem.effort;
     work->time = work->elapsed = whole;
-    /* What is tied from afar may pull beyond all numbers. */
+    /* Long lever arms may have made numbers overflow; and a body that has contacts must not have
+     * turned further than the contacts' arms are good for. */
     missing =
         td_finite(energy_of(work, false)) && !td_island_rubs(work) ? missing : __builtin_inf();
     work->turn_most = __builtin_inf();
@@ -392,9 +427,10 @@ double td_island_solve_joints(td_island_work *work, double tolerance) {
         missing = __builtin_inf();
     }
     if (td_island_is_joints(work)) {
-        missing = explodes(work, there) ? __builtin_inf() : missing;
+        missing = gains_energy(work, there) ? __builtin_inf() : missing;
         work->pushed = __builtin_inf();
-        /* They take as many matrices as they turn by, which is no sign of more to come. */
+        /* Their factorisations depend on how fast they turn, and are not held against the island as
+         * a sign that it will be too dear again. */
         work->w->stats.factorings += work->problem.factorings;
         work->w->stats.island_work += work->problem.factorings * td_island_cost(work->island);
         work->problem.factorings = 0;

@@ -1,14 +1,15 @@
-/* island_parts.h: in how many parts a step of an island with joints is solved. */
+/* island_parts.h: the number of parts into which a step of an island with joints is divided. */
 #ifndef TD_ISLAND_PARTS_H
 #define TD_ISLAND_PARTS_H
 
 #include "islands/island_solve.h"
 
-/* By how far anything turns that moves a joint, as it came and as the soft solver has it; 0: what
- * turns so fast is left to the soft solver. Notes whose turn matters, and to what, in the bodies of
- * the problem. */
+/* The number of parts, from the fastest rotation of a body that moves a joint, in the velocities
+ * before the step and in the soft solver's result. 0: the rotation is too fast for the direct
+ * solver. Sets `sweeps` and `rubs` of the problem's bodies. */
 int td_island_parts(td_island_work *work);
-/* Something that others touch, and that is no disc, has turned past work->turn_most. */
+/* Whether a body that has contacts, and is no disc, has turned by more than work->turn_most, so
+ * that the contacts' normals and arms of the start of the step are no longer good. */
 bool td_island_rubs(const td_island_work *work);
 
 #endif

@@ -1,10 +1,12 @@
-/* joint_island.c: an island that comes after the soft solver; see joint_islands.h. */
+/* joint_island.c: solves an island after the soft solver has already moved it; see joint_islands.h.
+ */
 #include "linkages/joint_islands.h"
 
 #include "islands/island_order.h"
 
 #include <string.h>
 
+/* Finds the elimination order. False where the factor would be too large. */
 static bool order(thud_world *w, td_island *island) {
     td_islands *s = &w->islands;
     int first = s->shape.count;
@@ -16,7 +18,7 @@ static bool order(thud_world *w, td_island *island) {
     return ordered;
 }
 
-/* Impulses can only be guessed from those of the soft solver. */
+/* Of this step only the soft solver's impulses are known, which serve as the warm start. */
 bool td_joint_island_begin(thud_world *w, td_island *island) {
     td_islands *s = &w->islands;
     if (island->bodies > TD_LATE_BODIES || island->constraints > TD_LATE_CONSTRAINTS ||

@@ -1,38 +1,43 @@
-/* joint_islands.h: the islands of a world with joints. */
+/* joint_islands.h: the island solver of a world with joints.
+ *
+ * After the soft solver it solves, in this order,
+ *   1. the islands that were found before the step (islands/direct_islands.c),
+ *   2. islands in which a joint has yielded under the soft solver in this step (late_islands.c),
+ *   3. the joints of islands that are left to the soft solver, without their contacts (linkages.c).
+ */
 #ifndef TD_JOINT_ISLANDS_H
 #define TD_JOINT_ISLANDS_H
 
 #include "islands/island_solve.h"
 
-/* In place of thud_islands_direct, from the first joint of a world on: after the islands that were
- * found to be direct come those that give way in this step, and what joints alone hold. */
+/* Replaces thud_islands_direct from the first joint of a world on. */
 extern const thud_island_solver td_islands_of_joints;
 
-/* The room that these need is there beforehand, since no step fails once it has begun to move
- * bodies. What needs more waits for the next step, or stays soft. */
+/* Sizes up to which islands of 2. and 3. are solved. Memory for one of this size is reserved before
+ * the step moves any body, since a step cannot fail later. Larger ones are found before the next
+ * step, or stay soft. Chosen. */
 enum {
     TD_LATE_BODIES = 128,
     TD_LATE_CONSTRAINTS = 512,
-    TD_LATE_ENTRIES = 8 * TD_LATE_BODIES /* blocks that its order fills in */
+    TD_LATE_ENTRIES = 8 * TD_LATE_BODIES /* blocks of the factor below its diagonal */
 };
 
-/* The island goes back to where the step began, in an order of its own, behind those that were
- * found before. False where it is too large. */
+/* Takes the island back to the velocities at the start of the step, with the soft solver's impulses
+ * as the warm start, and finds its elimination order as a further system. False where it is too
+ * large. */
 bool td_joint_island_begin(thud_world *w, td_island *island);
 
-/* Solves it, or marks its bodies. */
+/* Solves it; where that fails, sets td_islands.local of its bodies to TD_ISLAND_SOFT. */
 void td_joint_island_solve(thud_world *w, const td_island *island);
-/* The value of td_islands.local where an island was tried in this step, and stays as the soft
- * solver has it. */
+/* The value of td_islands.local of a body whose island was tried in this step without success, so
+ * that the soft solver's result stands. */
 enum { TD_ISLAND_SOFT = -4 };
 
-/* late_islands.c: islands whose joints have just given way under the soft solver. `last` is the
- * last system of those found before. */
+/* late_islands.c: 2. above. `last` is the last system of the islands of 1. */
 void td_late_solve(thud_world *w, td_system last);
-/* linkages.c: what joints hold in islands that are not solved directly. The lists of td_islands
- * mean nothing afterwards. */
+/* linkages.c: 3. above. It uses the lists of td_islands for its own, and leaves them invalid. */
 void td_linkages_solve(thud_world *w, td_system last);
-/* Some body's island was left to the soft solver before, and may be again. */
+/* Whether 3. may be needed: some island has been left to the soft solver in the last steps. */
 bool td_linkages_may_come(const thud_world *w);
 
 #endif

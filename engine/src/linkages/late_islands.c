@@ -1,10 +1,13 @@
-/* late_islands.c: islands whose joints have just given way under the soft solver. They are solved
- * directly in the same step, from where it began, so that nothing is open before it holds. */
+/* late_islands.c: islands in which td_islands_watch has found a joint that yields under its load in
+ * this step. They are solved directly in the same step, from its start, so that the joint never
+ * opens. */
 #include "linkages/joint_islands.h"
 
 #include "constraint/constraint.h"
 #include "islands/island_order.h"
 
+/* Whether the island of a body was marked as direct in this step (td_direct_steps is at its full
+ * value) and has not been solved yet. */
 static bool is_late(const thud_world *w, td_awake_slot slot) {
     return *td_direct_steps_at(w, slot) == TD_DIRECT_STEPS &&
            td_row(&w->velocity, slot)[3] > 0.0f && *td_island_local_at(w, slot) == 0;
@@ -19,7 +22,8 @@ static bool has_joints(const thud_world *w, const td_island *island) {
     return any;
 }
 
-/* It stays in the lists, which tell that its bodies were looked at; its order is forgotten. */
+/* Solves the island of a body. The island stays in the lists, so that its other bodies are not
+ * looked at again; its elimination order is dropped. */
 static void solve_one(thud_world *w, td_awake_slot slot) {
     td_islands *s = &w->islands;
     int islands = s->island.count, rows = s->matrix.row.count;

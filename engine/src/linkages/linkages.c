@@ -1,27 +1,34 @@
-/* linkages.c: what joints hold in islands that are left to the soft solver, because they are too
- * dear for the quality or something in them bounces. Where joints give way there, the bodies that
- * they tie are solved directly by themselves. Contacts give them what the soft solver has made of
- * them, and more where they would close further than it has them, beside bodies that move as it has
- * them: what lies on a bridge does not sink through it as its joints close. Where both cannot be,
- * the soft solver's result stands. That is for machines among a heap: in the thick of one contacts
- * rule, and do not answer. */
+/* linkages.c: joints of islands that are left to the soft solver, because the whole island is too
+ * dear for the quality, or because a contact of it bounces.
+ *
+ * A linkage is a set of bodies that joints connect. Where joints of a linkage yield, its bodies are
+ * solved directly by themselves. Contacts act on them by the impulses that the soft solver found,
+ * as known forces; and each contact is a unilateral row that keeps it from closing further than the
+ * soft solver has it, beside other bodies that move as in the soft solver's result. So what lies on
+ * a bridge does not sink through it as the bridge's joints close. Where joints and contacts cannot
+ * both be satisfied, the soft solver's result stands.
+ *
+ * This is for machines beside or on a heap. A linkage with more contacts than bodies is left alone:
+ * there the contacts, whose impulses are taken as known, decide the motion. */
 #include "linkages/joint_islands.h"
 
 #include "constraint/constraint.h"
 #include "islands/island_order.h"
 
-/* Matrices that a linkage may take whatever else the step has taken; island_joints.c doubles it.
- * With a third of them the wrecking ball's chain opens by over 10 mm as the ball meets the wall. */
-enum { PATIENCE = 32 };
-/* A linkage that could not be solved n times in succession is tried in one of 2^n steps, and in one
- * of 2^REST at least. */
-enum { REST = 5 };
-/* Where more joints than this give way they are a crowd, which this would cost much and mend
- * little. */
-enum { FEW = 64 };
-/* At least one in so many of a linkage's joints gives way. */
-enum { WEAK = 2 };
-/* The value of td_islands.local where a linkage is left as it is. */
+/* Budget of factorisations of a linkage, beside the island budget of the step; island_joints.c
+ * doubles it. Measured: with a third of it, the wrecking ball's chain opens by over 10 mm as the
+ * ball meets the wall. */
+enum { LINKAGE_FACTORINGS = 32 };
+/* A linkage that has failed n times in succession is tried in one of 2^n steps, and in one of
+ * 2^BACKOFF_MAX at least (32 steps). Chosen. */
+enum { BACKOFF_MAX = 5 };
+/* With more yielding joints than this in the world, none is solved: in a crowd it would cost much,
+ * and improve little. Chosen. */
+enum { YIELDING_MAX = 64 };
+/* A linkage is solved if at least one in so many of its joints yields: the soft solver corrects a
+ * few yielding joints by itself. Chosen. */
+enum { YIELDING_PART = 2 };
+/* The value of td_islands.local of bodies whose linkage is not fit to be solved. */
 enum { UNFIT = -5 };
 
 bool td_linkages_may_come(const thud_world *w) {
@@ -36,42 +43,46 @@ bool td_linkages_may_come(const thud_world *w) {
 
 /* ---- which ---- */
 
-/* Failures are counted where an island that is left alone needs no count: td_slow_steps_at. */
-static bool rests(const thud_world *w, td_awake_slot slot) {
+/* Whether the body's linkage is not tried in this step, after failures. Their number is in
+ * slow_steps, which an island in its cooldown does not need otherwise. */
+static bool backs_off(const thud_world *w, td_awake_slot slot) {
     int failures = *td_direct_steps_at(w, slot) > TD_DIRECT_COOLDOWN
                        ? *td_slow_steps_at(w, slot) % TD_SLOW_ONCE
                        : 0;
-    return w->steps % (1ull << td_min_int(failures, REST)) != 0;
+    return w->steps % (1ull << td_min_int(failures, BACKOFF_MAX)) != 0;
 }
 
+/* Counts a failure, or sets the count to 0. */
 static void note_outcome(thud_world *w, const td_island *linkage, bool solved) {
     for (int i = 0; i < linkage->bodies; i++) {
         td_awake_slot slot = td_slot_in(&w->islands.slots, i);
         if (*td_direct_steps_at(w, slot) > TD_DIRECT_COOLDOWN) {
             uint16_t *slow_steps = td_slow_steps_at(w, slot);
             int failures = *slow_steps % TD_SLOW_ONCE, left = *slow_steps - failures;
-            *slow_steps = (uint16_t)(left + (solved ? 0 : td_min_int(failures + 1, REST)));
+            *slow_steps = (uint16_t)(left + (solved ? 0 : td_min_int(failures + 1, BACKOFF_MAX)));
         }
     }
 }
 
+/* Whether the body is dynamic, left to the soft solver in this step, and not marked as unfit. */
 static bool is_soft(const thud_world *w, td_awake_slot slot) {
     int local = *td_island_local_at(w, slot);
     bool left = *td_direct_steps_at(w, slot) > TD_DIRECT_COOLDOWN && local != UNFIT;
     return td_row(&w->velocity, slot)[3] > 0.0f && local <= 0 && (left || local == TD_ISLAND_SOFT);
 }
 
-static bool gives_way(const thud_world *w, const td_block *block, int lane, int kind) {
+/* Whether a joint yields by more than the quality allows. */
+static bool yields(const thud_world *w, const td_block *block, int lane, int kind) {
     td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
     float size = td_islands_size(w, a, b), off = 0.0f;
     float load = w->kinds[kind]->lanes->load(w, block, lane, size, &off);
     return load > td_islands_most(w, size);
 }
 
-/* Adds the joints of a body, and whom they bring; counts its contacts with others that move, and
- * joints that give way. False: the linkage is too large. */
-static bool spread(thud_world *w, td_island *linkage, td_awake_slot slot, int *contacts,
-                   int *weak) {
+/* Adds the joints of a body and the bodies at their other ends. Counts its contacts with moving
+ * bodies, and joints that yield. False where the linkage is too large, or reaches an unfit one. */
+static bool add_joints_of(thud_world *w, td_island *linkage, td_awake_slot slot, int *contacts,
+                          int *yielding) {
     td_body_index body = td_body_of(w, slot);
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, e / 2);
@@ -93,25 +104,26 @@ static bool spread(thud_world *w, td_island *linkage, td_awake_slot slot, int *c
             td_lane at = td_lane_of(w, constraint);
             td_push_int(&w->islands.constraints, e / 2);
             linkage->constraints++;
-            *weak += gives_way(w, at.block, at.lane, constraint->kind);
+            *yielding += yields(w, at.block, at.lane, constraint->kind);
         }
     }
     return linkage->bodies <= TD_LATE_BODIES && linkage->constraints <= TD_LATE_CONSTRAINTS;
 }
 
-/* False: it is too large, in the thick of a heap, or gives way in few places, which is nothing that
- * the soft solver will not mend. */
-static bool follow(thud_world *w, td_awake_slot seed, td_island *linkage) {
+/* Collects the linkage of a body, breadth first. False, with its bodies marked as unfit, where it
+ * is too large, has more contacts than bodies, or few of its joints yield. */
+static bool collect(thud_world *w, td_awake_slot seed, td_island *linkage) {
     td_islands *s = &w->islands;
     bool whole = true;
-    int contacts = 0, weak = 0;
+    int contacts = 0, yielding = 0;
     s->slots.count = s->constraints.count = 0;
     *linkage = (td_island){0};
     td_island_add(w, linkage, seed);
     for (int i = 0; whole && i < s->slots.count; i++) {
-        whole = spread(w, linkage, td_slot_in(&s->slots, i), &contacts, &weak);
+        whole = add_joints_of(w, linkage, td_slot_in(&s->slots, i), &contacts, &yielding);
     }
-    whole = whole && contacts <= linkage->bodies && WEAK * weak >= linkage->constraints;
+    whole =
+        whole && contacts <= linkage->bodies && YIELDING_PART * yielding >= linkage->constraints;
     for (int i = 0; !whole && i < s->slots.count; i++) {
         *td_island_local_at(w, td_slot_in(&s->slots, i)) = UNFIT;
     }
@@ -120,14 +132,16 @@ static bool follow(thud_world *w, td_awake_slot seed, td_island *linkage) {
 
 /* ---- what contacts give ---- */
 
-/* An impulse along (x, y), half of which is there by the middle of the step. */
-static void give(td_direct_body *b, double x, double y, double cross, double impulse) {
+/* Adds an impulse along (x, y) to a free mean velocity: half of it, as it acts throughout the step.
+ */
+static void add_impulse(td_direct_body *b, double x, double y, double cross, double impulse) {
     b->free[0] += 0.5 * b->inverse_mass * x * impulse;
     b->free[1] += 0.5 * b->inverse_mass * y * impulse;
     b->free[2] += 0.5 * b->inverse_inertia * cross * impulse;
 }
 
-static void give_contact(td_direct_body *b, td_awake_slot slot, td_lane at, int points) {
+/* Adds the impulses that the soft solver found for a contact of a body. */
+static void add_contact(td_direct_body *b, td_awake_slot slot, td_lane at, int points) {
     td_block *block = at.block;
     bool first = td_slot_of_side(block->a[at.lane]).at == slot.at;
     double sign = first ? -1.0 : 1.0;
@@ -137,16 +151,16 @@ static void give_contact(td_direct_body *b, td_awake_slot slot, td_lane at, int 
         double cross = sign * (double)(first ? p->cross_a[at.lane] : p->cross_b[at.lane]);
         bool acts = p->normal_mass[at.lane] > 0.0f;
         double impulse = (double)td_history_of(block, points)[k].total[at.lane];
-        give(b, x, y, cross, acts ? impulse : 0.0);
+        add_impulse(b, x, y, cross, acts ? impulse : 0.0);
     }
     double cross =
         sign * (double)(first ? block->tangent_cross_a : block->tangent_cross_b)[at.lane];
     bool rubs = block->friction[at.lane] > 0.0f;
     double impulse = (double)td_surface_at(block, points)->total[at.lane];
-    give(b, y, -x, cross, rubs ? impulse : 0.0);
+    add_impulse(b, y, -x, cross, rubs ? impulse : 0.0);
 }
 
-/* Lists the contacts of a linkage behind its joints, each once. False: there are too many. */
+/* Lists the contacts of a linkage behind its joints, each once. False where there are too many. */
 static bool list_contacts(thud_world *w, td_island *linkage) {
     for (int i = 0; i < linkage->bodies; i++) {
         td_body_index body = td_body_of(w, td_slot_in(&w->islands.slots, i));
@@ -166,9 +180,9 @@ static bool list_contacts(thud_world *w, td_island *linkage) {
     return true;
 }
 
-/* Contacts are given their impulses; what they may give on top keeps them from closing further than
- * the soft solver has them, beside bodies that move as that has it. */
-static void keep_contacts(td_island_work *work) {
+/* Makes the rows of contacts what keeps them from closing further: the impulses start from 0, on
+ * top of the known ones; there is no friction on top. */
+static void set_contact_rows(td_island_work *work) {
     for (int i = 0; i < work->island->constraints; i++) {
         td_direct_constraint *c = &work->problem.constraints[i];
         if (!td_is_contact(td_constraint_at(work->w, work->constraints[i]))) {
@@ -185,7 +199,8 @@ static void keep_contacts(td_island_work *work) {
     }
 }
 
-static void give_contacts(td_island_work *work) {
+/* Adds the known impulses of all contacts to the free velocities. */
+static void add_contacts(td_island_work *work) {
     const thud_world *w = work->w;
     for (int i = 0; i < work->island->bodies; i++) {
         td_awake_slot slot = work->slots[i];
@@ -193,8 +208,8 @@ static void give_contacts(td_island_work *work) {
         for (; e != TD_NONE; e = td_next_edge(w, e)) {
             const td_constraint *constraint = td_constraint_at(w, e / 2);
             if (constraint->state == TD_TOUCHING && td_is_contact(constraint)) {
-                give_contact(&work->problem.bodies[i], slot, td_lane_of(w, constraint),
-                             td_island_points(w, constraint));
+                add_contact(&work->problem.bodies[i], slot, td_lane_of(w, constraint),
+                            td_island_points(w, constraint));
             }
         }
     }
@@ -207,10 +222,10 @@ static double energy_of(const td_direct_body *b, const double v[3]) {
     return (v[0] * v[0] + v[1] * v[1]) / b->inverse_mass + turning;
 }
 
-/* What contacts give does not answer to what joints do here. Where that adds up to more energy than
- * there was before and than the soft solver has left, but for gaps that close, it would do so again
- * and again. */
-static bool gains(const td_island_work *work, double pushed) {
+/* Whether the result has more energy than the start of the step and than the soft solver's result,
+ * beyond what closing gaps adds. The known impulses of contacts do not depend on what the joints
+ * do, and could add energy in each step anew. */
+static bool gains_energy(const td_island_work *work, double pushed) {
     double before = 0.0, soft = 0.0, after = 0.0, mass = 0.0;
     for (int i = 0; i < work->island->bodies; i++) {
         const td_direct_body *b = &work->problem.bodies[i];
@@ -224,20 +239,22 @@ static bool gains(const td_island_work *work, double pushed) {
     return after > td_max_double(before, soft) + mass * pushed * pushed;
 }
 
-/* The joints' own impulses stay the soft solver's, which goes on from them. */
+/* Solves the linkage of a body. Velocities and motions are written over; the joints' impulses stay
+ * the soft solver's, as its warm start of the next step. */
 static void solve_one(thud_world *w, td_awake_slot seed) {
     td_island linkage;
-    bool counted = *td_island_local_at(w, seed) == TD_ISLAND_SOFT; /* among those that were tried */
-    if (!follow(w, seed, &linkage) || !list_contacts(w, &linkage) ||
+    bool counted = *td_island_local_at(w, seed) ==
+                   TD_ISLAND_SOFT; /* it is in the statistics of failed islands */
+    if (!collect(w, seed, &linkage) || !list_contacts(w, &linkage) ||
         !td_joint_island_begin(w, &linkage)) {
         return;
     }
     td_island_work work = td_island_take(w, &linkage);
-    work.problem.patience = PATIENCE;
+    work.problem.patience = LINKAGE_FACTORINGS;
     double pushed = work.pushed + work.problem.unit_speed;
-    give_contacts(&work);
-    keep_contacts(&work);
-    bool solved = td_island_work_out(&work) && !gains(&work, pushed);
+    add_contacts(&work);
+    set_contact_rows(&work);
+    bool solved = td_island_work_out(&work) && !gains_energy(&work, pushed);
     note_outcome(w, &linkage, solved);
     if (solved) {
         td_island_write_bodies(&work);
@@ -246,7 +263,7 @@ static void solve_one(thud_world *w, td_awake_slot seed) {
     }
 }
 
-/* Lists the bodies by which joints give way; false where there are more than FEW. */
+/* Lists a body of each joint that yields. False where there are more than YIELDING_MAX. */
 static bool list_seeds(thud_world *w, td_awake_slot *seeds, int *count) {
     *count = 0;
     for (int i = 0; i < w->scratch.blocks.count; i++) {
@@ -255,8 +272,8 @@ static bool list_seeds(thud_world *w, td_awake_slot *seeds, int *count) {
         for (int lane = 0; kind >= TD_PAIR_COUNT && lane < block->used; lane++) {
             td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
             td_awake_slot seed = is_soft(w, a) ? a : b;
-            if (is_soft(w, seed) && gives_way(w, block, lane, kind)) {
-                if (*count == FEW) {
+            if (is_soft(w, seed) && yields(w, block, lane, kind)) {
+                if (*count == YIELDING_MAX) {
                     return false;
                 }
                 seeds[(*count)++] = seed;
@@ -269,10 +286,10 @@ static bool list_seeds(thud_world *w, td_awake_slot *seeds, int *count) {
 void td_linkages_solve(thud_world *w, td_system last) {
     td_islands *s = &w->islands;
     int rows = s->matrix.row.count, count = 0;
-    td_awake_slot seeds[FEW];
+    td_awake_slot seeds[YIELDING_MAX];
     bool few = list_seeds(w, seeds, &count);
     for (int i = 0; few && i < count; i++) {
-        if (is_soft(w, seeds[i]) && !rests(w, seeds[i])) {
+        if (is_soft(w, seeds[i]) && !backs_off(w, seeds[i])) {
             s->matrix.now = last;
             solve_one(w, seeds[i]);
             s->matrix.row.count = rows;

@@ -1,5 +1,6 @@
-/* bounces.c: see bounces.h. The solver would stop what closes in at a distance, and push apart what
- * has just bounced: both change its energy. It keeps what rests on each other. */
+/* bounces.c: chooses the contacts that bounce in this step; see bounces.h. The soft solver would
+ * change the energy of a bounce: it stops bodies that close at a distance (speculative contacts),
+ * and pushes bodies apart that have just met. Resting contacts stay in the solver. */
 #include "solver/bounces.h"
 
 #include "constraint/rings.h"
@@ -7,17 +8,18 @@
 #include "constraint/lanes.h"
 #include "state/surface.h"
 
-/* Pairs in flight are left to the solver if they meet more slowly than this, in the unit of
- * TD_BOUNCE_REST. It is as little as can be, since the solver breaks their parabola. */
-#define TOUCH 0.015625
-/* A lane is loaded if it bears more than this share of a weight; less may be what rounding left. */
-#define LOAD 0.01f
-/* Shapes that overlap by less than this many times TD_MEET may be left where they are: impacts.c
- * lets what touches overlap by nearly as much. */
-#define PRESSED 0.25f
+/* A pair in free flight is left to the soft solver if it meets more slowly than this, in multiples
+ * of g h. Chosen, small: the soft solver changes the parabola of such a pair. */
+#define FLIGHT_REST 0.015625
+/* A lane is loaded if its impulse is more than this share of what carries the effective mass's
+ * weight. Less may be rounding. Chosen. */
+#define LOAD_SHARE 0.01f
+/* An unloaded contact that overlaps by less than this share of TD_MEET is not pushed apart:
+ * impacts.c leaves touching shapes with nearly as much overlap. */
+#define OVERLAP_SHARE 0.25f
 
-/* One side's gravity along the normal, and how strong it is; lengths/s^2. */
-static double gravity_of(const thud_world *w, uint32_t side, double nx, double ny, double *most) {
+/* The gravity of one side along the normal, length/s^2; *max: the greatest magnitude so far. */
+static double gravity_of(const thud_world *w, uint32_t side, double nx, double ny, double *max) {
     td_awake_slot slot = td_slot_of_side(side);
     const td_body *body = slot.at ? td_body_at(w, td_body_of(w, slot)) : NULL;
     if (!body || body->kind != THUD_DYNAMIC) {
@@ -25,7 +27,7 @@ static double gravity_of(const thud_world *w, uint32_t side, double nx, double n
     }
     double x = (double)(w->def.gravity.x * body->gravity_scale);
     double y = (double)(w->def.gravity.y * body->gravity_scale);
-    *most = td_max_double(*most, __builtin_sqrt(x * x + y * y));
+    *max = td_max_double(*max, __builtin_sqrt(x * x + y * y));
     return x * nx + y * ny;
 }
 
@@ -37,14 +39,15 @@ static td_trajectory *trajectory_of(const thud_world *w, uint32_t side) {
 typedef struct lane {
     td_block *block;
     int index, points;
-    bool loaded; /* in the step before it bore more than a share of a weight */
+    bool loaded; /* its impulse in the last step was more than LOAD_SHARE of a weight */
 } lane;
 
 static lane lane_of(const thud_world *w, td_block *block, int index) {
     int kind = td_constraint_at(w, block->constraint[index])->kind;
     lane l = {block, index, td_form_points(w->kinds[kind]->form), false};
     float x = w->def.gravity.x, y = w->def.gravity.y;
-    float least = LOAD * __builtin_sqrtf(x * x + y * y) * (float)(w->def.time_step / w->substeps);
+    float least =
+        LOAD_SHARE * __builtin_sqrtf(x * x + y * y) * (float)(w->def.time_step / w->substeps);
     for (int k = 0; k < l.points; k++) {
         const td_point *p = &block->point[k];
         l.loaded |= p->normal_impulse[index] > p->normal_mass[index] * least;
@@ -52,12 +55,14 @@ static lane lane_of(const thud_world *w, td_block *block, int index) {
     return l;
 }
 
+/* Whether contacts carry one of the bodies. */
 static bool is_borne(const thud_world *w, const lane *l) {
     const td_trajectory *a = trajectory_of(w, l->block->a[l->index]);
     const td_trajectory *b = trajectory_of(w, l->block->b[l->index]);
     return (a && a->borne) || (b && b->borne);
 }
 
+/* Marks the bodies of all loaded lanes as carried. */
 static void note_borne(const thud_world *w, td_block *block) {
     for (int k = 0; k < block->used; k++) {
         if (lane_of(w, block, k).loaded) {
@@ -72,8 +77,9 @@ static void note_borne(const thud_world *w, td_block *block) {
     }
 }
 
-/* Restitution below 1: what is well apart and closes fast. Where it touches already, the solver is
- * the one that takes a heap apart. */
+/* Whether a pair with restitution below 1 bounces by detection: it is apart by more than TD_MEET,
+ * and closes faster than the restitution threshold. Pairs that touch already, as in a heap that is
+ * hit, are left to the soft solver, which solves them together. */
 static bool bounces_lossily(const thud_world *w, const lane *l) {
     float slow = w->def.restitution_threshold * w->unit;
     bool apart = true, closes = false;
@@ -86,14 +92,14 @@ static bool bounces_lossily(const thud_world *w, const lane *l) {
     return apart && closes;
 }
 
-/* Elastic: what will meet faster than bodies at rest do, and what has; closing^2 + 2 * gravity *
- * height is the square of that speed. A pair that the solver bears stands a skin above where it
- * meets. */
+/* Whether a pair with restitution 1 or more bounces: its speed where it meets is above the
+ * threshold. By energy, speed^2 = closing^2 + 2 gravity distance. A loaded pair rests a skin apart,
+ * and meets there; any other meets at TD_MEET. */
 static bool bounces_elastically(const thud_world *w, const lane *l) {
-    double nx = (double)l->block->nx[l->index], ny = (double)l->block->ny[l->index], most = 0.0;
-    double pull = gravity_of(w, l->block->a[l->index], nx, ny, &most);
-    pull = td_max_double(pull - gravity_of(w, l->block->b[l->index], nx, ny, &most), 0.0);
-    double rest = (is_borne(w, l) ? TD_BOUNCE_BORNE : TOUCH) * most * w->def.time_step;
+    double nx = (double)l->block->nx[l->index], ny = (double)l->block->ny[l->index], max = 0.0;
+    double pull = gravity_of(w, l->block->a[l->index], nx, ny, &max);
+    pull = td_max_double(pull - gravity_of(w, l->block->b[l->index], nx, ny, &max), 0.0);
+    double rest = (is_borne(w, l) ? TD_BOUNCE_BORNE : FLIGHT_REST) * max * w->def.time_step;
     double slow = td_min_double(rest, (double)(w->def.restitution_threshold * w->unit));
     double meets_at = (double)((l->loaded ? TD_SKIN : TD_MEET) * w->unit);
     bool apart = true, fast = false;
@@ -109,21 +115,24 @@ static bool bounces_elastically(const thud_world *w, const lane *l) {
     return apart && fast;
 }
 
-/* What touches without load is not pushed apart to the distance at which contacts rest. */
-static void stay(const thud_world *w, const lane *l) {
+/* Sets the separation of an unloaded contact that touches to 0, so that the soft solver does not
+ * push it apart to the distance at which contacts rest. */
+static void clear_overlap(const thud_world *w, const lane *l) {
     for (int k = 0; k < l->points; k++) {
         td_point *p = &l->block->point[k];
         float distance = p->base[l->index] + w->skin;
-        if (p->base[l->index] < 0.0f && distance > -PRESSED * TD_MEET * w->unit) {
+        if (p->base[l->index] < 0.0f && distance > -OVERLAP_SHARE * TD_MEET * w->unit) {
             p->separation[l->index] = p->base[l->index] = 0.0f;
         }
     }
 }
 
-static void take(thud_world *w, td_block *block, int index) {
+/* Mutes a lane if its pair bounces in this step. */
+static void mute_if_bouncing(thud_world *w, td_block *block, int index) {
     const td_contact *contact = td_contact_at(w, block->constraint[index]);
     const thud_detection *detection = td_detection_of(w, contact->body[0], contact->body[1]);
-    /* What joints tie is held where it meets, and bounces off as the solver has it. */
+    /* Bodies of joints are held back where they meet (detection/impacts.c), and bounce by the soft
+     * solver. */
     if (!detection->meet || td_is_tied(w, td_body_at(w, contact->body[0])->awake) ||
         td_is_tied(w, td_body_at(w, contact->body[1])->awake)) {
         return;
@@ -133,7 +142,7 @@ static void take(thud_world *w, td_block *block, int index) {
     if (elastic ? bounces_elastically(w, &l) : bounces_lossily(w, &l)) {
         td_surface_mute(block, l.points, index);
     } else if (elastic && !l.loaded) {
-        stay(w, &l);
+        clear_overlap(w, &l);
     }
 }
 
@@ -154,7 +163,7 @@ void td_bounces_take(thud_world *w) {
     for (int i = 0; i < w->scratch.blocks.count; i++) {
         for (int k = 0; k < blocks[i]->used && blocks[i]->bouncy; k++) {
             if (blocks[i]->restitution[k] > 0.0f) {
-                take(w, blocks[i], k);
+                mute_if_bouncing(w, blocks[i], k);
             }
         }
     }

@@ -1,18 +1,22 @@
-/* bounces.h: which contacts are resolved at their time of impact rather than by the solver. */
+/* bounces.h: under `bisect` and `swept`, which contacts with restitution are left out of the soft
+ * solver, and are resolved at their time of impact by detection/impacts.c instead. */
 #ifndef TD_BOUNCES_H
 #define TD_BOUNCES_H
 
 #include "state/world.h"
 
-/* Elastic pairs bounce without loss however slowly they meet, unless they are better taken for at
- * rest. The two limits are in multiples of the speed that gravity gives in a step. A pair in free
- * flight that meets more slowly than TD_BOUNCE_REST would meet some eight times within the step. */
+/* An elastic pair (restitution >= 1) bounces without loss at any speed, unless it counts as
+ * resting. Thresholds of the closing speed, in multiples of g h, the speed that gravity gives in a
+ * step: TD_BOUNCE_REST for a pair in free flight; a pair that meets more slowly would meet again
+ * some eight times within the step (1 / 0.125). */
 #define TD_BOUNCE_REST 0.125
-/* A pair that contacts bear trembles a little, and must not begin to bounce from that alone. */
+/* For a pair whose bodies other contacts carry: their velocities fluctuate by less than this, and
+ * the pair must not begin to bounce from that alone. Chosen. */
 #define TD_BOUNCE_BORNE 4.0
 
-/* Takes the lanes of pairs that bounce within this step from the solver. Needs the narrowphase's
- * approaches, the settings of this step, and trajectories, in which it notes who is borne. */
+/* Mutes the lanes of the pairs that bounce within this step. Needs the narrowphase's approach
+ * speeds, the settings of this step, and the trajectories, whose `borne` it sets for bodies that
+ * contacts carry. */
 void td_bounces_take(thud_world *w);
 
 #endif

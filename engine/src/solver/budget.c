@@ -1,12 +1,13 @@
-/* budget.c: see budget.h. Substeps are halved where the median of some steps is over the budget,
- * and doubled again, up to the quality's, where that would leave a good part of it. Which is a
- * matter of the clock, and therefore not deterministic. */
+/* budget.c: the controller of the time budget. Over each TD_BUDGET_STEPS steps it takes the median
+ * of the step times. Substeps are halved where that is over the budget, and doubled, up to the
+ * quality's number, where the step with twice the solver's time would still be well within it. The
+ * result depends on the clock, so that worlds with a time budget are not deterministic. */
 #include "solver/budget.h"
 
 #include "solver/quality.h"
 
-/* Substeps rise where this share of the budget would still be enough: less than all of it, so that
- * they do not fall again at the next breath. */
+/* Hysteresis: substeps are doubled only where the estimated time is below this share of the budget,
+ * so that they are not halved again by noise. Chosen. */
 #define RISE_SHARE 0.8
 
 static double median_of(const double *times) {

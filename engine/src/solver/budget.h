@@ -1,10 +1,10 @@
-/* budget.h: accuracy for time, where steps take longer than the world's def allows. */
+/* budget.h: fewer substeps where steps take longer than thud_world_def.time_budget. */
 #ifndef TD_BUDGET_H
 #define TD_BUDGET_H
 
 #include "state/world.h"
 
-/* After a step that has been timed: may change the substeps of the next one. */
+/* After a timed step: may change the number of substeps of the next one. */
 void td_budget_keep(thud_world *w);
 
 #endif

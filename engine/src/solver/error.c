@@ -1,4 +1,4 @@
-/* error.c: see error.h. */
+/* error.c: sums of the error statistics; see error.h. */
 #include "solver/error.h"
 
 #include "state/kinds.h"
@@ -10,8 +10,8 @@ void td_error_settle(thud_world *w) {
     w->kinetic = kinetic;
 }
 
-/* The energy that the last step added up is stale where a body woke, fell asleep or was edited
- * since. */
+/* The kinetic energy at the end of the last step is stale where a body has woken, fallen asleep or
+ * been edited since. */
 void td_error_begin(thud_world *w) {
     if (w->kinetic_stale) {
         td_error_settle(w);
@@ -34,7 +34,7 @@ float td_error_overlap(const thud_world *w) {
     return w->def.max_error > 0.0 ? (float)w->def.max_error : TD_SLOP * w->unit;
 }
 
-/* Normal velocity of a point; negative where it closes. */
+/* Normal speed of a point; negative where it closes. */
 static float speed_of(const thud_world *w, const td_block *block, const td_point *p, int lane) {
     const float *a = td_row(&w->velocity, td_slot_of_side(block->a[lane]));
     const float *b = td_row(&w->velocity, td_slot_of_side(block->b[lane]));
@@ -42,6 +42,7 @@ static float speed_of(const thud_world *w, const td_block *block, const td_point
            b[2] * p->cross_b[lane] - a[2] * p->cross_a[lane];
 }
 
+/* Adds the points of one block to the statistics. */
 static void count_block(thud_world *w, const td_block *block, int points) {
     td_errors *e = &w->errors;
     float inv_h = (float)(w->substeps / w->def.time_step);
@@ -58,7 +59,8 @@ static void count_block(thud_world *w, const td_block *block, int points) {
             e->overlaps += depth > td_error_overlap(w);
             e->depth += (double)depth * w->to_fixed;
             e->deepest = td_max_float(e->deepest, depth);
-            /* In this order: no number, of a body that is about to be quarantined, is left out. */
+            /* The order of operands leaves out not-a-number, as of a body that will be quarantined.
+             */
             e->residual = td_max_float(-speed, e->residual);
         }
     }

@@ -1,7 +1,7 @@
-/* finalize.c: motion becomes pose. Reads velocity and delta of every awake body; writes poses,
- * shape places, fat bounds, idle times, the moved list and the list of fast bodies. A body that is
- * not finite is frozen where it was and reported: its contacts end, nobody else hears of its
- * values. */
+/* finalize.c: the stage that adds the motion of the step to poses. It reads velocity and delta of
+ * every awake body, and writes poses, shapes, fat bounds, idle times, the list of moved shapes and
+ * the list of fast bodies. A body whose velocity or motion is not finite is quarantined: it stays
+ * where it was, its contacts end, an event tells of it, and its values reach no other body. */
 #include "state/awake.h"
 #include "state/body.h"
 #include "constraint/rings.h"
@@ -13,11 +13,12 @@
 
 #include <string.h>
 
+/* Whether the first three numbers are finite. */
 static bool row_finite(const float *row) {
     return td_finite((double)row[0] + (double)row[1] + (double)row[2]);
 }
 
-/* The body in slot `from` is in slot `to` now. */
+/* Replaces `from` by `to` in a list of slots, after a body has moved from one slot to the other. */
 static void follow_slot(td_array *slots, td_awake_slot from, td_awake_slot to) {
     td_awake_slot *list = slots->data;
     for (int i = 0; i < slots->count; i++) {
@@ -25,6 +26,7 @@ static void follow_slot(td_array *slots, td_awake_slot from, td_awake_slot to) {
     }
 }
 
+/* Takes a body out of the step for good; see above. */
 static void quarantine(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     td_awake_slot slot = body->awake;
@@ -32,7 +34,8 @@ static void quarantine(thud_world *w, td_body_index index) {
     for (int e = body->first_constraint; e != TD_NONE;) {
         int next = td_next_edge(w, e);
         if (!td_contact_end_reserve(w, 1)) {
-            td_constraint_at(w, e / 2)->open = 0; /* goes unheard rather than stays */
+            td_constraint_at(w, e / 2)->open =
+                0; /* without memory for its end event the contact ends without one */
         }
         td_contact_destroy(w, e / 2);
         e = next;
@@ -49,6 +52,7 @@ static void quarantine(thud_world *w, td_body_index index) {
     td_refuse(w, THUD_ERROR_INVALID, "a body is not finite and is quarantined");
 }
 
+/* Adds a motion to the pose of one body. */
 static void move(thud_world *w, td_body_index index, const float *delta) {
     td_pose *pose = td_pose_at(w, index);
     pose->center.x += td_length_from(w, delta[0]);
@@ -68,7 +72,8 @@ void td_finalize(thud_world *w) {
     w->idle_bodies = w->drowsy_bodies = 0;
     w->scratch.fast.count = w->scratch.odd.count = 0;
     TD_PICK_WIDE(w, td_finalize_bodies)(w);
-    /* From the last slot down, since a body that leaves its slot gives it to the last one. */
+    /* From the last slot down: quarantine moves the body of the last slot into the one that is
+     * freed. */
     for (int i = w->scratch.odd.count - 1; i >= 0; i--) {
         td_awake_slot slot = td_slot_in(&w->scratch.odd, i);
         td_body_index index = td_body_of(w, slot);

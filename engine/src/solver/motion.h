@@ -1,30 +1,36 @@
-/* motion.h: the wide passes over awake bodies: velocities, positions, and the end of the step. */
+/* motion.h: the passes over all awake bodies, eight at a time: integration of velocities and
+ * positions in each substep (semi-implicit Euler), and the end of the step. Arrays are by awake
+ * slot; slot 0 is a dummy that stands for all static bodies. */
 #ifndef TD_MOTION_H
 #define TD_MOTION_H
 
 #include "constraint/block.h"
 
 typedef struct td_motion_context {
-    float (*velocity)[4], (*delta)[4], (*start)[4];
-    const float (*push)[4];    /* velocity that gravity and forces give in a substep */
+    float (*velocity)[4];      /* x, y, turn, and the inverse mass */
+    float (*delta)[4];         /* motion since the start of the step: x, y, turn */
+    float (*start)[4];         /* velocity at the start of the substep */
+    const float (*push)[4];    /* velocity that gravity and forces add in a substep */
     const float (*damping)[2]; /* null where no body is damped */
-    int count;                 /* awake slots, the dummy included */
-    float h;                   /* of a substep */
+    int count;                 /* awake slots, with the dummy */
+    float h;                   /* length of a substep, s */
     float max_speed;           /* length/s */
 } td_motion_context;
 
-/* First substep: v += push. Later ones also add what the contacts gave in the substep before: with
- * anchors fixed over the step that is exactly a warm start, at the price of two vector operations a
- * body instead of a pass over the contacts. */
+/* v = v / (1 + h damping) + gain, where the gain is `push` in the first substep. In later substeps
+ * it is the whole change of velocity in the substep before, forces and constraints together: as
+ * anchors are fixed within a step, that is the warm start of all constraints, at the price of two
+ * vector operations a body instead of a pass over the constraints. */
 typedef void td_integrate_velocity_fn(const td_motion_context *context, bool first);
+/* delta += h v */
 typedef void td_integrate_position_fn(const td_motion_context *context);
 struct thud_world;
 
-/* wide_finalize.c: the end of the step; fills scratch.odd, scratch.fast and the moved list, and
- * sums up energies. */
+/* wide_finalize.c: adds motions to poses, and updates shapes and bounds. Fills scratch.odd,
+ * scratch.fast and the list of moved shapes, and sums up energies. */
 typedef void td_finalize_bodies_fn(struct thud_world *world);
 
-/* Kinetic energy of all awake bodies, to the bit as td_finalize_bodies sums it up. */
+/* Kinetic energy of all awake bodies, the same to the bit as td_finalize_bodies sums it up. */
 typedef double td_kinetic_energy_fn(const struct thud_world *world);
 
 #endif

@@ -1,4 +1,4 @@
-/* quality.c: see quality.h. */
+/* quality.c: checks and applies qualities, and the public calls that set them; see quality.h. */
 #include "solver/quality.h"
 
 #include "constraint/joining.h"
@@ -31,9 +31,12 @@ const char *td_max_error_error(double max_error, const thud_quality *quality, td
                                                 : NULL;
 }
 
-/* Bodies that chose nothing themselves follow the world. */
-static void detect_by(thud_world *w, const thud_detection *detection) {
-    /* What is solved directly is not pressed together, and has no need of a thick skin. */
+/* Sets the detection of the world, and of all bodies that have none of their own, and the skin: the
+ * distance at which contacts rest, so that swept shapes begin a step apart. Overlap and continuous
+ * have none. */
+static void set_detection(thud_world *w, const thud_detection *detection) {
+    /* Contacts of directly solved islands do not sink in under load, so that a thin skin is enough.
+     */
     bool direct = w->quality.islands && w->quality.sag_limit == 0.0f;
     float skin = detection->rank < TD_RANK_BISECT ? 0.0f : (direct ? TD_MEET : TD_SKIN) * w->unit;
     w->detections[detection->rank] = detection;
@@ -52,7 +55,7 @@ static void detect_by(thud_world *w, const thud_detection *detection) {
     w->skin = skin;
 }
 
-/* Impulses are those of one substep, and carry over into substeps of another length. */
+/* Multiplies the warm-start impulses of all acting constraints. */
 static void scale_impulses(thud_world *w, float scale) {
     for (int i = 0; i < w->constraints.count; i++) {
         const td_constraint *constraint = td_constraint_at(w, i);
@@ -94,7 +97,7 @@ void td_quality_take(thud_world *w, const thud_quality *quality) {
         w->quality.islands = w->joining->islands;
     }
     td_substeps_set(w, td_substeps_asked(w));
-    detect_by(w, w->quality.detection);
+    set_detection(w, w->quality.detection);
 }
 
 thud_result thud_world_set_quality(thud_world *w, const thud_quality *quality) {

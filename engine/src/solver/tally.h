@@ -1,29 +1,29 @@
-/* tally.h: the errors of contact points, as the last relax pass leaves them.
+/* tally.h: error statistics of contact points after the last relax pass.
  *
- * Sums are of whole numbers, so that the order in which workers add up does not matter. A point
- * that is not there lies TD_APART apart, and so shows in no figure but the count, which looks at
- * its mass. */
+ * Sums are of whole numbers, so that the order in which workers add them does not matter. A lane
+ * without a point has the separation TD_APART, which adds to no sum; the count of points looks at
+ * the point's mass. */
 #ifndef TD_TALLY_H
 #define TD_TALLY_H
 
 #include "constraint/block.h"
 
-/* The errors that a worker found, lane by lane. In a td_tally of zeros there are none. */
+/* What a worker has found, in eight parts, one a lane. All zeros: nothing. */
 typedef struct td_tally {
-    d4 depth;            /* sum of penetrations, whole position quanta */
-    f8 least;            /* separation, <= 0 */
-    f8 slowest;          /* normal speed before the last correction, <= 0: approach */
-    i8 points, overlaps; /* overlaps: points deeper than td_tally_context.overlap */
+    d4 depth;            /* sum of penetration depths, in whole position quanta */
+    f8 least;            /* least separation, <= 0 */
+    f8 slowest;          /* least normal speed before the last relax pass corrects it, <= 0 */
+    i8 points, overlaps; /* number of points, and of those deeper than td_tally_context.overlap */
 } td_tally;
 
 typedef struct td_tally_context {
-    float skin;      /* separations are measured from here */
-    float overlap;   /* deeper points count as overlaps */
-    double to_fixed; /* position quanta a caller's unit */
+    float skin;      /* distance at which contacts rest: a separation of 0 */
+    float overlap;   /* depth from which on a point is an overlap */
+    double to_fixed; /* position quanta in one unit of length */
 } td_tally_context;
 
-/* Adds the points of at most TD_CHUNK_BLOCKS blocks, whose separations have just been written: they
- * are near at hand, which is what makes it cheap. */
+/* Adds the points of at most TD_CHUNK_BLOCKS blocks. It runs right after the pass that writes their
+ * separations, while they are in the cache. */
 typedef void td_tally_fn(td_tally *to, td_block *const *blocks, int count, int points,
                          const td_tally_context *context);
 

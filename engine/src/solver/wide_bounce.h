@@ -1,37 +1,41 @@
-/* wide_bounce.h: restitution, over blocks of one or two points.
+/* wide_bounce.h: restitution by Newton's impact law, v_after = -e v_before along the normal,
+ * divide_by_inverse blocks of one or two points.
  *
- * Before all substeps points that close in fast, and are going to meet in this step, part at once:
- * each pair by itself, so that none gains energy; and again, while what they did has others close
- * in, so that a row hands on what hits it. The solver then finds nothing to stop. Where it has
- * stopped something all the same, as what stands on ground that does not bounce, a last pass after
- * it gives the pair its speed back, with no more than the energy that it had. */
+ * Before the substeps, a point that closes faster than a threshold and will touch within the step
+ * gets its impulse at once, one contact after the other (sequential impacts), so that no pair gains
+ * energy. Passes are repeated while an impact makes another contact close, so that a row of balls
+ * hands on what hits it. The soft solver then finds separating contacts. Where it has stopped a
+ * pair all the same, as a body on ground without restitution, a last pass after the substeps
+ * (TD_BOUNCE_LAST) gives the pair its speed back, with no more energy than the pair had. */
 #ifndef TD_WIDE_BOUNCE_H
 #define TD_WIDE_BOUNCE_H
 
 #include "solver/wide_solve.h"
 
-TD_INLINE f8 over(f8 x, f8 inverse) {
+/* x / inverse, and 0 for an infinite mass (inverse 0). */
+TD_INLINE f8 divide_by_inverse(f8 x, f8 inverse) {
     return f8_keep(inverse > f8_all(0.0f), x / inverse);
 }
 
-/* Twice the kinetic energy of what can be moved of a pair. */
+/* Twice the kinetic energy of both bodies, without what infinite masses have. */
 TD_INLINE f8 energy_of(const td_block *block, const sides *v) {
-    return over(v->a.x * v->a.x + v->a.y * v->a.y, v->a.w) +
-           over(v->b.x * v->b.x + v->b.y * v->b.y, v->b.w) +
-           over(v->a.z * v->a.z, block->inv_inertia_a) +
-           over(v->b.z * v->b.z, block->inv_inertia_b);
+    return divide_by_inverse(v->a.x * v->a.x + v->a.y * v->a.y, v->a.w) +
+           divide_by_inverse(v->b.x * v->b.x + v->b.y * v->b.y, v->b.w) +
+           divide_by_inverse(v->a.z * v->a.z, block->inv_inertia_a) +
+           divide_by_inverse(v->b.z * v->b.z, block->inv_inertia_b);
 }
 
-/* Velocities without what the substeps have let fall. */
-TD_INLINE td_rows unfallen(td_rows v, td_rows push, f8 substeps) {
+/* Velocities without what gravity and forces have added in the substeps. */
+TD_INLINE td_rows without_forces(td_rows v, td_rows push, f8 substeps) {
     return (td_rows){v.x - substeps * push.x, v.y - substeps * push.y, v.z - substeps * push.z,
                      v.w};
 }
 
-/* Impulses that take what the points lack that are hit. Of two both act at once, if both push; or
- * else the one after which the other lacks nothing. */
-TD_INLINE void take_lacks(const td_block *block, const sides *v, int points, const i8 *hit,
-                          const f8 *lacks, f8 *normal) {
+/* Normal impulses of the points that are hit (`lacks`: speed less the wanted one, negative). Two
+ * points are solved together as a 2 x 2 complementarity problem: both act if both impulses are
+ * positive; otherwise the one alone after which the other is satisfied. */
+TD_INLINE void solve_impacts(const td_block *block, const sides *v, int points, const i8 *hit,
+                             const f8 *lacks, f8 *normal) {
     f8 m = block->point[0].normal_mass;
     normal[0] = f8_keep(hit[0], -m * lacks[0]);
     if (points == 2) {
@@ -39,7 +43,8 @@ TD_INLINE void take_lacks(const td_block *block, const sides *v, int points, con
         f8 other = by_first(block, v, false), part = f8_all(1.0f) - other * other * m * n;
         f8 p = m * (other * n * lacks[1] - lacks[0]) / part;
         f8 q = n * (other * m * lacks[0] - lacks[1]) / part;
-        /* Points in one place would share it at random. */
+        /* Two points in one place make the 2 x 2 matrix singular: `part` is its determinant
+         * divide_by_inverse the product of the diagonal. */
         i8 both = hit[0] & hit[1] & (p > zero) & (q > zero) & (part > f8_all(0.001f));
         i8 first = hit[0] & (~hit[1] | (lacks[1] + other * normal[0] >= zero));
         normal[1] = f8_pick(both, q, f8_keep(hit[1] & ~first, -n * lacks[1]));
@@ -47,9 +52,9 @@ TD_INLINE void take_lacks(const td_block *block, const sides *v, int points, con
     }
 }
 
-/* Friction, by the normal impulses of the bounce. */
-TD_INLINE f8 rub_off(const td_solve_context *c, td_block *block, int points, const sides *v,
-                     const f8 *normal) {
+/* The friction impulse beside the normal impulses of an impact. */
+TD_INLINE f8 impact_friction(const td_solve_context *c, td_block *block, int points, const sides *v,
+                             const f8 *normal) {
     f8 slide = centres_along(v, false, block->ny, -block->nx);
     slide = at_arms(slide, v, false, block->tangent_cross_a, block->tangent_cross_b);
     for (int k = 0; k < points; k++) {
@@ -66,7 +71,8 @@ TD_INLINE f8 rub_off(const td_solve_context *c, td_block *block, int points, con
     return f8_clamp(-block->tangent_mass * slide, -limit, limit);
 }
 
-/* Static sides are read as the dummy, which is at rest and has no mass. */
+/* One pass divide_by_inverse blocks. Static bodies are read as slot 0, which is at rest and has an
+ * inverse mass of 0. */
 TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_context *c,
                              int points) {
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), half = f8_all(0.5f);
@@ -92,7 +98,8 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
         f8 e = block->restitution, speed[2], wanted[2], lacks[2];
         f8 slow = f8_pick(e < one, f8_all(c->bounce_speed), f8_all(c->elastic_speed));
         i8 bounced = surface->energy >= zero, hit[2], hits = bounced ^ bounced;
-        f8 share = f8_pick(bounced, f8_min(e, one), e); /* what is above 1 it gets once */
+        f8 share =
+            f8_pick(bounced, f8_min(e, one), e); /* a restitution above 1 adds energy once a step */
         for (int k = 0; k < points; k++) {
             const td_point *p = &block->point[k];
             speed[k] = at_point(closing, &v, false, ARMS_ALL, p);
@@ -100,8 +107,9 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
                 wanted[k] = -e * history[k].approach;
                 hit[k] = bounced & (speed[k] < wanted[k]);
             } else {
-                /* Substeps let fall, then move: by half of one's fall speeds are behind where
-                 * bodies are, and an impact would lose as much. */
+                /* A substep adds gravity to velocities before it moves bodies, so that velocities
+                 * are half a substep of gravity behind the parabola. Without this term an impact
+                 * loses that much speed. */
                 f8 behind = half * at_point(falling, &g, false, ARMS_ALL, p);
                 wanted[k] = -share * (speed[k] + behind) - behind;
                 hit[k] = (speed[k] < slow) & (e > zero) &
@@ -118,13 +126,13 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
         }
         any = true;
         impulses change = {{zero, zero}, zero};
-        take_lacks(block, &v, points, hit, lacks, change.normal);
+        solve_impacts(block, &v, points, hit, lacks, change.normal);
         if (last) {
             f8 gain = change.normal[0] * (speed[0] + wanted[0]), substeps = f8_all(c->substeps);
             if (points == 2) {
                 gain += change.normal[1] * (speed[1] + wanted[1]);
             }
-            sides before = {unfallen(v.a, g.a, substeps), unfallen(v.b, g.b, substeps)};
+            sides before = {without_forces(v.a, g.a, substeps), without_forces(v.b, g.b, substeps)};
             f8 room = f8_max(surface->energy - energy_of(block, &before), zero);
             f8 part = f8_pick(gain > room, room / gain, one);
             change.normal[0] *= part;
@@ -134,7 +142,7 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
             history[k].total += change.normal[k];
         }
         if (i8_bits(block->friction > zero)) {
-            change.tangent = rub_off(c, block, points, &v, change.normal);
+            change.tangent = impact_friction(c, block, points, &v, change.normal);
             surface->total += change.tangent;
         }
         push(c, block, points, ARMS_ALL, fixed, true, v, change);

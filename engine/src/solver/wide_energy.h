@@ -1,12 +1,15 @@
 /* wide_energy.h: kinetic energies of eight bodies, and sums of them.
  *
- * A body's energy is a float, the same at both ends of a step in which nothing changes it; sums are
- * doubles, so that small changes of a few bodies show among many fast ones. */
+ * The energy of a body is rounded to a float, so that a body whose velocity does not change has the
+ * same energy in every step; sums are in double precision, so that small changes of a few bodies
+ * are seen among many fast ones. */
 #ifndef TD_WIDE_ENERGY_H
 #define TD_WIDE_ENERGY_H
 
 #include "base/simd.h"
 
+/* Bound of a single body's energy, a tenth of the greatest float, so that sums of a few stay
+ * finite. */
 #define TD_ENERGY_MAX 1e37f
 
 /* (m v^2 + I w^2) / 2, or TD_ENERGY_MAX where that is not finite. */

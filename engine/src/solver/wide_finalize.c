@@ -1,7 +1,7 @@
-/* wide_finalize.c: the end of the step for bodies with one plain shape, eight at a time: pose,
- * shape, idle time, and whether the shape left its fat bounds. Bodies that need more thought
- * (several shapes, values that are not finite, motion beyond what the short ways can express) are
- * listed in scratch.odd, for finalize.c to do one by one. */
+/* wide_finalize.c: the end of the step for bodies with one centred shape, eight at a time: pose,
+ * shape, idle time, and whether the shape left its fat bounds. Other bodies (several shapes, values
+ * that are not finite, motion too large for the arithmetic here) are listed in scratch.odd, and
+ * finalize.c does them one by one. */
 #include "solver/motion.h"
 #include "base/rotation.h"
 #include "solver/wide_energy.h"
@@ -10,8 +10,8 @@
 #include <float.h>
 #include <stddef.h>
 
-/* Does for eight angles what td_angle_turn does for one, with the same operations in the same
- * order, so that both give the same bits. */
+/* Cosine and sine of eight angles, by the operations of td_angle_turn in the same order, so that
+ * both give the same bits: the quarter turn nearest to the angle, and a polynomial of the rest. */
 TD_INLINE void turn_of(u8 angle, f8 *c, f8 *s) {
     u8 quarter = (angle + 0x20000000u) >> 30;
     f8 x = __builtin_convertvector((i8)(angle - (quarter << 30)), f8) *
@@ -24,7 +24,7 @@ TD_INLINE void turn_of(u8 angle, f8 *c, f8 *s) {
     *s = f8_flip(f8_pick(odd, cosine, sine), (i8)((quarter & 2u) == 2u));
 }
 
-/* Angle quanta in |radians| < pi / 2. */
+/* Radians, |radians| < pi / 2, to whole angle quanta. */
 TD_INLINE u8 quanta_of(f8 radians) {
     d4 low = __builtin_convertvector(__builtin_shufflevector(radians, radians, 0, 1, 2, 3), d4);
     d4 high = __builtin_convertvector(__builtin_shufflevector(radians, radians, 4, 5, 6, 7), d4);
@@ -34,14 +34,16 @@ TD_INLINE u8 quanta_of(f8 radians) {
     return (u8)__builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 
-/* Appends the slots of the lanes in `bits`, of eight slots from `first` on. */
+/* Appends the slots first + i of the bits i that are set. */
 static void list_lanes(td_array *list, td_awake_slot first, unsigned bits) {
     for (; bits; bits &= bits - 1) {
         td_push_slot(list, (td_awake_slot){first.at + __builtin_ctz(bits)});
     }
 }
 
-/* Adds to the time at rest, or starts it over. Kinematic bodies never rest while they move. */
+/* Adds the time step to the idle times of bodies that are slower than TD_SLEEP_SPEED, at their
+ * centre and by rotation at their farthest point (`max_extent`), and sets those of all others to 0.
+ */
 TD_INLINE void count_idle(thud_world *w, td_awake_slot first, const td_rows *v, f8 rim, i8 here) {
     f8 still = f8_all(TD_SLEEP_SPEED * w->unit), dt = f8_all((float)w->def.time_step);
     float *at = td_row(&w->idle, first);
@@ -52,7 +54,7 @@ TD_INLINE void count_idle(thud_world *w, td_awake_slot first, const td_rows *v, 
     w->drowsy_bodies += __builtin_popcount(i8_bits(here & (idle + dt >= f8_all(TD_SLEEP_TIME))));
 }
 
-/* Tight bounds of eight shapes against their fat ones. */
+/* Tight bounds of eight shapes, in coarse quanta. */
 typedef struct bounds8 {
     i8 min_x, min_y, max_x, max_y;
 } bounds8;
@@ -61,7 +63,8 @@ TD_INLINE i8 wrap_add(i8 a, i8 b) {
     return (i8)((u8)a + (u8)b);
 }
 
-/* `shape` holds c, s and half extents; what does not turn has c = 1 and s = 0. */
+/* Bounds around centres (x, y). `shape`: cosine, sine and half extents; a shape that does not turn
+ * has c = 1 and s = 0. Two quanta of margin take up rounding. */
 TD_INLINE bounds8 tight_bounds(i8 x, i8 y, const td_rows *shape, f8 to_coarse) {
     f8 ca = f8_abs(shape->x), sa = f8_abs(shape->y);
     f8 hx = ca * shape->z + sa * shape->w, hy = sa * shape->z + ca * shape->w;
@@ -71,7 +74,7 @@ TD_INLINE bounds8 tight_bounds(i8 x, i8 y, const td_rows *shape, f8 to_coarse) {
                      wrap_add(x, half_x + i8_all(1)), wrap_add(y, half_y + i8_all(1))};
 }
 
-/* A shape that left its fat bounds goes onto the moved list and gets new ones. */
+/* Gives a shape that left its fat bounds new ones, and lists it as moved. */
 TD_INLINE void renew_bounds(thud_world *w, int shape, f4 fat) {
     td_bounds *bounds = td_fat_at(w, shape);
     uint8_t *marks = td_marks_at(w, shape);
@@ -83,7 +86,7 @@ TD_INLINE void renew_bounds(thud_world *w, int shape, f4 fat) {
     __builtin_memcpy(bounds, &fat, sizeof fat);
 }
 
-/* Four floats of each record, whatever they stand for. */
+/* Loads 16 bytes at `offset` of each of eight records, transposed; of any type. */
 TD_INLINE td_rows load_eight(const void *const records[TD_LANES], size_t offset) {
     const float *r[TD_LANES];
     for (int i = 0; i < TD_LANES; i++) {
@@ -106,7 +109,8 @@ TD_INLINE void store_eight(void *const records[TD_LANES], size_t offset, td_rows
 #define TD_FIRST_HALF_SHIFT 0
 #endif
 
-/* Adds the motion of eight bodies to their places; returns those in bounds quanta, x and y. */
+/* Adds the motion of eight bodies to their positions. Returns the new positions in coarse quanta,
+ * in which bounds are: x in .x and y in .z. */
 TD_INLINE td_rows move_eight(const thud_world *w, td_awake_slot first, void *const poses[TD_LANES],
                              void *const proxies[TD_LANES]) {
     f4 coarse[TD_LANES];
@@ -114,14 +118,14 @@ TD_INLINE td_rows move_eight(const thud_world *w, td_awake_slot first, void *con
         const float *delta = td_row(&w->delta, (td_awake_slot){first.at + i});
         d2 quanta = {(double)delta[0], (double)delta[1]};
         l2 center;
-        /* What is odd, as in lanes that nobody reads, may wrap around. */
+        /* Unsigned, since lanes of spare records and of odd bodies may wrap around. */
         v2 moved = (v2)(quanta * w->to_fixed + TD_ROUND_SHIFT) - (uint64_t)TD_ROUND_BITS;
         __builtin_memcpy(&center, poses[i], sizeof center);
         center = (l2)((v2)center + moved);
         __builtin_memcpy(poses[i], &center, sizeof center);
         __builtin_memcpy(proxies[i], &center, sizeof center);
-        /* The low halves hold x and y; the sign does not reach them. They come first, as they do by
-         * themselves where the least byte does. */
+        /* The low half of each shifted 64-bit coordinate is the coarse one. On a little-endian
+         * machine it is the first half; a big-endian one shifts it there. */
         coarse[i] = (f4)((v2)center >> TD_COARSE_SHIFT << TD_FIRST_HALF_SHIFT);
     }
     f8 r[4];
@@ -131,8 +135,8 @@ TD_INLINE td_rows move_eight(const thud_world *w, td_awake_slot first, void *con
     return td_turn(r[0], r[1], r[2], r[3]);
 }
 
-/* Poses and shapes of the lanes in `bits`, whose slots begin at `first`. The other lanes do the
- * same to records that nobody reads. */
+/* Updates poses, shapes and bounds of the bodies in slots first + i for the bits i that are set.
+ * The other lanes work on a spare record. */
 TD_INLINE void place_lanes(thud_world *w, td_awake_slot first, f8 turn, unsigned bits) {
     const int32_t *bodies = (const int32_t *)w->body_of.data + first.at;
     const int32_t *lone = (const int32_t *)w->lone.data + first.at;
@@ -179,11 +183,10 @@ TD_INLINE void place_lanes(thud_world *w, td_awake_slot first, f8 turn, unsigned
     }
 }
 
-/* The last relax pass may leave a velocity beyond the bounds to which substeps hold it: holds those
- * of the rows listed in `bits`, and returns whether it had to. What is infinite stays so, for
- * finalize.c to see. */
-static bool hold_speeds(float (*velocity)[4], unsigned bits, const float most[3]) {
-    bool held = false;
+/* Clamps the finite velocities of the rows in `bits`, which the last relax pass may have left
+ * beyond the bounds. An infinite one is left for finalize.c to find. True where one was clamped. */
+static bool clamp_speeds(float (*velocity)[4], unsigned bits, const float max[3]) {
+    bool clamped = false;
     for (; bits; bits &= bits - 1) {
         float *row = velocity[__builtin_ctz(bits)];
         bool finite = true;
@@ -191,17 +194,17 @@ static bool hold_speeds(float (*velocity)[4], unsigned bits, const float most[3]
             finite = finite && row[k] <= FLT_MAX && row[k] >= -FLT_MAX;
         }
         for (int k = 0; k < 3 && finite; k++) {
-            row[k] = row[k] > most[k] ? most[k] : row[k] < -most[k] ? -most[k] : row[k];
+            row[k] = row[k] > max[k] ? max[k] : row[k] < -max[k] ? -max[k] : row[k];
         }
-        held |= finite;
+        clamped |= finite;
     }
-    return held;
+    return clamped;
 }
 
-/* The rows that have a speed beyond the bounds. */
-TD_INLINE unsigned too_fast(td_rows v, i8 here, const float most[3]) {
-    return i8_bits(here & ((f8_abs(v.x) > f8_all(most[0])) | (f8_abs(v.y) > f8_all(most[1])) |
-                           (f8_abs(v.z) > f8_all(most[2]))));
+/* The rows whose velocity is beyond the bounds. */
+TD_INLINE unsigned too_fast(td_rows v, i8 here, const float max[3]) {
+    return i8_bits(here & ((f8_abs(v.x) > f8_all(max[0])) | (f8_abs(v.y) > f8_all(max[1])) |
+                           (f8_abs(v.z) > f8_all(max[2]))));
 }
 
 td_finalize_bodies_fn TD_WIDE(td_finalize_bodies);
@@ -213,17 +216,17 @@ void TD_WIDE(td_finalize_bodies)(thud_world *w) {
     f8 zero = f8_all(0.0f), far = f8_all((float)(0x1p50 / w->to_fixed));
     f8 gx = f8_all(w->def.gravity.x), gy = f8_all(w->def.gravity.y);
     d4 kinetic = {0}, gained = {0};
-    float linear = w->def.maximum_speed * w->unit, most_speed[3] = {linear, linear, THUD_SPIN_MAX};
+    float linear = w->def.maximum_speed * w->unit, max_speed[3] = {linear, linear, THUD_SPIN_MAX};
     int count = w->body_of.count;
     for (td_awake_slot first = {0}; first.at < count; first.at += TD_LANES) {
         int at = first.at;
         i8 slot = i8_all(at) + lane, here = (slot > i8_all(0)) & (slot < i8_all(count));
         td_rows v;
-        unsigned held;
+        unsigned fast_rows;
         do {
             v = td_load_rows((const float(*)[4])velocity + at);
-            held = too_fast(v, here, most_speed);
-        } while (held && hold_speeds(velocity + at, held, most_speed));
+            fast_rows = too_fast(v, here, max_speed);
+        } while (fast_rows && clamp_speeds(velocity + at, fast_rows, max_speed));
         td_rows d = td_load_rows(delta + at);
         f8 reach0 = f8_load(td_row(&w->reach, first));
         f8 reach1 = f8_load(td_row(&w->reach, first) + TD_LANES);
@@ -231,8 +234,8 @@ void TD_WIDE(td_finalize_bodies)(thud_world *w) {
         f8 rim = __builtin_shufflevector(reach0, reach1, 1, 3, 5, 7, 9, 11, 13, 15);
         f8 sum = v.x + v.y + v.z + (d.x + d.y + d.z);
         i8 finite = sum - sum == zero;
-        f8 most = f8_all(TD_ENERGY_MAX);
-        f8 fallen = f8_clamp(f8_load(weight + at) * (gx * d.x + gy * d.y), -most, most);
+        f8 max = f8_all(TD_ENERGY_MAX);
+        f8 fallen = f8_clamp(f8_load(weight + at) * (gx * d.x + gy * d.y), -max, max);
         f8 moving = td_kinetic_of(&v, mass + at, inertia + at);
         kinetic += d4_folded(f8_keep(here & finite, moving));
         gained += d4_folded(f8_keep(here & finite, fallen));

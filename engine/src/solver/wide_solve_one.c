@@ -1,4 +1,5 @@
-/* wide_solve_one.c: solver passes for contacts of one point. */
+/* wide_solve_one.c: the passes of the soft solver (wide_solve.h) for contacts of one point:
+ * instances for two moving bodies and for one beside a static body, with and without lever arms. */
 #include "solver/wide_bounce.h"
 
 TD_PASS(warm_start_moving, warm_start_blocks, 1, ARMS_ALL, false)
@@ -16,7 +17,8 @@ const td_solve_ops TD_WIDE(td_solve_one) = {{warm_start_moving, warm_start_fixed
                                             bounce,
                                             {NULL, NULL}};
 
-/* Centred circles: what pushes them apart does not turn them. */
+/* Circles about their centres of mass: the normal impulse has no lever arm, the tangent impulse
+ * has. */
 TD_PASS(solve_centres_moving, solve_blocks, 1, ARMS_NONE, false)
 TD_PASS(solve_centres_fixed, solve_blocks, 1, ARMS_NONE, true)
 TD_PASS(relax_round_moving, relax_blocks, 1, ARMS_TANGENT, false)
@@ -29,7 +31,7 @@ const td_solve_ops TD_WIDE(td_solve_round) = {{warm_start_moving, warm_start_fix
                                               bounce,
                                               {NULL, NULL}};
 
-/* Axis-aligned boxes: nothing turns at all. */
+/* Axis-aligned boxes do not turn: no impulse has a lever arm. */
 TD_PASS(relax_flat_moving, relax_blocks, 1, ARMS_NONE, false)
 TD_PASS(relax_flat_fixed, relax_blocks, 1, ARMS_NONE, true)
 

@@ -1,4 +1,5 @@
-/* wide_solve_two.c: solver passes for contacts of two points: boxes on boxes and on terrain. */
+/* wide_solve_two.c: the passes of the soft solver (wide_solve.h) for contacts of two points: boxes
+ * on boxes and on terrain. */
 #include "solver/wide_bounce.h"
 
 TD_PASS(warm_start_moving, warm_start_blocks, 2, ARMS_ALL, false)

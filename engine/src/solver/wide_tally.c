@@ -1,12 +1,13 @@
-/* wide_tally.c: see tally.h. */
+/* wide_tally.c: adds up depths, overlaps and numbers of contact points, eight at a time; see
+ * tally.h. */
 #include "solver/tally.h"
 
-/* Sums of floats stay within a few blocks; from there on it is whole quanta. */
+/* Rounds a sum of floats over a few blocks to whole quanta: the sums of quanta are exact. */
 TD_INLINE d4 quanta_of(f8 length, double to_fixed) {
     return (d4_folded(length) * to_fixed + TD_ROUND_SHIFT) - TD_ROUND_SHIFT;
 }
 
-/* With the operands in this order, not-a-number is left out. */
+/* The order of operands of f8_min leaves separations out that are not a number. */
 TD_INLINE void tally(td_tally *to, td_block *const *blocks, int count, int points,
                      const td_tally_context *c) {
     f8 zero = f8_all(0.0f), touch = f8_all(-c->skin), limit = f8_all(-c->skin - c->overlap);

@@ -1,10 +1,11 @@
-/* awake_arrays.h: what the world keeps of each body that moves: an array each, by awake slot.
+/* awake_arrays.h: the list of the arrays that have an element for each awake body (structure of
+ * arrays).
  *
- * Of such an array its field in thud_world, its stride, its room, its way from slot to slot, its
- * end and its place in snapshots follow from its line in this list. What it begins with when a body
- * wakes is set in td_awake_add, or in td_awake_refresh where it follows from the body: a slot has
- * the values of whoever had it before. What shall outlast a sleep also needs a field in td_body, as
- * `direct_steps` has, that td_awake_remove keeps. */
+ * A line of this list is all that declares an array: its field in thud_world, its stride, growth,
+ * copying from slot to slot, freeing and its part of snapshots follow from it. The first value of
+ * an element is set in td_awake_add, or in td_awake_refresh where it follows from the body; until
+ * then a slot has the values of the body that had it before. A value that must survive sleep also
+ * needs a field in td_body, as `direct_steps` has, that td_awake_remove sets. */
 #ifndef TD_AWAKE_ARRAYS_H
 #define TD_AWAKE_ARRAYS_H
 
@@ -12,25 +13,25 @@
 
 /* The third column of the list. */
 enum {
-    TD_REBUILT = 0, /* every step writes it before it reads it: no part of a snapshot */
-    TD_STATE = 1    /* what later steps depend on */
+    TD_REBUILT = 0, /* each step writes it before it reads it: not in snapshots */
+    TD_STATE = 1    /* later steps depend on it: in snapshots */
 };
 
 /* Name, element, and whether it is state. */
 #define TD_AWAKE_ARRAYS(X)                                                                        \
-    X(velocity, float[4], TD_STATE)    /* x, y, spin; the inverse of the mass */                  \
+    X(velocity, float[4], TD_STATE)    /* x, y, turn; inverse mass */                             \
     X(delta, float[4], TD_STATE)       /* motion of the last step: x, y, angle */                 \
     X(start, float[4], TD_REBUILT)     /* velocity at the start of a substep, damped */           \
-    X(push, float[4], TD_STATE)        /* velocity gained a substep */                            \
+    X(push, float[4], TD_STATE)        /* velocity that forces add in a substep */                \
     X(damping, float[2], TD_STATE)     /* linear, angular */                                      \
-    X(idle, float, TD_STATE)           /* time at rest */                                         \
+    X(idle, float, TD_STATE)           /* time at rest, s */                                      \
     X(direct_steps, uint8_t, TD_STATE) /* steps for which its island is still direct */           \
     X(slow_steps, uint16_t, TD_STATE)  /* steps that took its island's solver long */             \
     X(reach, float[2], TD_STATE)       /* td_body.core and .rim */                                \
     X(mass, float, TD_STATE)                                                                      \
     X(inertia, float, TD_STATE)                                                                   \
-    X(weight, float, TD_STATE)          /* mass by gravity scale */                               \
-    X(body_of, td_body_index, TD_STATE) /* its count is how many slots are taken */               \
+    X(weight, float, TD_STATE)          /* mass times gravity scale */                            \
+    X(body_of, td_body_index, TD_STATE) /* its count is the number of slots in use */             \
     X(lone, int, TD_STATE)              /* the body's only shape, if it is plain; else TD_NONE */ \
     X(colours, td_colours, TD_STATE)
 

@@ -1,5 +1,6 @@
-/* records.h: what the state of a world is made of: one record a body, shape, terrain, contact and
- * so on, as plain data that name each other by index. */
+/* records.h: the records of a world's state: one for each body, shape, terrain, constraint, joint
+ * and so on. They are plain data, and refer to each other by index, so that a snapshot copies them.
+ */
 #ifndef TD_RECORDS_H
 #define TD_RECORDS_H
 
@@ -9,16 +10,16 @@
 #include "thud/thud.h"
 
 enum {
-    TD_COLOURS = 64, /* the last one is overflow: one lane a block */
+    TD_COLOURS = 64, /* colours of the constraint graph; the last is overflow: one lane a block */
     TD_OVERFLOW = TD_COLOURS - 1,
-    TD_BINS_A_KIND = 2 * TD_COLOURS + 1, /* moving by colour, static by colour, asleep */
-    TD_SLEEPING = 2 * TD_COLOURS
+    TD_BINS_A_KIND = 2 * TD_COLOURS + 1, /* two moving bodies by colour, one static, asleep */
+    TD_SLEEPING = 2 * TD_COLOURS         /* the bin of sleeping lanes */
 };
 
 typedef struct td_pose {
-    td_position center; /* of mass */
-    uint32_t angle;     /* 2^32 a turn: wraps by itself, needs no renormalising */
-    float c, s;         /* of the angle */
+    td_position center; /* centre of mass */
+    uint32_t angle;     /* 2^32 is a full turn, so that it wraps around by itself */
+    float c, s;         /* cosine and sine of the angle */
     int32_t padding;
 } td_pose;
 
@@ -29,29 +30,31 @@ enum {
     TD_BODY_RESTLESS = 4, /* may not sleep */
     TD_BODY_QUARANTINED = 8,
     TD_BODY_DISABLED = 16,   /* has no contacts and no awake slot */
-    TD_BODY_CHOSE = 32,      /* has a detection of its own choice, not the world's */
-    TD_BODY_MASS_GIVEN = 64, /* mass, inertia and their centre are the caller's: no shape changes
-                                them */
-    TD_BODY_ANCHOR = 128     /* static and without shapes, to lock others: edits/locks.c */
+    TD_BODY_CHOSE = 32,      /* has a detection of its own, not the world's */
+    TD_BODY_MASS_GIVEN = 64, /* mass, inertia and centre of mass are the caller's; shapes do not
+                                change them */
+    TD_BODY_ANCHOR = 128     /* static, without shapes, made by the engine to lock a body:
+                                edits/locks.c */
 };
 
 typedef struct td_body {
-    int32_t next_free; /* first: see td_slots */
+    int32_t next_free; /* must be the first member: td_slots */
     uint32_t generation;
     uint8_t kind, flags, changes, aabbs; /* aabbs: number of AABB shapes, which fix rotation */
-    td_awake_slot awake;                 /* TD_NONE: static, asleep or not yet applied */
+    td_awake_slot awake;                 /* TD_NONE: static, asleep, or waits for the next step */
     int32_t first_shape, shape_count;
-    int32_t first_constraint; /* edge: contact * 2 + side */
-    float velocity[3];        /* while there is no awake slot */
-    float force[3];           /* for the next step: x, y, torque */
+    int32_t first_constraint; /* first edge of the list: constraint * 2 + side */
+    float velocity[3];        /* while the body has no awake slot: x, y, turn */
+    float force[3];           /* in the next step: x, y, torque */
     float mass, inertia, inv_mass, inv_inertia;
-    float center_x, center_y; /* of mass, in the body's frame */
-    float core, rim;          /* smallest half extent; farthest reach from the centre of mass */
+    float center_x, center_y; /* centre of mass, in the body's frame */
+    float core, rim; /* half thickness of the thinnest shape; greatest distance of a shape's point
+                        from the centre of mass */
     float gravity_scale, linear_damping, angular_damping;
-    uint32_t rest_epoch;  /* world's, when it fell asleep */
-    uint8_t direct_steps; /* while there is no awake slot: see awake_arrays.h */
-    uint8_t unused;       /* 0: in place of padding */
-    uint16_t passes;      /* bits of the bodies that it passes through, joined to them: joining.c */
+    uint32_t rest_epoch;  /* thud_world.rest_epoch when the body fell asleep */
+    uint8_t direct_steps; /* while the body has no awake slot: see awake_arrays.h */
+    uint8_t unused;       /* 0, in place of padding: snapshots copy all bytes */
+    uint16_t passes;      /* a hash of the bodies that joints let it pass through: td_passing_bit */
     const thud_detection *detection;
     uint64_t user_data;
 } td_body;
@@ -60,33 +63,34 @@ typedef struct td_body {
 enum {
     TD_SHAPE_LIVE = 1,
     TD_SHAPE_SENSOR = 2, /* 4: see internal_edges.h */
-    /* Made inside a callback: nothing meets or weighs it before the next step. */
+    /* Made inside a callback: has no contacts and no mass before the next step. */
     TD_SHAPE_WAITS = 8,
     TD_SHAPE_SILENT = 16,                              /* makes no events */
-    TD_SHAPE_HOLLOW = TD_SHAPE_SENSOR | TD_SHAPE_WAITS /* either: no body is stopped by it */
+    TD_SHAPE_HOLLOW = TD_SHAPE_SENSOR | TD_SHAPE_WAITS /* with either flag it stops no body */
 };
 
 /* thud_world.marks */
 enum {
-    TD_MARK_MOVED = 1,  /* in the moved list; its bounds before are in `was` */
-    TD_MARK_FRESH = 2,  /* has no pairs yet: `was` means nothing */
-    TD_MARK_WOKEN = 4,  /* pairs may be missing; look each one up */
-    TD_MARK_CROWDED = 8 /* likewise, in a world that stays crowded; see broadphase.c */
+    TD_MARK_MOVED = 1,  /* in the list `moved`; its bounds before that are in `was` */
+    TD_MARK_FRESH = 2,  /* new, without pairs: `was` is not set */
+    TD_MARK_WOKEN = 4,  /* pairs may be missing: the broadphase looks up each one */
+    TD_MARK_CROWDED = 8 /* the same, in a world that is crowded: broadphase.c */
 };
 
 typedef struct td_shape {
     int32_t next_free;
     uint32_t generation;
-    uint8_t kind, flags, plain; /* plain: centred on the body's centre of mass, angle 0 */
-    uint8_t internal_edges; /* static: what another static shape stands at; see internal_edges.h */
-    uint8_t hidden;         /* static: what another one hides altogether; see internal_edges.h */
+    uint8_t kind, flags, plain; /* plain: centred on the body's centre of mass, at angle 0 */
+    uint8_t
+        internal_edges; /* static shapes: faces and corners that others touch: internal_edges.h */
+    uint8_t hidden;     /* static shapes: those that others cover: internal_edges.h */
     td_body_index body;
-    int32_t next;       /* of the same body */
-    int32_t terrain;    /* index, or TD_NONE */
-    float x, y;         /* in the body's frame */
-    float arm_x, arm_y; /* from the centre of mass, in the body's frame */
-    uint32_t angle;
-    float angle_c, angle_s;
+    int32_t next;           /* next shape of the same body */
+    int32_t terrain;        /* index, or TD_NONE */
+    float x, y;             /* centre in the body's frame */
+    float arm_x, arm_y;     /* centre from the body's centre of mass, in the body's frame */
+    uint32_t angle;         /* in the body's frame; 2^32 is a full turn */
+    float angle_c, angle_s; /* its cosine and sine */
     float half_x, half_y;
     float density, friction, restitution, surface_speed;
     thud_filter filter;
@@ -97,92 +101,97 @@ typedef struct td_terrain_record {
     int32_t next_free;
     int32_t shape; /* TD_NONE when free */
     thud_terrain_kind kind;
-    int32_t unused; /* 0: in place of padding, which snapshots would take along unwritten */
+    int32_t unused; /* 0, in place of padding: snapshots copy all bytes */
     double slope, x0, spacing;
-    double highest;  /* no point is higher, relative to the origin; infinite on a flat slope */
+    double highest;  /* height of the highest point from the origin; infinite for a flat slope */
     td_array points; /* thud_pos */
 } td_terrain_record;
 
 /* td_constraint.state */
 enum {
-    TD_WAITING = 0, /* bounds overlap, shapes do not touch: index in its kind's waiting list */
-    TD_TOUCHING,    /* it acts: slot is block * 8 + lane */
-    TD_RESTING      /* waiting, but nobody is awake: in no list */
+    TD_WAITING =
+        0, /* does not act (shapes do not touch): slot is an index in its kind's waiting list */
+    TD_TOUCHING, /* acts: slot is block * 8 + lane */
+    TD_RESTING   /* does not act, and neither body is awake: in no list */
 };
 
 /* td_constraint.vetoed, of a contact. */
 enum {
     TD_VETOED = 1,  /* does nothing in this step */
-    TD_PASSING = 2, /* by a one-way rule, until the two part or it has come out; vetoed as well */
-    TD_HELD = 4     /* by a one-way rule, until the two part */
+    TD_PASSING = 2, /* a one-way rule lets it pass until the two part, or are apart on the other
+                       side; vetoed as well */
+    TD_HELD = 4     /* a one-way rule holds it until the two part */
 };
 
-/* An edge of the graph of constraints: constraint.h. */
+/* A constraint: an edge in the graph of bodies (constraint.h). */
 typedef struct td_constraint {
     int32_t next_free;
     int32_t shape_a, shape_b; /* of a contact; else TD_NONE */
     td_body_index body[2];    /* of a contact those of shape_a and shape_b */
     union {
-        int32_t child; /* of a contact: terrain segment; TD_NONE: gone by an edit, as the contact is
-                          a step later */
-        int32_t joint; /* of another kind: index of its td_joint */
+        int32_t child; /* of a contact: terrain segment; TD_NONE: an edit has removed it, and the
+                          contact ends in the next step */
+        int32_t joint; /* of a joint's part: index of the td_joint */
     };
-    int32_t slot;
-    int32_t next[2], prev[2]; /* edges in the bodies' lists */
+    int32_t slot;             /* by state, above */
+    int32_t next[2], prev[2]; /* edges of the lists of body[0] and body[1] */
     uint16_t bin;
     uint8_t kind, state;
-    uint8_t open;   /* touches, or overlaps a sensor: has begun and not ended; see below */
-    uint8_t listed; /* while a list of contacts is being made */
-    uint8_t live;
+    uint8_t open;   /* the contact has begun and not ended: TD_OPEN, TD_TOLD */
+    uint8_t listed; /* scratch flag while a list of constraints is made */
+    uint8_t live;   /* the record is in use */
     uint8_t vetoed; /* by a prologue or a rule, see above */
 } td_constraint;
 
-/* td_constraint.open, of a contact; all segments of a line that a shape touches have the same. */
+/* td_constraint.open of a contact. The contacts of a shape with several segments of a terrain have
+ * the same value. */
 enum {
     TD_OPEN = 1,
-    TD_TOLD = 2 /* its begin was told, as far as the world tells any, and its end will be */
+    TD_TOLD =
+        2 /* its begin event was added (where the world has such events): its end event will be */
 };
 
 /* A constraint whose kind is a pair kind. */
 typedef td_constraint td_contact;
 
-/* The parts of a joint, each a constraint: what drives it in either direction, and what it locks.
- */
+/* The parts of a joint, each a constraint: one for the limits, springs and motors of each
+ * direction, and one for all directions that are locked. */
 enum { TD_JOINT_DIRECTIONS = 3, TD_JOINT_HOLD = TD_JOINT_DIRECTIONS, TD_JOINT_PARTS };
 
-/* thud_drive, without padding. */
+/* thud_drive (limits, spring and motor of a direction), without padding. */
 typedef struct td_drive {
     uint32_t limited;
     float lower, upper, frequency, damping, target, spring_force, motor_speed, motor_force;
 } td_drive;
 
-/* Two joints that turn or move each other, each by its second body, whose first one never moves by
- * itself: first value + ratio * second value - rest is 0. Turns are counted. */
+/* A gear couples the coordinates q of two joints: q0 + ratio q1 - rest = 0. A coordinate is the
+ * rotation or translation of the joint's second body against its first; rotations are counted
+ * beyond a full turn. */
 typedef struct td_gear {
     int32_t joint[2];
-    uint32_t generation[2]; /* of those joints, as they were */
-    uint32_t last[2];       /* turns as they were last looked at */
+    uint32_t generation[2]; /* of those joints when the gear was made */
+    uint32_t last[2];       /* angles in the last step, to count full turns by */
     float ratio;
-    int32_t apart; /* 1: a joint of it is disabled, and nothing holds */
-    int64_t turned[2];
+    int32_t apart;     /* 1: one of the joints is disabled, and the gear does nothing */
+    int64_t turned[2]; /* rotations counted, 2^32 is a full turn */
     double rest;
 } td_gear;
 
-/* Fields without padding between them, which snapshots would take along unwritten. */
+/* Without padding between the fields: snapshots copy all bytes. */
 typedef struct td_joint {
     int32_t next_free;
     uint32_t generation;
-    td_body_index body[2];        /* as its parts have them: a static one first */
-    int32_t part[TD_JOINT_PARTS]; /* TD_NONE: none; a joint has one at least */
+    td_body_index body[2];        /* in the order of its constraints: a static one first */
+    int32_t part[TD_JOINT_PARTS]; /* constraints; TD_NONE: no such part. There is at least one. */
     uint8_t kind;                 /* thud_joint_kind */
     uint8_t live, disabled, collides;
-    uint8_t swapped; /* the first body is the caller's b */
-    uint8_t only_reports;
-    uint8_t locked, driven; /* bits of its directions */
-    float anchor[2][2];     /* on either body, from its origin and in its frame */
-    float axis_c, axis_s;   /* of `along`, in the first body's frame */
-    uint32_t angle[2];      /* of the frames */
-    uint32_t turn;          /* of the second body against the first where `turn` is 0 */
+    uint8_t swapped;        /* body[0] is the caller's b */
+    uint8_t only_reports;   /* a force beyond break_force makes an event, and does not break it */
+    uint8_t locked, driven; /* bits of directions: locked; with limits, springs or motors */
+    float anchor[2][2];     /* on each body, from its origin and in its frame */
+    float axis_c, axis_s;   /* direction `along`, in the frame of body[0] */
+    uint32_t angle[2];      /* of the joint's frames in the bodies' frames */
+    uint32_t turn;          /* relative angle of the bodies at which the coordinate `turn` is 0 */
     float length;
     union {
         struct {
@@ -200,10 +209,12 @@ typedef struct td_bin {
 } td_bin;
 
 typedef struct td_colours {
-    uint64_t moving, fixed; /* taken by this body's contacts with moving and static bodies */
+    uint64_t moving,
+        fixed; /* colours that this body's constraints with moving and static bodies have */
 } td_colours;
 
-/* What happened, in the order it did; see thud_events. Arrays and nothing else. */
+/* Events in the order in which they happened: thud_events. It consists of arrays and nothing else.
+ */
 typedef struct td_event_lists {
     td_array begin, end, sensor_begin, sensor_end; /* thud_contact_event */
     td_array sensor_begin_time, sensor_end_time;   /* float, of each of those */
@@ -212,32 +223,32 @@ typedef struct td_event_lists {
 } td_event_lists;
 enum { TD_EVENT_LIST_COUNT = sizeof(td_event_lists) / sizeof(td_array) };
 
-/* Everything that several steps told. */
+/* The events of several steps of one thud_world_advance. */
 typedef struct td_gathered {
     td_event_lists lists;
     td_array broken;   /* thud_joint_event */
     td_array impulses; /* thud_impulse_event */
 } td_gathered;
 
-/* Forces on a body for steps that thud_world_advance has yet to make: x, y, torque. */
+/* Forces on a body for the steps that thud_world_advance will make: x, y, torque. */
 typedef struct td_pull {
-    uint32_t generation; /* of the body; all zero for another one */
-    float mean[3];       /* over the time that waits to be stepped */
-    float now[3];        /* over the time of the present call */
-    float due[3];        /* through the next step alone, and all of it */
+    uint32_t generation; /* of the body; the forces are 0 for a body of another generation */
+    float mean[3];       /* mean force over the time that has not been stepped yet */
+    float now[3];        /* force over the time of the present call */
+    float due[3];        /* force over the whole next step, and not longer */
 } td_pull;
 
 typedef enum td_change_kind {
     TD_CHANGE_ENTER = 1,  /* created: takes its awake slot and enters the broadphase */
     TD_CHANGE_LEAVE = 2,  /* destroyed */
-    TD_CHANGE_SHAPES = 4, /* shapes came or went */
+    TD_CHANGE_SHAPES = 4, /* shapes were added or removed */
     TD_CHANGE_WAKE = 8,
     TD_CHANGE_PLACE = 16, /* teleported */
     TD_CHANGE_SLEEP = 32,
     TD_CHANGE_ENABLE = 64 /* enabled or disabled */
 } td_change_kind;
 
-/* An edit made inside a callback, deferred to the start of the next step. */
+/* An edit made inside a callback, which takes effect at the start of the next step. */
 typedef struct td_deferred_edit {
     td_body_index body;
     uint32_t generation;
@@ -245,19 +256,19 @@ typedef struct td_deferred_edit {
     double value[4];
 } td_deferred_edit;
 
-/* What a step has found of its errors; see thud_step_error. */
+/* The error statistics of a step: thud_step_error. */
 typedef struct td_errors {
     int64_t points, overlaps;
-    double depth; /* sum of penetrations, whole position quanta */
-    float deepest, residual;
+    double depth;            /* sum of penetration depths, in whole position quanta */
+    float deepest, residual; /* greatest depth, length; greatest approach speed left, length/s */
     double energy_change;
-    float shortfall; /* squared */
-    int64_t moved;   /* motions were projected after points were counted: td_error_of_step */
+    float shortfall; /* greatest motion that detection has cut off, length, squared */
+    int64_t moved;   /* motions that were projected after points were counted: td_error_of_step */
 } td_errors;
 
-enum { TD_BUDGET_STEPS = 9 }; /* between two decisions */
+enum { TD_BUDGET_STEPS = 9 }; /* steps between two decisions of solver/budget.c. Chosen. */
 
-/* What the last steps took, and would have with twice the substeps: seconds. */
+/* Times of the last steps, s, and an estimate of them with twice the substeps. */
 typedef struct td_budget {
     double taken[TD_BUDGET_STEPS], doubled[TD_BUDGET_STEPS];
     int count;
