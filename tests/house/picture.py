@@ -20,7 +20,7 @@ GLYPH = 6.7  # mean width of a letter at this size
 COLOURS = {
     "base": "#e3e3e3", "geometry": "#d8e8f7", "terrain": "#e4efd3", "state": "#fdeec4",
     "broadphase": "#d5efe9", "constraint": "#f9d8d2", "contact": "#fbe3cd", "solver": "#e6dcf4",
-    "joints": "#f6e3d9", "islands": "#f3d8ea", "detection": "#dcdff7", "api": "#f0ead8",
+    "joints": "#f6e3d9", "islands": "#f3d8ea", "direct": "#ead8f3", "detection": "#dcdff7", "api": "#f0ead8",
 }
 
 

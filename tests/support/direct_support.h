@@ -4,7 +4,7 @@
 
 #include "engine_support.h"
 
-#include "islands/direct.h"
+#include "direct/direct.h"
 
 #include <limits.h>
 
@@ -31,7 +31,7 @@ static inline void begin_problem(problem *p) {
                        .matrix = &p->matrix,
                        .step = p->step,
                        .work = p->work,
-                       .patience = 200,
+                       .factoring_budget = 200,
                        .effort = INT64_MAX,
                        .unit_speed = UNIT_SPEED};
 }
@@ -118,7 +118,7 @@ static inline void forget_impulses(problem *p) {
 
 static inline double row_speed(const problem *p, const td_direct_constraint *c, int k) {
     const td_direct_row *r = &c->row[k];
-    double speed = r->known;
+    double speed = r->known_speed;
     for (int j = 0; j < 3; j++) {
         speed += c->a == GROUND ? 0 : r->a[j] * p->bodies[c->a].velocity[j];
         speed += c->b == GROUND ? 0 : r->b[j] * p->bodies[c->b].velocity[j];
@@ -165,7 +165,7 @@ static inline void assert_solved(const problem *p, double tolerance) {
         const td_direct_constraint *c = &p->contacts[i];
         for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
             const td_direct_row *r = &c->row[k];
-            double over = row_speed(p, c, k) - r->wanted;
+            double over = row_speed(p, c, k) - r->target_speed;
             if (r->used) {
                 assert_true(over >= -tolerance);
                 assert_true(r->impulse >= 0);
@@ -174,9 +174,9 @@ static inline void assert_solved(const problem *p, double tolerance) {
         }
         const td_direct_row *t = &c->row[TD_DIRECT_TANGENT];
         if (t->used) {
-            double slip = row_speed(p, c, TD_DIRECT_TANGENT) - t->wanted;
-            double left = t->most - (slip > 0 ? -t->impulse : t->impulse);
-            assert_true(fabs(t->impulse) <= t->most + tolerance * t->mass);
+            double slip = row_speed(p, c, TD_DIRECT_TANGENT) - t->target_speed;
+            double left = t->max_impulse - (slip > 0 ? -t->impulse : t->impulse);
+            assert_true(fabs(t->impulse) <= t->max_impulse + tolerance * t->mass);
             assert_true(fmin(fabs(slip), left / t->mass) <= tolerance);
         }
     }

@@ -1,5 +1,5 @@
 /* debug_draw.c: the world drawn through the caller's functions, for viewers and tests. */
-#include "constraint/joining.h"
+#include "constraint/joint_hooks.h"
 #include "state/body.h"
 #include "api/debug_draw.h"
 #include "state/handles.h"
@@ -131,8 +131,8 @@ thud_result thud_world_draw(thud_world *w, const thud_debug_draw *draw) {
             parts[i].run(&d);
         }
     }
-    if (w->joining) {
-        w->joining->draw(&d);
+    if (w->joint_hooks) {
+        w->joint_hooks->draw(&d);
     }
     w->locked = false;
     return THUD_OK;

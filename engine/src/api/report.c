@@ -1,5 +1,5 @@
 /* report.c: what a world tells of itself: events, poses, statistics, measures, its hash. */
-#include "constraint/joining.h"
+#include "constraint/joint_hooks.h"
 #include "solver/error.h"
 #include "state/body.h"
 #include "state/handles.h"
@@ -104,8 +104,8 @@ thud_step_error thud_world_error(const thud_world *w) {
     }
     td_errors step = td_error_of_step(w), *e = &step;
     td_joint_gaps gaps = {0};
-    if (w->joining) {
-        w->joining->measure(w, &gaps);
+    if (w->joint_hooks) {
+        w->joint_hooks->measure(w, &gaps);
     }
     return (thud_step_error){
         .penetration_max = (double)e->deepest,

@@ -43,8 +43,8 @@ thud_result thud_world_snapshot(const thud_world *w, void *buffer, size_t capaci
     size_t size = (size_t)head.bytes;
     memcpy(to, &head, sizeof head);
     td_snapshot_write(unconst(w), &head, to + sizeof head);
-    if (w->ruling) {
-        w->ruling->write(w, to + sizeof head + td_snapshot_ruled_at(&head));
+    if (w->rule_hooks) {
+        w->rule_hooks->write(w, to + sizeof head + td_snapshot_ruled_at(&head));
     }
     head.checksum = td_snapshot_checksum(to + SUMMED_FROM, size - SUMMED_FROM);
     memcpy(to, &head, SUMMED_FROM);
@@ -143,7 +143,7 @@ static const char *ruled_in(const td_snapshot_head *head, const char *from) {
 
 /* Of a world that has rules, or a snapshot that has none. */
 static bool rules_valid(const thud_world *w, const td_snapshot_head *head, const char *from) {
-    return !w->ruling || w->ruling->valid(w, head->ruled, ruled_in(head, from));
+    return !w->rule_hooks || w->rule_hooks->valid(w, head->ruled, ruled_in(head, from));
 }
 
 /* Why not, or null. */
@@ -178,7 +178,7 @@ static const char *fault_of(thud_world *w, const char *from, size_t bytes, td_sn
         (head->plugged & ~own.plugged & TD_SNAPSHOT_ALL_JOINTS)) {
         return "restore: the snapshot has joints that this world never had";
     }
-    if ((head->ruled.rules || head->ruled.impulses) && !w->ruling) {
+    if ((head->ruled.rules || head->ruled.impulses) && !w->rule_hooks) {
         return "restore: the snapshot has rules, and this world never had any";
     }
     if (!counts_valid(head) || !lengths_valid(w, head) || td_snapshot_bytes_of(w, head) != bytes ||
@@ -222,7 +222,7 @@ static bool reserve(thud_world *w, const td_snapshot_head *head, const char *tab
             return false;
         }
     }
-    return !w->ruling || w->ruling->make_room(w, head->ruled);
+    return !w->rule_hooks || w->rule_hooks->make_room(w, head->ruled);
 }
 
 /* What the steps that are undone have left for later ones. */
@@ -251,8 +251,8 @@ thud_result thud_world_restore(thud_world *w, const void *buffer, size_t bytes) 
     bool room = reserve(w, &head, from + sizeof head);
     if (room) {
         td_snapshot_read(w, &head, from + sizeof head);
-        if (w->ruling) {
-            w->ruling->read(w, head.ruled, ruled_in(&head, from));
+        if (w->rule_hooks) {
+            w->rule_hooks->read(w, head.ruled, ruled_in(&head, from));
         }
         forget_scratch(w);
     }

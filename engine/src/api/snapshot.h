@@ -1,11 +1,11 @@
 /* snapshot.h: how a snapshot is laid out.
  *
- * A head that tells every size, then the values in the order of snapshot_pass.c, which writes and
+ * A head that tells every size, then the values in the order of snapshot_stream.c, which writes and
  * reads them by the same lines. No addresses: what a world has by address goes as a number. */
 #ifndef TD_SNAPSHOT_H
 #define TD_SNAPSHOT_H
 
-#include "rules/ruling.h"
+#include "rules/rule_hooks.h"
 #include "state/world.h"
 
 #include "thud/thud_snapshot.h"
@@ -131,7 +131,7 @@ void td_snapshot_list_slots(thud_world *w, td_slots *slots[TD_SNAPSHOT_SLOTS]);
 /* How many entries the table has that stands first after the head; see below. */
 int td_snapshot_table_of(const td_snapshot_head *head);
 
-/* ---- snapshot_pass.c ---- */
+/* ---- snapshot_stream.c ---- */
 
 /* The head of a snapshot of the world as it is, but for the checksum. */
 td_snapshot_head td_snapshot_head_of(thud_world *w);

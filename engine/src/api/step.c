@@ -1,8 +1,8 @@
 /* step.c: the whole engine at a glance. Data flows one way; stages meet in the world's state. */
-#include "constraint/joining.h"
+#include "constraint/joint_hooks.h"
 #include "detection/sensing.h"
-#include "listeners/listening.h"
-#include "rules/ruling.h"
+#include "listeners/listener_hooks.h"
+#include "rules/rule_hooks.h"
 #include "solver/budget.h"
 #include "state/handles.h"
 #include "api/step.h"
@@ -99,9 +99,9 @@ static void solve(thud_world *w) {
     w->stats.direct_islands = w->stats.direct_bodies = w->stats.soft_islands = w->stats.factorings =
         0;
     w->stats.island_work = 0;
-    if (w->joining) {
-        w->joining->forget(w);
-        w->joining->share_caps(w);
+    if (w->joint_hooks) {
+        w->joint_hooks->forget(w);
+        w->joint_hooks->share_caps(w);
     }
     if (w->quality.islands) {
         w->quality.islands->begin(w);
@@ -110,27 +110,27 @@ static void solve(thud_world *w) {
     if (w->quality.islands) {
         w->quality.islands->end(w);
     }
-    if (w->joining) {
-        w->joining->yield(w);
+    if (w->joint_hooks) {
+        w->joint_hooks->yield(w);
     }
 }
 
 /* The rules first, so that the prologue has the last word. */
 static void ask(thud_world *w) {
-    if (w->ruling) {
-        w->ruling->decide(w);
+    if (w->rule_hooks) {
+        w->rule_hooks->decide(w);
     }
     if (w->asks) {
-        w->listening->ask(w);
+        w->listener_hooks->ask(w);
     }
 }
 
 static void tell(thud_world *w) {
-    if (w->ruling) {
-        w->ruling->tell(w);
+    if (w->rule_hooks) {
+        w->rule_hooks->tell(w);
     }
     if (w->tells) {
-        w->listening->tell(w);
+        w->listener_hooks->tell(w);
     }
 }
 
@@ -145,8 +145,8 @@ static thud_result run_stages(thud_world *w) {
     mark(w, THUD_STAGE_BROADPHASE, &last);
     done = done && td_broadphase_refresh(w) && td_narrowphase(w) && find_islands(w) &&
            td_finalize_reserve(w) && reserve_detection(w) && reserve_sensing(w) &&
-           td_sleep_reserve(w) && (!w->ruling || w->ruling->reserve(w)) &&
-           (!w->listening || w->listening->reserve(w)) && (!w->gather || w->gather(w));
+           td_sleep_reserve(w) && (!w->rule_hooks || w->rule_hooks->reserve(w)) &&
+           (!w->listener_hooks || w->listener_hooks->reserve(w)) && (!w->gather || w->gather(w));
     mark(w, THUD_STAGE_NARROWPHASE, &last);
     if (!done) {
         return td_refuse(w, THUD_ERROR_MEMORY, "step: out of memory; nothing has moved");
@@ -169,8 +169,8 @@ static thud_result run_stages(thud_world *w) {
     mark(w, THUD_STAGE_CONTINUOUS, &last);
     sense(w);
     tell(w);
-    if (w->joining) {
-        w->joining->break_up(w);
+    if (w->joint_hooks) {
+        w->joint_hooks->break_up(w);
     }
     mark(w, THUD_STAGE_EVENTS, &last);
     td_sleep(w);

@@ -10,8 +10,8 @@
 #include "constraint/lanes.h"
 #include "solver/quality.h"
 #include "api/step.h"
-#include "listeners/listening.h"
-#include "rules/ruling.h"
+#include "listeners/listener_hooks.h"
+#include "rules/rule_hooks.h"
 
 #include <stdatomic.h>
 #include <string.h>
@@ -144,7 +144,7 @@ static const td_array_place ARRAYS[] = {
     ARRAY(scratch.fast, td_awake_slot),
     ARRAY(scratch.odd, td_awake_slot),
     ARRAY(scratch.order, int32_t),
-    ARRAY(scratch.rings, td_awake_slot),
+    ARRAY(scratch.next_tied, td_awake_slot),
     ARRAY(scratch.before, float[4]),
     ARRAY(scratch.powers, double[3]),
     ARRAY(scratch.legs, td_leg),
@@ -249,11 +249,11 @@ void thud_world_destroy(thud_world *w) {
         td_refuse(w, THUD_ERROR_LOCKED, "world destroy: not inside a callback");
         return;
     }
-    if (w->ruling) {
-        w->ruling->end(w);
+    if (w->rule_hooks) {
+        w->rule_hooks->end(w);
     }
-    if (w->listening) {
-        w->listening->end(w);
+    if (w->listener_hooks) {
+        w->listener_hooks->end(w);
     }
     for (int i = 0; i < w->terrains.count; i++) {
         td_array_free(&w->memory, &td_terrain_record_at(w, i)->points);

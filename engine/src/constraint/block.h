@@ -68,9 +68,9 @@ typedef struct td_manifold_cache {
 /* What a joint gave in this substep, in the world: substeps begin with what the one before gave
  * (motion.h), and a joint that has turned since takes it back, and gives it along where it is now.
  */
-typedef struct td_given {
+typedef struct td_applied_impulse {
     f8 x, y, moment_a, moment_b;
-} td_given;
+} td_applied_impulse;
 
 /* Where a joint is fixed on its bodies. It follows from the joint and its bodies' centres of mass
  * alone, and is looked up anew where td_block.armed is set: joints/anchors.c. */
@@ -83,8 +83,8 @@ typedef struct td_anchor_rows {
 
 /* The rest of a joint's locked directions. Its points are `along` and `across`, off by their
  * separations, and its tangent is `turn`. */
-typedef struct td_hold_rows {
-    td_given given;
+typedef struct td_lock_rows {
+    td_applied_impulse applied;
     f8 frame;      /* 1: the directions turn with a; 0: they stay in the step as they are */
     f8 turn_base;  /* angle by which it is off at the start of the step; of a rod its length */
     f8 turn_sign;  /* 1, or -1 where sides have changed places */
@@ -92,13 +92,13 @@ typedef struct td_hold_rows {
     f8 haste;      /* gaps close at up to so many times TD_JOINT_CLOSING in this step */
     i8 locked;     /* td_joint.locked */
     td_anchor_rows anchor;
-} td_hold_rows;
+} td_lock_rows;
 
 /* The rest of a joint's driven direction. Both its points have the crosses of its frame; the first
  * one's impulse is that of the limits, the second one's of the spring, the tangent's of the motor.
  */
 typedef struct td_drive_rows {
-    td_given given;
+    td_applied_impulse applied;
     f8 gap_u, gap_v;      /* where b's anchor is from a's, at the start of the step */
     f8 value_base;        /* of turn: the angle then */
     f8 turn_sign;         /* as above */
@@ -199,14 +199,14 @@ static inline td_manifold_cache *td_manifold_cache_of(td_block *block, int point
     return (td_manifold_cache *)(td_surface_at(block, points) + 1);
 }
 
-static inline td_hold_rows *td_hold_rows_of(td_block *block) {
-    return (td_hold_rows *)(td_surface_at(block, 2) + 1);
+static inline td_lock_rows *td_lock_rows_of(td_block *block) {
+    return (td_lock_rows *)(td_surface_at(block, 2) + 1);
 }
 
-static inline const td_hold_rows *td_hold_rows_at(const td_block *block) {
+static inline const td_lock_rows *td_lock_rows_at(const td_block *block) {
     const td_surface *surface =
         (const td_surface *)((const td_point_history *)&block->point[2] + 2);
-    return (const td_hold_rows *)(surface + 1);
+    return (const td_lock_rows *)(surface + 1);
 }
 
 static inline td_drive_rows *td_drive_rows_of(td_block *block) {
@@ -240,7 +240,7 @@ typedef enum td_block_form {
     TD_FORM_ONE,
     TD_FORM_ONE_CACHED,
     TD_FORM_TWO_CACHED,
-    TD_FORM_HOLD,
+    TD_FORM_LOCK,
     TD_FORM_DRIVE,
     TD_FORM_GEAR,
     TD_FORM_COUNT
@@ -253,7 +253,7 @@ static inline int td_form_points(td_block_form form) {
 static inline size_t td_form_bytes(td_block_form form) {
     size_t points = (size_t)td_form_points(form);
     size_t behind = form == TD_FORM_ONE     ? 0
-                    : form == TD_FORM_HOLD  ? sizeof(td_hold_rows)
+                    : form == TD_FORM_LOCK  ? sizeof(td_lock_rows)
                     : form == TD_FORM_DRIVE ? sizeof(td_drive_rows)
                     : form == TD_FORM_GEAR  ? sizeof(td_gear_rows)
                                             : sizeof(td_manifold_cache);

@@ -1,7 +1,7 @@
 /* constraint.c: see constraint.h. */
 #include "constraint/constraint.h"
 
-#include "constraint/joining.h"
+#include "constraint/joint_hooks.h"
 #include "constraint/lanes.h"
 
 bool td_constraints_reserve(thud_world *w, const int more[TD_CONSTRAINT_KINDS]) {
@@ -91,7 +91,7 @@ void td_constraint_destroy(thud_world *w, int index) {
     unlink_edge(w, index, 1);
     w->constraint_count[constraint->kind]--;
     if (!td_is_contact(constraint)) {
-        w->joining->leave(w, constraint->joint, index);
+        w->joint_hooks->leave(w, constraint->joint, index);
     }
     constraint->live = 0;
     td_slots_give(&w->constraints, index);

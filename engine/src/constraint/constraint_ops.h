@@ -41,7 +41,7 @@ typedef struct td_lane_ops {
     float (*load)(const struct thud_world *world, const td_block *block, int lane, float size,
                   float *off);
     /* The rows of a lane for the direct solver; null for contacts, whose rows it knows itself, so
-     * that a program without it does not link them: islands/rows.h. */
+     * that a program without it does not link them: direct/rows.h. */
     td_take_rows_fn *take_rows;
     /* Turns the rows of a lane to a part of the step's motion; null where they stay as they are. */
     td_turn_rows_fn *turn_rows;

@@ -24,7 +24,7 @@ static int clip(const thud_shape_instance *face, const thud_shape_instance *othe
     cy += other->y - face->y;
     /* Cut to where it is over the face. */
     double slope = dx * tx + dy * ty, middle = cx * tx + cy * ty;
-    double reach = td_shadow(face, tx, ty), from = -half, to = half;
+    double reach = td_projected_extent(face, tx, ty), from = -half, to = half;
     double first = (-reach - middle) / slope, last = (reach - middle) / slope;
     if (first > last) {
         double t = first;
@@ -36,7 +36,7 @@ static int clip(const thud_shape_instance *face, const thud_shape_instance *othe
     int count = 0;
     for (int k = 0; k < 2 && from <= to; k++) {
         double along = k ? to : from, px = cx + along * dx, py = cy + along * dy;
-        double above = px * nx + py * ny - td_shadow(face, nx, ny);
+        double above = px * nx + py * ny - td_projected_extent(face, nx, ny);
         if (above <= margin) {
             x[count] = face->x + px - 0.5 * above * nx;
             y[count] = face->y + py - 0.5 * above * ny;
@@ -55,7 +55,7 @@ static double axis_of(const thud_shape_instance *a, const thud_shape_instance *b
     double along = (b->x - a->x) * x + (b->y - a->y) * y;
     *nx = along < 0.0 ? -x : x;
     *ny = along < 0.0 ? -y : y;
-    return td_abs(along) - td_shadow(a, x, y) - td_shadow(b, x, y);
+    return td_abs(along) - td_projected_extent(a, x, y) - td_projected_extent(b, x, y);
 }
 
 /* How many directions have to be looked along: those of both boxes, which upright ones share. */

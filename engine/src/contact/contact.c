@@ -4,9 +4,9 @@
 #include "state/body.h"
 #include "state/handles.h"
 #include "state/shape.h"
-#include "constraint/joining.h"
+#include "constraint/joint_hooks.h"
 #include "constraint/lanes.h"
-#include "rules/ruling.h"
+#include "rules/rule_hooks.h"
 
 static td_body *body_of_shape(const thud_world *w, int shape) {
     return td_body_at(w, td_shape_at(w, shape)->body);
@@ -46,14 +46,15 @@ bool td_pair_allowed(const thud_world *w, int shape_a, int shape_b) {
         ((body_a->flags | body_b->flags) & TD_BODY_DISABLED)) {
         return false;
     }
-    if (w->joining && least == THUD_DYNAMIC && w->joining->keeps_apart(w, a->body, b->body)) {
+    if (w->joint_hooks && least == THUD_DYNAMIC &&
+        w->joint_hooks->keeps_apart(w, a->body, b->body)) {
         return false;
     }
     bool meet = (a->filter.mask & b->filter.category) && (b->filter.mask & a->filter.category);
     if (a->filter.group == b->filter.group && a->filter.group != 0) {
         meet = a->filter.group > 0;
     }
-    return meet && (!w->ruling || w->ruling->allows(w, shape_a, shape_b));
+    return meet && (!w->rule_hooks || w->rule_hooks->allows(w, shape_a, shape_b));
 }
 
 bool td_pair_meets(const thud_world *w, int a, int b) {

@@ -2,7 +2,7 @@
  * which general paths its block needs. */
 #include "constraint/lanes.h"
 #include "contact/internal_edges.h"
-#include "rules/ruling.h"
+#include "rules/rule_hooks.h"
 #include "state/surface.h"
 
 static int points_of(const thud_world *w, const td_contact *contact) {
@@ -13,8 +13,8 @@ void td_contact_settle(thud_world *w, td_block *block, int lane, int index) {
     const td_contact *contact = td_contact_at(w, index);
     thud_contact_settings own = td_surface_of_pair(w, contact->shape_a, contact->shape_b);
     td_surface_set(w, block, points_of(w, contact), lane, &own);
-    if (w->ruling) {
-        block->mark[lane].rule = w->ruling->settle(w, contact->shape_a, contact->shape_b, &own);
+    if (w->rule_hooks) {
+        block->mark[lane].rule = w->rule_hooks->settle(w, contact->shape_a, contact->shape_b, &own);
     }
 }
 

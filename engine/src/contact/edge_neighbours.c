@@ -3,7 +3,7 @@
 
 #include "contact/box_faces.h"
 #include "contact/contact.h"
-#include "rules/ruling.h"
+#include "rules/rule_hooks.h"
 #include "state/shape.h"
 #include "terrain/terrain.h"
 
@@ -137,8 +137,9 @@ bool td_internal_edge_rises(const td_internal_edge *s, int neighbour, const thud
 
 static bool asks(const td_internal_edge *s, int n, td_neighbour_fn *fn, void *context) {
     return n != s->shape &&
-           (s->other == TD_NONE || (td_pair_allowed(s->w, n, s->other) &&
-                                    (!s->w->ruling || s->w->ruling->hides(s->w, n, s->other)))) &&
+           (s->other == TD_NONE ||
+            (td_pair_allowed(s->w, n, s->other) &&
+             (!s->w->rule_hooks || s->w->rule_hooks->hides(s->w, n, s->other)))) &&
            fn(s, n, context);
 }
 

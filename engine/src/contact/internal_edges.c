@@ -107,7 +107,8 @@ static bool shadow_hidden(const td_internal_edge *s, int face) {
     double middle = face % 2 ? u : v;
     if (td_kind_is_box(s->b.kind)) {
         double nx, ny, p, q;
-        half = face % 2 ? td_shadow(&s->b, s->a.c, s->a.s) : td_shadow(&s->b, -s->a.s, s->a.c);
+        half = face % 2 ? td_projected_extent(&s->b, s->a.c, s->a.s)
+                        : td_projected_extent(&s->b, -s->a.s, s->a.c);
         td_from_frame(&s->a, face % 2 ? 0.0 : 1.0, face % 2 ? 1.0 : 0.0, &nx, &ny);
         td_to_frame(&s->b, face >= 2 ? nx : -nx, face >= 2 ? ny : -ny, &u, &v);
         td_from_frame(&s->b, u < 0.0 ? -s->b.hx : s->b.hx, v < 0.0 ? -s->b.hy : s->b.hy, &p, &q);

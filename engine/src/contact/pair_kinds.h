@@ -68,7 +68,7 @@ enum { TD_PAIR_TOUCH_COUNT = TD_PAIR_SENSOR, TD_PAIR_COUNT = TD_PAIR_SENSOR + 1 
  * thud_world.kinds, .bins and .waiting. */
 enum {
     TD_CONSTRAINT_ROD = TD_PAIR_COUNT, /* locks the distance of two anchors */
-    TD_CONSTRAINT_HOLD,                /* locks directions (along, across, turn) of a frame */
+    TD_CONSTRAINT_LOCK,                /* locks directions (along, across, turn) of a frame */
     TD_CONSTRAINT_DRIVE_LINE,          /* limit, spring and motor of the distance of two anchors */
     TD_CONSTRAINT_DRIVE_AXIS,          /* the same of a direction of a frame */
     TD_CONSTRAINT_DRIVE_TURN,          /* the same of the relative rotation */

@@ -60,7 +60,7 @@ static void fly(thud_world *w, td_awake_slot slot, bool touched) {
 /* What a joint gives may be little, and still be what keeps the joint whole. */
 static bool is_joined(const thud_world *w, const td_body *body) {
     bool joined = false;
-    for (int e = w->joining ? body->first_constraint : TD_NONE; e != TD_NONE && !joined;
+    for (int e = w->joint_hooks ? body->first_constraint : TD_NONE; e != TD_NONE && !joined;
          e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, e / 2);
         joined = !td_is_contact(constraint) && constraint->state == TD_TOUCHING;

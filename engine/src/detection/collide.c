@@ -7,7 +7,7 @@
 #include "contact/contact.h"
 #include "geometry/shape_instance.h"
 
-/* A fall of so little in a step is none; a multiple of TD_MEET, as in agenda.c. */
+/* A fall of so little in a step is none; a multiple of TD_MEET, as in toi_queue.c. */
 #define NOTHING 0.01
 /* In any unit: what single precision holds. */
 #define VELOCITY_MOST 3e38

@@ -5,7 +5,7 @@
  * contact solver takes over in the next. The swept shapes are a little smaller, so that sliding
  * along a floor is no impact. Where even the smaller shape overlaps at the start, the middle of the
  * body is swept alone: it may rub along, but never change sides. */
-#include "constraint/joining.h"
+#include "constraint/joint_hooks.h"
 #include "state/body.h"
 #include "contact/contact.h"
 #include "solver/error.h"
@@ -276,8 +276,8 @@ static void sweep_body(thud_world *w, td_awake_slot slot) {
     } while (swept.next.time < 1.0 && passes(&swept, (int)swept.next.pair, swept.next.time));
     if (swept.next.time < 1.0) {
         td_hold_at(w, slot, swept.next.time);
-        if (w->joining) {
-            w->joining->hold_back(w, slot, swept.next.time);
+        if (w->joint_hooks) {
+            w->joint_hooks->hold_back(w, slot, swept.next.time);
         }
     }
 }

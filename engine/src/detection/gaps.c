@@ -2,7 +2,7 @@
 #include "detection/gaps.h"
 
 #include "constraint/lanes.h"
-#include "constraint/rings.h"
+#include "constraint/tied_bodies.h"
 #include "detection/project.h"
 #include "solver/error.h"
 #include "state/body.h"
@@ -38,7 +38,9 @@ static td_project_context context_of(const thud_world *w) {
                                 .least = LEAST * meet,
                                 .pressed = (float)TD_PRESSED * meet,
                                 .margin = TD_SPECULATIVE * w->unit,
-                                .rings = w->scratch.rings.count > 0 ? w->scratch.rings.data : NULL};
+                                .next_tied = w->scratch.next_tied.count > 0
+                                                 ? w->scratch.next_tied.data
+                                                 : NULL};
 }
 
 /* A run of contacts, or null where it is of joints. */
@@ -146,15 +148,15 @@ static relative relative_at(const thud_world *w, const td_contact *contact, cons
     gone_by(w, contact->body[1], time, b);
     double x = b[0] - a[0], y = b[1] - a[1];
     double turn = td_abs(a[2]) + td_abs(b[2]);
-    double rim =
-        (double)(td_body_at(w, contact->body[0])->rim + td_body_at(w, contact->body[1])->rim);
+    double max_extent = (double)(td_body_at(w, contact->body[0])->max_extent +
+                                 td_body_at(w, contact->body[1])->max_extent);
     return (relative){.along = x * (double)block->nx[lane] + y * (double)block->ny[lane],
                       .turn_a = a[2],
                       .turn_b = b[2],
-                      .bend = turn * (0.5 * turn * rim + __builtin_sqrt(x * x + y * y)),
-                      .sweep = turn * rim,
+                      .bend = turn * (0.5 * turn * max_extent + __builtin_sqrt(x * x + y * y)),
+                      .sweep = turn * max_extent,
                       .slide = td_abs(x * (double)block->ny[lane] - y * (double)block->nx[lane]) +
-                               turn * rim};
+                               turn * max_extent};
 }
 
 /* Two points lie where an edge goes past the ends of a face: beyond them it may be nearer, and

@@ -26,7 +26,8 @@ static double time_past_face(const td_approach *p) {
         const thud_shape_instance *box = i < 2 ? &a : &b;
         double x = i % 2 ? -box->s : box->c, y = i % 2 ? box->c : box->s;
         double along = (b.x - a.x) * x + (b.y - a.y) * y, sign = along < 0.0 ? -1.0 : 1.0;
-        if (td_kind_is_box(box->kind) && sign * along > td_shadow(&a, x, y) + td_shadow(&b, x, y)) {
+        if (td_kind_is_box(box->kind) &&
+            sign * along > td_projected_extent(&a, x, y) + td_projected_extent(&b, x, y)) {
             first = td_min_double(first, td_time_across(&a, &p->motion_a, &b, &p->motion_b,
                                                         sign * x, sign * y, 0.0));
         }
@@ -45,7 +46,7 @@ static bool met_at_end(const thud_world *w, const td_toi_candidate *e, const td_
     }
     thud_shape_instance end = {.kind = THUD_CIRCLE, .x = x, .y = p->a.y, .c = 1.0};
     thud_shape_instance heart = heart_of(&p->a);
-    double beyond = (heart.x - x) * out - td_shadow(&heart, 1.0, 0.0);
+    double beyond = (heart.x - x) * out - td_projected_extent(&heart, 1.0, 0.0);
     *part = beyond > 0.0
                 ? td_time_across(&end, &(thud_motion){0}, &heart, &p->motion_a, out, 0.0, 0.0)
                 : 2.0;

@@ -6,8 +6,8 @@
  * whose bounds reach as far as the bodies were expected to move; who strays from that looks around
  * for himself. The work is bounded: a body that met others too often is held where it is for the
  * rest of the step, which the statistics tell. */
-#include "constraint/joining.h"
-#include "constraint/rings.h"
+#include "constraint/joint_hooks.h"
+#include "constraint/tied_bodies.h"
 #include "detection/ballistics.h"
 #include "state/body.h"
 #include "solver/bounces.h"
@@ -15,7 +15,7 @@
 #include "contact/contact.h"
 #include "solver/error.h"
 #include "detection/toi_candidates.h"
-#include "detection/agenda.h"
+#include "detection/toi_queue.h"
 #include "detection/gaps.h"
 #include "constraint/lanes.h"
 #include "base/rotation.h"
@@ -83,7 +83,7 @@ static void hold_tied(thud_world *w, td_trajectory *f) {
             td_trajectory_advance(w, other, f->since);
             give_back(w, i, other);
             hold(w, other);
-            td_agenda_renew(w, other);
+            td_toi_queue_renew(w, other);
         }
     }
 }
@@ -126,10 +126,10 @@ static void look_again(thud_world *w, int number, td_trajectory *const trajector
         if (f && td_body_at(w, f->body)->kind == THUD_DYNAMIC &&
             (++f->impacts > MOST_IMPACTS || is_spent(w))) {
             hold_tied(w, f);
-            td_agenda_renew(w, f);
+            td_toi_queue_renew(w, f);
         }
     }
-    td_agenda_set(w, number);
+    td_toi_queue_set(w, number);
 }
 
 /* The two are at the place of their collision now. Whoever is asleep wakes in the next step, and is
@@ -173,7 +173,7 @@ static void collide(thud_world *w, int number, double time) {
     w->stats.impacts++;
     for (int side = 0; side < 2; side++) {
         if (trajectories[side] && (!impact.stayed[side] || impact.bent[side])) {
-            td_agenda_renew(w, trajectories[side]);
+            td_toi_queue_renew(w, trajectories[side]);
         }
     }
 }
@@ -276,13 +276,13 @@ static void schedule_everything(thud_world *w) {
     td_gaps_judge(w);
     for (int i = 0; i < w->constraints.count; i++) {
         const td_constraint *c = td_constraint_at(w, i);
-        if (c->live && td_agenda_has(w, i) &&
+        if (c->live && td_toi_queue_has(w, i) &&
             !(c->state == TD_TOUCHING && td_gap_is_judged(w, c))) {
-            td_agenda_begin(w, i);
+            td_toi_queue_begin(w, i);
         }
     }
     for (int i = 0; i < w->scratch.candidates.count; i++) {
-        td_agenda_set(w, w->constraints.count + i);
+        td_toi_queue_set(w, w->constraints.count + i);
     }
 }
 
@@ -320,8 +320,8 @@ static bool reserve(thud_world *w) {
 
 /* Before the solver: what it is to leave alone. */
 static void prepare(thud_world *w) {
-    if (w->joining) {
-        w->joining->ring(w);
+    if (w->joint_hooks) {
+        w->joint_hooks->tie(w);
     }
     td_ballistics_note(w);
     td_bounces_take(w);

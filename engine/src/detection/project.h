@@ -25,8 +25,8 @@ typedef struct td_project_context {
     float enough;            /* ... but by so much */
     float least;             /* nearer is a collision, if the point came nearer by `pressed` */
     float pressed;
-    const int32_t *rings; /* by awake slot, where joints tie bodies: the next one; else null */
-    float margin;         /* contacts begin here: points that are not there are further apart */
+    const int32_t *next_tied; /* by awake slot, where joints tie bodies: the next one; else null */
+    float margin;             /* contacts begin here: points that are not there are further apart */
 } td_project_context;
 
 /* A pass over blocks of one number of points, with side a static or not. Leaves the separations

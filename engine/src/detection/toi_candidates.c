@@ -234,7 +234,7 @@ bool td_toi_candidates_on_ground(thud_world *w, const td_trajectory *f) {
 /* A turn may take corners out of the bounds of both ends. */
 bool td_trajectory_is_unexpected(const thud_world *w, const td_trajectory *f) {
     const td_body *body = td_body_at(w, f->body);
-    double out = 0.125 * (double)body->rim * f->motion[2] * f->motion[2];
+    double out = 0.125 * (double)body->max_extent * f->motion[2] * f->motion[2];
     int i = body->first_shape;
     bool turns = !body->aabbs && out > (double)(TD_MARGIN * w->unit);
     while (i != TD_NONE && !turns && !(*td_marks_at(w, i) & TD_MARK_MOVED)) {

@@ -155,8 +155,8 @@ static void extent_of(const thud_shape_instance *p, bool turns, double *x, doubl
     } else if (turns) {
         *x = *y = __builtin_sqrt(p->hx * p->hx + p->hy * p->hy);
     } else {
-        *x = td_shadow(p, 1.0, 0.0);
-        *y = td_shadow(p, 0.0, 1.0);
+        *x = td_projected_extent(p, 1.0, 0.0);
+        *y = td_projected_extent(p, 0.0, 1.0);
     }
 }
 
@@ -270,8 +270,9 @@ bool td_toi_candidate_is_far(thud_world *w, const td_toi_candidate *e) {
     double y = (double)(b.place.y - a.place.y) / w->to_fixed;
     double mx = way_of(&b, 0, 1.0) - way_of(&a, 0, 1.0);
     double my = way_of(&b, 1, 1.0) - way_of(&a, 1, 1.0);
-    double reach = (double)(td_body_at(w, e->body[0])->rim + td_body_at(w, e->body[1])->rim) +
-                   2.0 * (double)(TD_MEET * w->unit) + td_trajectories_bend(&a, &b, 1.0);
+    double reach =
+        (double)(td_body_at(w, e->body[0])->max_extent + td_body_at(w, e->body[1])->max_extent) +
+        2.0 * (double)(TD_MEET * w->unit) + td_trajectories_bend(&a, &b, 1.0);
     double rest = __builtin_sqrt(x * x + y * y) - reach;
     bool far = rest > 0.0 && rest * rest > mx * mx + my * my;
     w->stats.motion_pairs += far;

@@ -16,7 +16,7 @@ static double swinging_reach(const thud_world *w, const td_body *body, double le
         double own = td_kind_turns(s->kind) ? __builtin_sqrt(hx * hx + hy * hy) : 0.0;
         reach = td_max_double(reach, __builtin_sqrt(x * x + y * y) + own);
     }
-    return reach > (double)body->core + 0.5 * least ? reach : 0.0;
+    return reach > (double)body->min_extent + 0.5 * least ? reach : 0.0;
 }
 
 bool td_is_unbisectable(thud_world *w, td_awake_slot slot) {

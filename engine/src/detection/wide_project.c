@@ -38,11 +38,11 @@ TD_INLINE void change_of(const td_block *block, int points, float over, f8 coupl
 }
 
 /* Lanes of which no body is tied to others: those are left to the solver. */
-TD_INLINE i8 untied(const td_block *block, const int32_t *rings) {
+TD_INLINE i8 untied(const td_block *block, const int32_t *next_tied) {
     i8 out = i8_all(-1);
-    for (int i = 0; i < TD_LANES && rings; i++) {
+    for (int i = 0; i < TD_LANES && next_tied; i++) {
         int a = (int)(block->a[i] / TD_AWAKE_BYTES), b = (int)(block->b[i] / TD_AWAKE_BYTES);
-        out[i] = (rings[a] == a && rings[b] == b) ? -1 : 0;
+        out[i] = (next_tied[a] == a && next_tied[b] == b) ? -1 : 0;
     }
     return out;
 }
@@ -57,7 +57,7 @@ TD_INLINE bool project(td_block *const *blocks, td_pushes *pushes, int count, in
         sides d = read_sides((const float(*)[4])c->delta, block, fixed);
         f8 opened = centres_along(&d, fixed, block->nx, block->ny);
         f8 lack[2], closing[2], change[2];
-        i8 solid = (block->restitution < f8_all(1.0f)) & untied(block, c->rings);
+        i8 solid = (block->restitution < f8_all(1.0f)) & untied(block, c->next_tied);
         i8 here[2], any = i8_all(0);
         for (int k = 0; k < points; k++) {
             td_point *p = &block->point[k];

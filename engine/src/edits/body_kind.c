@@ -5,7 +5,7 @@
 #include "thud/thud_edits.h"
 
 #include "constraint/constraint.h"
-#include "constraint/joining.h"
+#include "constraint/joint_hooks.h"
 #include "contact/internal_edges.h"
 #include "edits/edit.h"
 #include "joints/joint.h"
@@ -121,8 +121,8 @@ thud_result thud_body_set_kind(thud_world *w, thud_body_id id, thud_body_kind ki
     }
     td_edit_end_contacts(w, index, TD_NONE, true);
     td_deferred_apply(w); /* what callbacks asked for was asked of the body as it was */
-    if (w->joining) {
-        w->joining->suspend(w, index);
+    if (w->joint_hooks) {
+        w->joint_hooks->suspend(w, index);
     }
     if (body->awake.at > 0) {
         td_awake_remove(w, index);

@@ -1,7 +1,7 @@
 /* locks.c: bodies that keep their x or y; see thud_locks.h. */
 #include "thud/thud_locks.h"
 
-#include "constraint/joining.h"
+#include "constraint/joint_hooks.h"
 #include "edits/edit.h"
 #include "joints/joint.h"
 #include "state/body.h"

@@ -76,7 +76,8 @@ static bool try_axes(const thud_shape_instance *reference, const thud_shape_inst
     for (int axis = 0; axis < 2; axis++) {
         double nx = axis ? -reference->s : reference->c, ny = axis ? reference->c : reference->s;
         double along = dx * nx + dy * ny;
-        double separation = td_abs(along) - (td_shadow(a, nx, ny) + td_shadow(b, nx, ny));
+        double separation =
+            td_abs(along) - (td_projected_extent(a, nx, ny) + td_projected_extent(b, nx, ny));
         if (separation > out->distance) {
             out->distance = separation;
             out->nx = along < 0.0 ? -nx : nx;
@@ -137,8 +138,8 @@ static void try_corners(const thud_shape_instance *a, const thud_shape_instance 
 /* How far b is beyond a along the normal. */
 static double gap_along(const thud_shape_instance *a, const thud_shape_instance *b,
                         const thud_closest *c) {
-    return (b->x - a->x) * c->nx + (b->y - a->y) * c->ny - td_shadow(a, c->nx, c->ny) -
-           td_shadow(b, c->nx, c->ny);
+    return (b->x - a->x) * c->nx + (b->y - a->y) * c->ny - td_projected_extent(a, c->nx, c->ny) -
+           td_projected_extent(b, c->nx, c->ny);
 }
 
 /* Separation along the axes of both boxes; whether the best is one of b's. */

@@ -54,7 +54,7 @@ static spot part_way(spot p, spot q, double along) {
 static spot far_end(const thud_shape_instance *box, const thud_shape_instance *other,
                     const thud_closest *c) {
     spot end[2], center = spot_of(c, other->x, other->y), self = spot_of(c, box->x, box->y);
-    double half = td_shadow(box, -c->ny, c->nx);
+    double half = td_projected_extent(box, -c->ny, c->nx);
     double low = self.along - half, high = self.along + half;
     face_against(other, c, end);
     for (int i = 0; i < 2; i++) {

@@ -31,7 +31,7 @@ static inline void td_corner(const thud_shape_instance *box, int i, double *x, d
 }
 
 /* Half extent of a box's shadow on the direction (x, y), which has length 1. */
-static inline double td_shadow(const thud_shape_instance *box, double x, double y) {
+static inline double td_projected_extent(const thud_shape_instance *box, double x, double y) {
     double u, v;
     td_to_frame(box, x, y, &u, &v);
     return td_abs(u) * box->hx + td_abs(v) * box->hy;
@@ -61,7 +61,7 @@ static inline double td_half_along(const thud_shape_instance *shape, double x, d
     case THUD_TERRAIN:
         break;
     }
-    return td_shadow(shape, x, y);
+    return td_projected_extent(shape, x, y);
 }
 
 /* Half the width of the shape's bounding box. */

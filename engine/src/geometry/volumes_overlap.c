@@ -79,8 +79,8 @@ static bool in_box(const thud_volume *box, const thud_volume *inner) {
     double u, v, hu = inner->hx, hv = inner->hx;
     td_to_frame(box, inner->x - box->x, inner->y - box->y, &u, &v);
     if (td_kind_is_box(inner->kind)) {
-        hu = td_shadow(inner, box->c, box->s);
-        hv = td_shadow(inner, -box->s, box->c);
+        hu = td_projected_extent(inner, box->c, box->s);
+        hv = td_projected_extent(inner, -box->s, box->c);
     }
     return td_abs(u) + hu <= box->hx && td_abs(v) + hv <= box->hy;
 }

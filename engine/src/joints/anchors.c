@@ -36,8 +36,8 @@ static float sign_of(const td_joint *joint) {
 
 /* What holds both ways stays in the world's axes, so that impulses that carry a weight go on doing
  * so. */
-static void set_hold(const thud_world *w, td_block *block, int lane, const td_joint *joint) {
-    td_hold_rows *rows = td_hold_rows_of(block);
+static void set_lock(const thud_world *w, td_block *block, int lane, const td_joint *joint) {
+    td_lock_rows *rows = td_lock_rows_of(block);
     float sign = sign_of(joint);
     set_anchors(w, joint, &rows->anchor, lane);
     rows->locked[lane] = joint->locked;
@@ -48,7 +48,7 @@ static void set_hold(const thud_world *w, td_block *block, int lane, const td_jo
 }
 
 static void set_rod(const thud_world *w, td_block *block, int lane, const td_joint *joint) {
-    td_hold_rows *rows = td_hold_rows_of(block);
+    td_lock_rows *rows = td_lock_rows_of(block);
     set_anchors(w, joint, &rows->anchor, lane);
     rows->turn_base[lane] = joint->length;
 }
@@ -85,7 +85,7 @@ void td_joint_look_up(const thud_world *w, td_block *block) {
     for (int lane = 0; lane < block->used; lane++) {
         const td_constraint *constraint = td_constraint_at(w, block->constraint[lane]);
         const td_joint *joint = td_joint_of(w, constraint);
-        (constraint->kind == TD_CONSTRAINT_HOLD  ? set_hold
+        (constraint->kind == TD_CONSTRAINT_LOCK  ? set_lock
          : constraint->kind == TD_CONSTRAINT_ROD ? set_rod
                                                  : set_drive)(w, block, lane, joint);
     }

@@ -3,7 +3,7 @@
 #include "joints/gear.h"
 
 #include "base/rotation.h"
-#include "islands/rows.h"
+#include "direct/rows.h"
 #include "state/handles.h"
 
 TD_DECLARE_WIDE(const td_solve_ops, td_solve_gear);
@@ -163,11 +163,11 @@ static bool take_rows(const thud_world *w, td_block *block, int lane, const floa
     const td_gear_rows *rows = td_gear_rows_of(block);
     const td_point *p = &block->point[0];
     c->row[0] = (td_direct_row){
-        .kind = TD_ROW_EQUAL,
+        .kind = TD_ROW_EQUALITY,
         .a = {(double)rows->a_x[lane], (double)rows->a_y[lane], (double)p->cross_a[lane]},
         .b = {(double)block->nx[lane], (double)block->ny[lane], (double)p->cross_b[lane]},
         .impulse = 0.5 * (double)impulses[0],
-        .wanted = td_joint_closing_speed(w, (double)p->base[lane], w->def.time_step),
+        .target_speed = td_joint_closing_speed(w, (double)p->base[lane], w->def.time_step),
         .used = p->normal_mass[lane] > 0.0f};
     return false;
 }
@@ -179,8 +179,8 @@ static void turn_rows(const thud_world *w, const td_block *block, int lane, cons
     for (int k = 0; k < 3; k++) {
         gap += row->a[k] * s->a[0][k] + row->b[k] * s->b[0][k];
     }
-    row->wanted = s->time > 0.0 ? td_joint_closing_speed(w, gap, s->time) : 0.0;
-    row->closing = s->time > 0.0 ? td_abs(row->wanted) : row->closing;
+    row->target_speed = s->time > 0.0 ? td_joint_closing_speed(w, gap, s->time) : 0.0;
+    row->closing = s->time > 0.0 ? td_abs(row->target_speed) : row->closing;
 }
 
 /* Gears never part, and follow their joints as they are in each step. */

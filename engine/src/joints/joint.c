@@ -47,8 +47,8 @@ int td_joint_part_kind(const td_joint *joint, int part) {
         return TD_CONSTRAINT_GEAR;
     }
     switch (part) {
-    case TD_JOINT_HOLD:
-        return distance ? TD_CONSTRAINT_ROD : TD_CONSTRAINT_HOLD;
+    case TD_JOINT_LOCK:
+        return distance ? TD_CONSTRAINT_ROD : TD_CONSTRAINT_LOCK;
     case THUD_TURN:
         return TD_CONSTRAINT_DRIVE_TURN;
     default:

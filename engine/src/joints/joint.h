@@ -1,7 +1,7 @@
 /* joint.h: joints as their parts see them.
  *
  * A joint is a td_joint and up to four constraints of the graph, each with a lane of its own: what
- * it locks (hold.c, or rod.c for a distance), and what drives it in each direction that is driven
+ * it locks (lock.c, or rod.c for a distance), and what drives it in each direction that is driven
  * (drive.c). The caller's side of it is joint_make.c and joint_state.c. */
 #ifndef TD_JOINT_H
 #define TD_JOINT_H
@@ -213,11 +213,11 @@ static inline float td_joint_size(float x) {
 
 /* The operations of the kinds, for this world's instruction set. */
 const td_constraint_ops *td_rod_ops(const thud_world *w);
-const td_constraint_ops *td_hold_ops(const thud_world *w);
+const td_constraint_ops *td_lock_ops(const thud_world *w);
 const td_constraint_ops *td_drive_ops(const thud_world *w, int kind);
 
 /* Their rows for the direct solver. */
-td_take_rows_fn td_rod_take_rows, td_hold_take_rows, td_drive_take_rows;
-td_turn_rows_fn td_rod_turn_rows, td_hold_turn_rows, td_drive_turn_rows;
+td_take_rows_fn td_rod_take_rows, td_lock_take_rows, td_drive_take_rows;
+td_turn_rows_fn td_rod_turn_rows, td_lock_turn_rows, td_drive_turn_rows;
 
 #endif

@@ -6,10 +6,10 @@
  * end. Each row's own correction takes energy out; the warm start can bring it in, and so can the
  * bias that closes gaps, which one relax pass takes back in part.
  *
- * For impulses p of all the locks of a ring (constraint/rings.h) and relative speeds u that they
- * act on, with u' after them, the energy that they bring is p.(u + u') / 2. The share s of them
- * brings E(s) = s p.u + s^2 p.(u' - u) / 2. Where a warm start would bring more than nothing, the
- * share is kept that brings least, s = -p.u / p.(u' - u) within 0 .. 1, and gaps of such a ring
+ * For impulses p of all the locks of a ring (constraint/tied_bodies.h) and relative speeds u that
+ * they act on, with u' after them, the energy that they bring is p.(u + u') / 2. The share s of
+ * them brings E(s) = s p.u + s^2 p.(u' - u) / 2. Where a warm start would bring more than nothing,
+ * the share is kept that brings least, s = -p.u / p.(u' - u) within 0 .. 1, and gaps of such a ring
  * close at TD_JOINT_CLOSING for the rest of the step, since a bias in many rows that hardly move
  * would add as much.
  *
@@ -19,9 +19,9 @@
  * which give back what opened them.
  *
  * Steps that begin with no joint torn do without all this. */
-#include "constraint/joining.h"
+#include "constraint/joint_hooks.h"
 #include "constraint/lanes.h"
-#include "constraint/rings.h"
+#include "constraint/tied_bodies.h"
 #include "joints/joint.h"
 
 #include <string.h>
@@ -39,7 +39,7 @@ static bool walk(thud_world *w, bool (*visit)(thud_world *w, td_block *block)) {
     for (int i = 0; i < w->scratch.blocks.count; i++) {
         td_block *block = *TD_AT(td_block *, &w->scratch.blocks, i);
         int kind = block->used ? td_constraint_at(w, block->constraint[0])->kind : 0;
-        if (kind == TD_CONSTRAINT_ROD || kind == TD_CONSTRAINT_HOLD) {
+        if (kind == TD_CONSTRAINT_ROD || kind == TD_CONSTRAINT_LOCK) {
             any |= visit(w, block);
         }
     }
@@ -60,11 +60,11 @@ static float *same_ring(td_block *block) {
 static float number_of(thud_world *w, td_awake_slot slot) {
     td_awake_slot *number = w->scratch.parents.data;
     if (number[slot.at].at >= 0) {
-        td_awake_slot given = {-1 - w->scratch.powers.count++};
+        td_awake_slot applied = {-1 - w->scratch.powers.count++};
         for (td_awake_slot i = slot; number[i.at].at >= 0; i = td_next_tied(w, i)) {
-            number[i.at] = given;
+            number[i.at] = applied;
         }
-        ring_at(w, (float)(-1 - given.at))[GAPES] = 0.0;
+        ring_at(w, (float)(-1 - applied.at))[GAPES] = 0.0;
     }
     return (float)(-1 - number[slot.at].at);
 }
@@ -78,7 +78,7 @@ static bool gapes(const thud_world *w, td_block *block, int lane) {
     bool turns = !rod && block->tangent_mass[lane] > 0.0f;
     float gap = td_max_float(td_joint_size(block->point[0].base[lane]),
                              rod ? 0.0f : td_joint_size(block->point[1].separation[lane]));
-    float turn = turns ? td_joint_size(td_hold_rows_of(block)->turn_base[lane]) : 0.0f;
+    float turn = turns ? td_joint_size(td_lock_rows_of(block)->turn_base[lane]) : 0.0f;
     return gap > most * w->unit || turn > most;
 }
 
@@ -103,7 +103,7 @@ static void number_rings(thud_world *w) {
     if (w->scratch.powers.count > 0) {
         return;
     }
-    td_joints_ring(w);
+    td_joints_tie(w);
     for (int i = 0; i < w->body_of.count; i++) {
         number[i] = (td_awake_slot){0};
     }
@@ -147,7 +147,7 @@ static float share_of(const double *ring, double most) {
 static bool set_shares(thud_world *w, td_block *block, bool relaxed) {
     const float *ring = rings_of(block);
     float *share = (float *)&td_history_of(block, 2)[0].total;
-    float *haste = (float *)&td_hold_rows_of(block)->haste;
+    float *haste = (float *)&td_lock_rows_of(block)->haste;
     bool any = false;
     for (int lane = 0; lane < block->used; lane++) {
         const double *own = ring_at(w, ring[lane]);

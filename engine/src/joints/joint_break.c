@@ -1,5 +1,5 @@
 /* joint_break.c: joints that bear no more than so much. */
-#include "constraint/joining.h"
+#include "constraint/joint_hooks.h"
 #include "joints/joint.h"
 #include "state/handles.h"
 

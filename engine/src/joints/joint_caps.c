@@ -8,7 +8,7 @@
  *     |F| < R:  (|F_u| + s, |F_v| + s), with the same room s >= 0 in both directions.
  * Both agree where |F| = R, and the corner follows F continuously. No direction passes its own cap,
  * and the other one has the room that this leaves. */
-#include "constraint/joining.h"
+#include "constraint/joint_hooks.h"
 #include "joints/joint.h"
 
 /* The force that a lane's motor or spring would give if it had no cap, of either sign. The spring's

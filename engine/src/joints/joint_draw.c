@@ -4,7 +4,7 @@
 #include "api/debug_draw.h"
 #include "base/rotation.h"
 #include "base/trig.h"
-#include "constraint/joining.h"
+#include "constraint/joint_hooks.h"
 
 #define AXIS 0.5f /* length scales: as far as axes and angles are drawn */
 

@@ -1,13 +1,13 @@
 /* joint_make.c: making joints, of parts; see thud_joint.h. */
 #include "joints/gear.h"
-#include "constraint/joining.h"
-#include "linkages/joint_islands.h"
+#include "constraint/joint_hooks.h"
+#include "direct/joint_islands.h"
 #include "state/handles.h"
 
 static bool has_part(const td_joint *joint, int part) {
     unsigned driven = joint->driven;
     /* One part is always there, so that the bodies know of the joint. */
-    return part == TD_JOINT_HOLD ? joint->locked || !driven : driven >> part & 1u;
+    return part == TD_JOINT_LOCK ? joint->locked || !driven : driven >> part & 1u;
 }
 
 bool td_joint_reserve(thud_world *w, int kind) {
@@ -19,35 +19,35 @@ bool td_joint_reserve(thud_world *w, int kind) {
     return td_constraints_reserve(w, more);
 }
 
-static const td_joining_ops joining = {.engage = td_joints_engage,
-                                       .suspend = td_joints_suspend,
-                                       .follow = td_joints_follow,
-                                       .keeps_apart = td_joints_keep_apart,
-                                       .leave = td_joints_leave,
-                                       .ring = td_joints_ring,
-                                       .hold_back = td_joints_hold_back,
-                                       .adds_energy = td_joints_add_energy,
-                                       .weigh = td_joints_weigh,
-                                       .gape = td_joints_gape,
-                                       .share_caps = td_joints_share_caps,
-                                       .forget = td_joints_forget,
-                                       .yield = td_joints_yield,
-                                       .break_up = td_joints_break_up,
-                                       .measure = td_joints_measure,
-                                       .draw = td_joints_draw,
-                                       .solve = td_island_solve_joints,
-                                       .islands = &td_islands_of_joints};
+static const td_joint_hooks joint_hooks = {.engage = td_joints_engage,
+                                           .suspend = td_joints_suspend,
+                                           .follow = td_joints_follow,
+                                           .keeps_apart = td_joints_keep_apart,
+                                           .leave = td_joints_leave,
+                                           .tie = td_joints_tie,
+                                           .hold_back = td_joints_hold_back,
+                                           .adds_energy = td_joints_add_energy,
+                                           .weigh = td_joints_weigh,
+                                           .gape = td_joints_gape,
+                                           .share_caps = td_joints_share_caps,
+                                           .forget = td_joints_forget,
+                                           .yield = td_joints_yield,
+                                           .break_up = td_joints_break_up,
+                                           .measure = td_joints_measure,
+                                           .draw = td_joints_draw,
+                                           .solve = td_island_solve_joints,
+                                           .islands = &td_islands_of_joints};
 
 static void plug(thud_world *w) {
     w->kinds[TD_CONSTRAINT_ROD] = td_rod_ops(w);
-    w->kinds[TD_CONSTRAINT_HOLD] = td_hold_ops(w);
+    w->kinds[TD_CONSTRAINT_LOCK] = td_lock_ops(w);
     for (int kind = TD_CONSTRAINT_DRIVE_LINE; kind <= TD_CONSTRAINT_DRIVE_TURN; kind++) {
         w->kinds[kind] = td_drive_ops(w, kind);
     }
     w->kinds[TD_CONSTRAINT_GEAR] = td_gear_ops(w);
-    w->joining = &joining;
+    w->joint_hooks = &joint_hooks;
     if (w->quality.islands) {
-        w->quality.islands = joining.islands;
+        w->quality.islands = joint_hooks.islands;
     }
 }
 

@@ -1,5 +1,5 @@
 /* joint_measure.c: where a joint is, by how much it is off, and what it bears. */
-#include "constraint/joining.h"
+#include "constraint/joint_hooks.h"
 #include "joints/gear.h"
 
 /* By how much a value is off: from 0 where it is locked, from the limits where it has some. */
@@ -70,10 +70,10 @@ static void add_impulse(const thud_world *w, const td_constraint *part, double i
         return;
     }
     double second = (double)at.block->point[1].normal_impulse[at.lane];
-    if (part->kind == TD_CONSTRAINT_HOLD) {
+    if (part->kind == TD_CONSTRAINT_LOCK) {
         impulse[0] += x * first - y * second;
         impulse[1] += y * first + x * second;
-        impulse[2] += (double)td_hold_rows_at(at.block)->turn_sign[at.lane] * third;
+        impulse[2] += (double)td_lock_rows_at(at.block)->turn_sign[at.lane] * third;
         return;
     }
     const td_drive_rows *rows = td_drive_rows_at(at.block);

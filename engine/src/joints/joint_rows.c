@@ -1,12 +1,12 @@
 /* joint_rows.c: the rows of joints for the direct solver. */
 #include "joints/joint.h"
 
-#include "islands/rows.h"
+#include "direct/rows.h"
 
-static void hold(const thud_world *w, td_direct_row *row, const float *impulses, int k,
-                 double gap) {
+static void equality_row(const thud_world *w, td_direct_row *row, const float *impulses, int k,
+                         double gap) {
     row->impulse = 0.5 * (double)impulses[k];
-    row->wanted = td_joint_closing_speed(w, gap, w->def.time_step);
+    row->target_speed = td_joint_closing_speed(w, gap, w->def.time_step);
 }
 
 /* ---- a part of the step ---- */
@@ -129,8 +129,8 @@ static void set_line_stiffness(td_direct_constraint *c, const td_joint_frame *f,
     across->kind = TD_ROW_SOFT;
     across->used = impulse < 0.0 && length > 0.0 && s->time > 0.0;
     across->weight = across->used ? -0.5 * s->time * impulse / length : 0.0;
-    across->wanted = s->time > 0.0 ? way_of(across, s) / s->time : 0.0;
-    across->most = __builtin_inf();
+    across->target_speed = s->time > 0.0 ? way_of(across, s) / s->time : 0.0;
+    across->max_impulse = __builtin_inf();
     across->impulse = 0.0;
 }
 
@@ -139,25 +139,25 @@ static void set_line_stiffness(td_direct_constraint *c, const td_joint_frame *f,
 bool td_rod_take_rows(const thud_world *w, td_block *block, int lane, const float *impulses,
                       td_direct_constraint *c) {
     const td_point *p = &block->point[0];
-    td_row_set(&c->row[0], TD_ROW_EQUAL, (double)block->nx[lane], (double)block->ny[lane],
+    td_row_set(&c->row[0], TD_ROW_EQUALITY, (double)block->nx[lane], (double)block->ny[lane],
                (double)p->cross_a[lane], (double)p->cross_b[lane]);
-    hold(w, &c->row[0], impulses, 0, (double)p->base[lane]);
+    equality_row(w, &c->row[0], impulses, 0, (double)p->base[lane]);
     return false;
 }
 
 void td_rod_turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
                       td_direct_constraint *c) {
-    double wanted = (double)td_hold_rows_at(block)->turn_base[lane], length[2];
+    double wanted = (double)td_lock_rows_at(block)->turn_base[lane], length[2];
     td_joint_frame f =
         line_between(block, lane, (double)block->point[0].base[lane] + wanted, 0.0, s, length);
     set_direction(&c->row[0], f.x, f.y, f.a_u, f.b_u);
-    c->row[0].wanted = wanted_of(w, &c->row[0], s, length[0] - wanted, length[1] - wanted);
+    c->row[0].target_speed = wanted_of(w, &c->row[0], s, length[0] - wanted, length[1] - wanted);
     set_line_stiffness(c, &f, s, c->row[0].impulse, length[0], &c->row[1]);
 }
 
-void td_hold_turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
+void td_lock_turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
                        td_direct_constraint *c) {
-    const td_hold_rows *rows = td_hold_rows_at(block);
+    const td_lock_rows *rows = td_lock_rows_at(block);
     double u = (double)block->point[0].base[lane], v = (double)block->point[1].base[lane];
     double sign = (double)rows->turn_sign[lane];
     bool turns = rows->frame[lane] > 0.0f;
@@ -171,26 +171,26 @@ void td_hold_turn_rows(const thud_world *w, const td_block *block, int lane, con
     td_joint_frame f = s->time == 0.0 ? end[0] : frame_between(block, lane, u, v, turns, s);
     set_direction(&c->row[0], f.x, f.y, f.a_u, f.b_u);
     set_direction(&c->row[1], -f.y, f.x, f.a_v, f.b_v);
-    c->row[0].wanted = wanted_of(w, &c->row[0], s, end[0].gap_u, end[1].gap_u);
-    c->row[1].wanted = wanted_of(w, &c->row[1], s, end[0].gap_v, end[1].gap_v);
-    c->row[2].wanted = wanted_of(w, &c->row[2], s, turned[0], turned[1]);
+    c->row[0].target_speed = wanted_of(w, &c->row[0], s, end[0].gap_u, end[1].gap_u);
+    c->row[1].target_speed = wanted_of(w, &c->row[1], s, end[0].gap_v, end[1].gap_v);
+    c->row[2].target_speed = wanted_of(w, &c->row[2], s, turned[0], turned[1]);
     set_stiffness(c, &f, s, c->row[0].impulse, c->row[1].impulse);
 }
 
-bool td_hold_take_rows(const thud_world *w, td_block *block, int lane, const float *impulses,
+bool td_lock_take_rows(const thud_world *w, td_block *block, int lane, const float *impulses,
                        td_direct_constraint *c) {
-    const td_hold_rows *rows = td_hold_rows_of(block);
+    const td_lock_rows *rows = td_lock_rows_of(block);
     const td_point *p = block->point;
     double still[3] = {0.0, 0.0, 0.0}, sign = (double)rows->turn_sign[lane];
     td_joint_frame f =
         td_joint_frame_after(block, lane, (double)p[0].base[lane], (double)p[1].base[lane],
                              rows->frame[lane] > 0.0f, still, still);
-    td_row_set(&c->row[0], TD_ROW_EQUAL, f.x, f.y, f.a_u, f.b_u);
-    td_row_set(&c->row[1], TD_ROW_EQUAL, -f.y, f.x, f.a_v, f.b_v);
-    td_row_set(&c->row[2], TD_ROW_EQUAL, 0.0, 0.0, sign, sign);
-    hold(w, &c->row[0], impulses, 0, f.gap_u);
-    hold(w, &c->row[1], impulses, 1, f.gap_v);
-    hold(w, &c->row[2], impulses, 2, (double)rows->turn_base[lane]);
+    td_row_set(&c->row[0], TD_ROW_EQUALITY, f.x, f.y, f.a_u, f.b_u);
+    td_row_set(&c->row[1], TD_ROW_EQUALITY, -f.y, f.x, f.a_v, f.b_v);
+    td_row_set(&c->row[2], TD_ROW_EQUALITY, 0.0, 0.0, sign, sign);
+    equality_row(w, &c->row[0], impulses, 0, f.gap_u);
+    equality_row(w, &c->row[1], impulses, 1, f.gap_v);
+    equality_row(w, &c->row[2], impulses, 2, (double)rows->turn_base[lane]);
     c->row[0].used = p[0].normal_mass[lane] > 0.0f;
     c->row[1].used = p[1].normal_mass[lane] > 0.0f;
     c->row[2].used = block->tangent_mass[lane] > 0.0f;
@@ -226,11 +226,11 @@ static void take_limit(const thud_world *w, td_block *block, int lane, const flo
         row->a[k] *= side;
         row->b[k] *= side;
     }
-    row->kind = locked ? TD_ROW_EQUAL : TD_ROW_PUSH;
+    row->kind = locked ? TD_ROW_EQUALITY : TD_ROW_UNILATERAL;
     row->used = side != 0.0;
-    hold(w, row, impulses, 0, gap);
+    equality_row(w, row, impulses, 0, gap);
     row->impulse *= known ? 1.0 : 0.0;
-    row->wanted = gap > 0.0 && !locked ? -gap / w->def.time_step : row->wanted;
+    row->target_speed = gap > 0.0 && !locked ? -gap / w->def.time_step : row->target_speed;
 }
 
 static double mass_of(const thud_world *w, const td_block *block, int lane) {
@@ -255,7 +255,7 @@ static double spring_speed(const thud_world *w, const td_block *block, int lane,
     double both = 0.5 * time * stiffness + drag;
     row->weight = 0.5 * time * both;
     bool capped = r->spring_most[lane] < THUD_JOINT_FORCE_MAX;
-    row->most = capped ? 0.5 * time * (double)r->spring_most[lane] : __builtin_inf();
+    row->max_impulse = capped ? 0.5 * time * (double)r->spring_most[lane] : __builtin_inf();
     return both > 0.0 ? -stiffness * ((double)block->point[1].base[lane] + moved) / both : 0.0;
 }
 
@@ -263,7 +263,7 @@ static void take_spring(const thud_world *w, const td_block *block, int lane, co
                         td_direct_row *row) {
     row->kind = TD_ROW_SOFT;
     row->impulse = 0.5 * (double)impulses[1];
-    row->wanted = spring_speed(w, block, lane, row, 0.0, w->def.time_step);
+    row->target_speed = spring_speed(w, block, lane, row, 0.0, w->def.time_step);
     row->used = row->weight > 0.0;
 }
 
@@ -286,7 +286,7 @@ bool td_drive_take_rows(const thud_world *w, td_block *block, int lane, const fl
     take_spring(w, block, lane, impulses, &c->row[1]);
     c->bound = 0.5 * w->def.time_step * (double)r->motor_most[lane];
     c->row[2].used = c->bound > 0.0;
-    c->row[2].wanted = (double)r->motor_speed[lane];
+    c->row[2].target_speed = (double)r->motor_speed[lane];
     c->row[2].impulse = 0.5 * (double)impulses[TD_DIRECT_TANGENT];
     return false;
 }
@@ -322,13 +322,13 @@ void td_drive_turn_rows(const thud_world *w, const td_block *block, int lane, co
     for (int i = 0; i < 2; i++) {
         gap[i] = side * (value[i] - (double)r->limit[lane]);
     }
-    bool open = gap[0] > 0.0 && c->row[0].kind == TD_ROW_PUSH;
-    c->row[0].wanted = !open           ? wanted_of(w, &c->row[0], s, gap[0], gap[1])
-                       : s->time > 0.0 ? (way_of(&c->row[0], s) - gap[1]) / s->time
-                                       : -gap[1] / w->def.time_step;
+    bool open = gap[0] > 0.0 && c->row[0].kind == TD_ROW_UNILATERAL;
+    c->row[0].target_speed = !open           ? wanted_of(w, &c->row[0], s, gap[0], gap[1])
+                             : s->time > 0.0 ? (way_of(&c->row[0], s) - gap[1]) / s->time
+                                             : -gap[1] / w->def.time_step;
     if (s->time > 0.0) {
         c->bound = 0.5 * s->time * (double)r->motor_most[lane];
         double moved = value[0] - (double)r->value_base[lane];
-        c->row[1].wanted = spring_speed(w, block, lane, &c->row[1], moved, s->time);
+        c->row[1].target_speed = spring_speed(w, block, lane, &c->row[1], moved, s->time);
     }
 }

@@ -13,10 +13,10 @@
  *
  * The next step begins without the impulses of those joints and contacts, which would grow without
  * end. */
-#include "constraint/joining.h"
-#include "constraint/rings.h"
+#include "constraint/joint_hooks.h"
+#include "constraint/tied_bodies.h"
 #include "detection/trajectory.h"
-#include "islands/island_order.h"
+#include "direct/elimination_order.h"
 #include "joints/joint.h"
 #include "solver/error.h"
 #include "state/kinds.h"
@@ -41,7 +41,7 @@ enum {
 
 struct finding;
 
-/* A ring of bodies (constraint/rings.h), or one body alone. */
+/* A ring of bodies (constraint/tied_bodies.h), or one body alone. */
 typedef struct ring {
     thud_world *w;
     td_awake_slot first;
@@ -184,7 +184,7 @@ static void mend_row(const ring *r, const td_lane *at, const direction *n, doubl
 }
 
 static void mend_rod(const ring *r, const td_lane *at) {
-    double a[3], b[3], wanted = (double)td_hold_rows_at(at->block)->turn_base[at->lane];
+    double a[3], b[3], wanted = (double)td_lock_rows_at(at->block)->turn_base[at->lane];
     double before = (double)at->block->point[0].base[at->lane];
     td_joint_motion(r->w, at->block, at->lane, a, b);
     td_joint_frame f = td_joint_line_after(at->block, at->lane, before + wanted, 0.0, a, b);
@@ -197,13 +197,13 @@ static td_joint_frame frame_of(const ring *r, const td_lane *at) {
     td_joint_motion(r->w, at->block, at->lane, a, b);
     return td_joint_frame_after(at->block, at->lane, (double)p[0].base[at->lane],
                                 (double)p[1].base[at->lane],
-                                td_hold_rows_at(at->block)->frame[at->lane] > 0.0f, a, b);
+                                td_lock_rows_at(at->block)->frame[at->lane] > 0.0f, a, b);
 }
 
 static void mend_hold(const ring *r, const td_lane *at) {
     const td_block *block = at->block;
     const td_point *p = block->point;
-    const td_hold_rows *rows = td_hold_rows_at(block);
+    const td_lock_rows *rows = td_lock_rows_at(block);
     if (block->tangent_mass[at->lane] > 0.0f) {
         double a[3], b[3], sign = (double)rows->turn_sign[at->lane];
         double before = (double)rows->turn_base[at->lane];
@@ -222,7 +222,7 @@ static void mend_hold(const ring *r, const td_lane *at) {
 }
 
 static void mend_lock(const ring *r, const td_constraint *constraint) {
-    if (constraint->kind == TD_CONSTRAINT_ROD || constraint->kind == TD_CONSTRAINT_HOLD) {
+    if (constraint->kind == TD_CONSTRAINT_ROD || constraint->kind == TD_CONSTRAINT_LOCK) {
         td_lane at = td_lane_of(r->w, constraint);
         if (constraint->kind == TD_CONSTRAINT_ROD) {
             mend_rod(r, &at);
@@ -478,7 +478,7 @@ static bool look(thud_world *w) {
             int as = at.lane < block->used ? judge(w, &at, run) : 0;
             if (as && !any) {
                 any = true;
-                td_joints_ring(w);
+                td_joints_tie(w);
                 memset(w->scratch.parents.data, 0,
                        (size_t)w->body_of.count * sizeof(td_awake_slot));
             }
@@ -507,7 +507,7 @@ static void find(const ring *r, const td_constraint *constraint) {
     const td_block *block = at.block;
     int lane = at.lane, points = td_form_points(r->w->kinds[constraint->kind]->form);
     bool fixed = is_static_contact(constraint, &at);
-    bool locks = constraint->kind == TD_CONSTRAINT_ROD || constraint->kind == TD_CONSTRAINT_HOLD;
+    bool locks = constraint->kind == TD_CONSTRAINT_ROD || constraint->kind == TD_CONSTRAINT_LOCK;
     for (int k = 0; k < points && fixed; k++) {
         const td_point *p = &block->point[k];
         found->touches |= p->normal_mass[lane] > 0.0f &&

@@ -35,7 +35,7 @@ TD_INLINE f8 speed_along(const direction8 *n, const sides *v, bool fixed) {
 }
 
 TD_INLINE void push_along(td_block *block, const direction8 *n, bool fixed, sides *v, f8 change) {
-    give(block, fixed, v, &td_drive_rows_of(block)->given, n->x * change, n->y * change,
+    give(block, fixed, v, &td_drive_rows_of(block)->applied, n->x * change, n->y * change,
          n->cross_a * change, n->cross_b * change);
 }
 
@@ -44,7 +44,7 @@ TD_INLINE void push_again(td_block *block, const direction8 *n, bool fixed, side
     td_drive_rows *r = td_drive_rows_of(block);
     f8 all = block->point[1].normal_impulse + block->tangent_impulse +
              r->limit_side * block->point[0].normal_impulse;
-    give_anew(block, fixed, v, &r->given, n->x * all, n->y * all, n->cross_a * all,
+    give_anew(block, fixed, v, &r->applied, n->x * all, n->y * all, n->cross_a * all,
               n->cross_b * all);
 }
 
@@ -153,7 +153,7 @@ TD_INLINE void warm_start(td_block *const *blocks, int count, const td_solve_con
         td_drive_rows *r = td_drive_rows_of(block);
         sides v = read_sides(c->velocity, block, fixed);
         direction8 n = direction_now(block, r, c, fixed, which, &v);
-        forget_given(&r->given);
+        forget_applied(&r->applied);
         push_again(block, &n, fixed, &v);
         write_sides(c, block, fixed, &v);
     }

@@ -125,12 +125,12 @@ TD_INLINE f8 yield(const td_block *block, const sides *v, bool fixed, f8 linear,
 }
 
 /* Gives both sides an impulse, and its moments. */
-TD_INLINE void give(const td_block *block, bool fixed, sides *v, td_given *given, f8 x, f8 y,
-                    f8 moment_a, f8 moment_b) {
-    given->x += x;
-    given->y += y;
-    given->moment_a += moment_a;
-    given->moment_b += moment_b;
+TD_INLINE void give(const td_block *block, bool fixed, sides *v, td_applied_impulse *applied, f8 x,
+                    f8 y, f8 moment_a, f8 moment_b) {
+    applied->x += x;
+    applied->y += y;
+    applied->moment_a += moment_a;
+    applied->moment_b += moment_b;
     if (!fixed) {
         v->a.x -= v->a.w * x;
         v->a.y -= v->a.w * y;
@@ -142,10 +142,10 @@ TD_INLINE void give(const td_block *block, bool fixed, sides *v, td_given *given
 }
 
 /* Gives both sides these instead of what they were given. */
-TD_INLINE void give_anew(const td_block *block, bool fixed, sides *v, td_given *given, f8 x, f8 y,
-                         f8 moment_a, f8 moment_b) {
-    give(block, fixed, v, given, x - given->x, y - given->y, moment_a - given->moment_a,
-         moment_b - given->moment_b);
+TD_INLINE void give_anew(const td_block *block, bool fixed, sides *v, td_applied_impulse *applied,
+                         f8 x, f8 y, f8 moment_a, f8 moment_b) {
+    give(block, fixed, v, applied, x - applied->x, y - applied->y, moment_a - applied->moment_a,
+         moment_b - applied->moment_b);
 }
 
 TD_INLINE void write_sides(const td_solve_context *c, const td_block *block, bool fixed,
@@ -156,9 +156,9 @@ TD_INLINE void write_sides(const td_solve_context *c, const td_block *block, boo
     td_scatter(c->velocity, block->b, v->b);
 }
 
-TD_INLINE void forget_given(td_given *given) {
+TD_INLINE void forget_applied(td_applied_impulse *applied) {
     f8 zero = f8_all(0.0f);
-    *given = (td_given){zero, zero, zero, zero};
+    *applied = (td_applied_impulse){zero, zero, zero, zero};
 }
 
 /* wide_rod.c: a pass of bracing over what lanes of any kind were given. Where it measures, the

@@ -123,8 +123,8 @@ TD_INLINE i8 holds(i8 locked, int direction) {
     return (locked & i8_all(1 << direction)) != i8_all(0);
 }
 
-TD_INLINE void place_hold(const thud_world *w, td_block *block) {
-    td_hold_rows *rows = td_hold_rows_of(block);
+TD_INLINE void place_lock(const thud_world *w, td_block *block) {
+    td_lock_rows *rows = td_lock_rows_of(block);
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), mass = masses_of(w, block);
     rows->haste = f8_all(TD_JOINT_HASTE);
     place8 p = place_of(w, &rows->anchor, lanes_of(block));
@@ -149,7 +149,7 @@ TD_INLINE void place_hold(const thud_world *w, td_block *block) {
 }
 
 TD_INLINE void place_rod(const thud_world *w, td_block *block) {
-    td_hold_rows *rows = td_hold_rows_of(block);
+    td_lock_rows *rows = td_lock_rows_of(block);
     td_point *q = &block->point[0];
     rows->haste = f8_all(TD_JOINT_HASTE);
     f8 x, y, mass = masses_of(w, block);
@@ -202,8 +202,8 @@ void TD_WIDE(td_place_joints)(thud_world *w, td_block *const *blocks, int count,
         if (blocks[i]->armed) {
             td_joint_look_up(w, blocks[i]);
         }
-        if (kind == TD_CONSTRAINT_HOLD) {
-            place_hold(w, blocks[i]);
+        if (kind == TD_CONSTRAINT_LOCK) {
+            place_lock(w, blocks[i]);
         } else if (kind == TD_CONSTRAINT_ROD) {
             place_rod(w, blocks[i]);
         } else {

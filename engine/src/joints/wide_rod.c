@@ -5,20 +5,20 @@
 TD_INLINE void pull_block(td_block *block, const td_solve_context *c, bool fixed, bool soft) {
     td_point *p = &block->point[0];
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), length;
-    f8 wanted = td_hold_rows_of(block)->turn_base;
+    f8 wanted = td_lock_rows_of(block)->turn_base;
     sides v = read_sides(c->velocity, block, fixed), d = read_sides(c->delta, block, fixed);
     frame8 f = line_now(block, &d, fixed, p->base + wanted, zero, &length);
     p->separation = f8_keep(p->normal_mass > zero, length - wanted);
-    td_given *given = &td_hold_rows_of(block)->given;
+    td_applied_impulse *applied = &td_lock_rows_of(block)->applied;
     if (soft && !c->first) {
         f8 old = p->normal_impulse;
-        give_anew(block, fixed, &v, given, f.x * old, f.y * old, f.a_u * old, f.b_u * old);
+        give_anew(block, fixed, &v, applied, f.x * old, f.y * old, f.a_u * old, f.b_u * old);
     }
     f8 mass = inverse_or_zero(yield(block, &v, fixed, one, f.a_u, f.b_u, f.a_u, f.b_u));
     f8 bias = zero, scale = one, keep = zero;
     if (soft) {
-        f8 most = td_hold_rows_of(block)->haste * f8_all(c->joint_closing);
-        bias = f8_clamp(p->separation * pull_of(td_hold_rows_of(block)->haste) * f8_all(c->inv_h),
+        f8 most = td_lock_rows_of(block)->haste * f8_all(c->joint_closing);
+        bias = f8_clamp(p->separation * pull_of(td_lock_rows_of(block)->haste) * f8_all(c->inv_h),
                         -most, most);
         scale = f8_all(1.0f - LOST);
         keep = f8_all(LOST);
@@ -27,7 +27,7 @@ TD_INLINE void pull_block(td_block *block, const td_solve_context *c, bool fixed
     f8 now = old - scale * mass * (speed + bias) - keep * old;
     p->normal_impulse = now;
     f8 change = now - old;
-    give(block, fixed, &v, given, f.x * change, f.y * change, f.a_u * change, f.b_u * change);
+    give(block, fixed, &v, applied, f.x * change, f.y * change, f.a_u * change, f.b_u * change);
     write_sides(c, block, fixed, &v);
     if (c->last) {
         c->tally->slowest = f8_min(f8_keep(mass > zero, -f8_abs(speed)), c->tally->slowest);
@@ -40,11 +40,11 @@ TD_INLINE void warm_start(td_block *const *blocks, int count, const td_solve_con
         td_block *block = blocks[i];
         const td_point *p = &block->point[0];
         f8 impulse = p->normal_impulse;
-        td_given *given = &td_hold_rows_of(block)->given;
+        td_applied_impulse *applied = &td_lock_rows_of(block)->applied;
         sides v = read_sides(c->velocity, block, fixed);
         look_for_tears(c, p->separation, f8_all(0.0f));
-        forget_given(given);
-        give(block, fixed, &v, given, block->nx * impulse, block->ny * impulse,
+        forget_applied(applied);
+        give(block, fixed, &v, applied, block->nx * impulse, block->ny * impulse,
              p->cross_a * impulse, p->cross_b * impulse);
         write_sides(c, block, fixed, &v);
     }
@@ -58,7 +58,7 @@ TD_INLINE void pull(td_block *const *blocks, int count, const td_solve_context *
 }
 
 void TD_WIDE(td_brace_given)(td_block *block, const td_solve_context *c, bool fixed) {
-    td_given *g = &td_hold_rows_of(block)->given;
+    td_applied_impulse *g = &td_lock_rows_of(block)->applied;
     td_point_history *powers = td_history_of(block, 2);
     sides v = read_sides(c->velocity, block, fixed);
     if (c->brace == TD_BRACE_BEFORE || c->brace == TD_BRACE_AFTER) {
@@ -69,8 +69,8 @@ void TD_WIDE(td_brace_given)(td_block *block, const td_solve_context *c, bool fi
         powers[c->brace == TD_BRACE_AFTER].total = power;
         return;
     }
-    td_given none;
-    forget_given(&none);
+    td_applied_impulse none;
+    forget_applied(&none);
     if (c->brace == TD_BRACE_TAKE) {
         give(block, fixed, &v, &none, -g->x, -g->y, -g->moment_a, -g->moment_b);
     } else {
@@ -92,12 +92,12 @@ TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context 
             TD_WIDE(td_brace_given)(block, c, fixed);
             continue;
         }
-        td_hold_rows *h = td_hold_rows_of(block);
+        td_lock_rows *h = td_lock_rows_of(block);
         f8 length, u = block->point[0].normal_impulse;
         sides v = read_sides(c->velocity, block, fixed), d = read_sides(c->delta, block, fixed);
         frame8 f =
             line_now(block, &d, fixed, block->point[0].base + h->turn_base, f8_all(0.0f), &length);
-        give_anew(block, fixed, &v, &h->given, f.x * u, f.y * u, f.a_u * u, f.b_u * u);
+        give_anew(block, fixed, &v, &h->applied, f.x * u, f.y * u, f.a_u * u, f.b_u * u);
         write_sides(c, block, fixed, &v);
     }
 }

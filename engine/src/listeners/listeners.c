@@ -7,7 +7,7 @@
 #include "constraint/lanes.h"
 #include "contact/contact.h"
 #include "detection/collide.h"
-#include "listeners/listening.h"
+#include "listeners/listener_hooks.h"
 #include "listeners/seen.h"
 #include "state/body.h"
 #include "state/handles.h"
@@ -265,7 +265,7 @@ static void end(thud_world *w) {
     td_memory_put(&w->memory, w->listeners, sizeof *w->listeners);
 }
 
-static const td_listening_ops LISTENING = {
+static const td_listener_hooks LISTENING = {
     .reserve = reserve, .ask = ask, .ask_one = ask_one, .tell = tell, .end = end};
 
 /* ---- who listens ---- */
@@ -308,7 +308,7 @@ thud_result thud_world_set_listeners(thud_world *w, const thud_listeners *listen
         }
         w->listeners->contacts.stride = (int)sizeof(thud_contact);
         w->listeners->answers.stride = (int)sizeof(thud_contact_answer);
-        w->listening = &LISTENING;
+        w->listener_hooks = &LISTENING;
     }
     bool asked = w->asks;
     restore(w);

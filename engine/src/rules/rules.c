@@ -61,7 +61,7 @@ static void end(thud_world *w) {
     td_memory_put(&w->memory, w->rules, sizeof *w->rules);
 }
 
-static const td_ruling_ops RULING = {.allows = allows,
+static const td_rule_hooks RULING = {.allows = allows,
                                      .settle = settle,
                                      .hides = td_rules_hide,
                                      .lets_through = td_rules_let_through,
@@ -91,7 +91,7 @@ static bool have_rules(thud_world *w) {
         w->rules = td_memory_get(&w->memory, sizeof *w->rules);
         if (w->rules) {
             w->rules->impulses.stride = (int)sizeof(thud_impulse_event);
-            w->ruling = &RULING;
+            w->rule_hooks = &RULING;
         }
     }
     return w->rules != NULL;

@@ -2,7 +2,7 @@
 #ifndef TD_RULES_H
 #define TD_RULES_H
 
-#include "rules/ruling.h"
+#include "rules/rule_hooks.h"
 
 enum { TD_RULE_NONE = TD_RULE_KINDS, TD_RULE_CELLS = TD_RULE_KINDS * TD_RULE_KINDS };
 

@@ -3,7 +3,7 @@
  * and pushes bodies apart that have just met. Resting contacts stay in the solver. */
 #include "solver/bounces.h"
 
-#include "constraint/rings.h"
+#include "constraint/tied_bodies.h"
 #include "detection/trajectory.h"
 #include "constraint/lanes.h"
 #include "state/surface.h"

@@ -4,7 +4,7 @@
  * where it was, its contacts end, an event tells of it, and its values reach no other body. */
 #include "state/awake.h"
 #include "state/body.h"
-#include "constraint/rings.h"
+#include "constraint/tied_bodies.h"
 #include "contact/contact.h"
 #include "state/handles.h"
 #include "state/kinds.h"
@@ -40,7 +40,7 @@ static void quarantine(thud_world *w, td_body_index index) {
         td_contact_destroy(w, e / 2);
         e = next;
     }
-    td_ring_leave(w, slot);
+    td_tied_leave(w, slot);
     td_awake_remove(w, index);
     follow_slot(&w->scratch.fast, (td_awake_slot){w->body_of.count}, slot);
     body->flags |= TD_BODY_QUARANTINED;

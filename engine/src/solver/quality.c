@@ -1,7 +1,7 @@
 /* quality.c: checks and applies qualities, and the public calls that set them; see quality.h. */
 #include "solver/quality.h"
 
-#include "constraint/joining.h"
+#include "constraint/joint_hooks.h"
 #include "state/body.h"
 #include "state/handles.h"
 #include "constraint/lanes.h"
@@ -93,8 +93,8 @@ void td_quality_take(thud_world *w, const thud_quality *quality) {
     if (w->def.detection) {
         w->quality.detection = w->def.detection;
     }
-    if (w->joining && w->quality.islands) {
-        w->quality.islands = w->joining->islands;
+    if (w->joint_hooks && w->quality.islands) {
+        w->quality.islands = w->joint_hooks->islands;
     }
     td_substeps_set(w, td_substeps_asked(w));
     set_detection(w, w->quality.detection);

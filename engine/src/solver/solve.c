@@ -5,7 +5,7 @@
 #include "state/jobs.h"
 #include "solver/error.h"
 #include "state/kinds.h"
-#include "constraint/joining.h"
+#include "constraint/joint_hooks.h"
 #include "constraint/lanes.h"
 #include "api/step.h"
 
@@ -240,14 +240,14 @@ static bool bounce(solving *s) {
 static void judge(void *work, int chunk) {
     const solving *s = work;
     (void)chunk;
-    bool adds = s->w->joining->adds_energy(s->w, s->relaxed);
+    bool adds = s->w->joint_hooks->adds_energy(s->w, s->relaxed);
     atomic_store_explicit(s->contacts.adds, adds, memory_order_relaxed);
 }
 
 static void weigh(void *work, int chunk) {
     const solving *s = work;
     (void)chunk;
-    s->w->joining->weigh(s->w, s->relaxed);
+    s->w->joint_hooks->weigh(s->w, s->relaxed);
 }
 
 static void brace_by(solving *s, td_brace stage) {
@@ -308,7 +308,7 @@ static void substeps(void *argument) {
         s->contacts.last = i == last;
         walk(s, RELAX);
         s->relaxed = true;
-        if (is_torn(s) && s->w->joining->gape(s->w) && brace(s)) {
+        if (is_torn(s) && s->w->joint_hooks->gape(s->w) && brace(s)) {
             ease(s);
         }
         s->relaxed = false;

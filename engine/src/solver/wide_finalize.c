@@ -44,10 +44,11 @@ static void list_lanes(td_array *list, td_awake_slot first, unsigned bits) {
 /* Adds the time step to the idle times of bodies that are slower than TD_SLEEP_SPEED, at their
  * centre and by rotation at their farthest point (`max_extent`), and sets those of all others to 0.
  */
-TD_INLINE void count_idle(thud_world *w, td_awake_slot first, const td_rows *v, f8 rim, i8 here) {
+TD_INLINE void count_idle(thud_world *w, td_awake_slot first, const td_rows *v, f8 max_extent,
+                          i8 here) {
     f8 still = f8_all(TD_SLEEP_SPEED * w->unit), dt = f8_all((float)w->def.time_step);
     float *at = td_row(&w->idle, first);
-    i8 rests = (v->x * v->x + v->y * v->y < still * still) & (f8_abs(v->z) * rim < still);
+    i8 rests = (v->x * v->x + v->y * v->y < still * still) & (f8_abs(v->z) * max_extent < still);
     f8 idle = f8_keep(rests, f8_load(at) + dt);
     __builtin_memcpy(at, &idle, sizeof idle);
     w->idle_bodies += __builtin_popcount(i8_bits(here & (idle >= f8_all(TD_SLEEP_TIME))));
@@ -230,8 +231,8 @@ void TD_WIDE(td_finalize_bodies)(thud_world *w) {
         td_rows d = td_load_rows(delta + at);
         f8 reach0 = f8_load(td_row(&w->reach, first));
         f8 reach1 = f8_load(td_row(&w->reach, first) + TD_LANES);
-        f8 core = __builtin_shufflevector(reach0, reach1, 0, 2, 4, 6, 8, 10, 12, 14);
-        f8 rim = __builtin_shufflevector(reach0, reach1, 1, 3, 5, 7, 9, 11, 13, 15);
+        f8 min_extent = __builtin_shufflevector(reach0, reach1, 0, 2, 4, 6, 8, 10, 12, 14);
+        f8 max_extent = __builtin_shufflevector(reach0, reach1, 1, 3, 5, 7, 9, 11, 13, 15);
         f8 sum = v.x + v.y + v.z + (d.x + d.y + d.z);
         i8 finite = sum - sum == zero;
         f8 max = f8_all(TD_ENERGY_MAX);
@@ -240,13 +241,14 @@ void TD_WIDE(td_finalize_bodies)(thud_world *w) {
         kinetic += d4_folded(f8_keep(here & finite, moving));
         gained += d4_folded(f8_keep(here & finite, fallen));
         if (w->def.sleeping) {
-            count_idle(w, first, &v, rim, here & finite);
+            count_idle(w, first, &v, max_extent, here & finite);
         }
         i8 easy = here & finite & (i8_load(TD_AT(int32_t, &w->lone, at)) >= i8_all(0)) &
                   (f8_abs(d.x) < far) & (f8_abs(d.y) < far) & (f8_abs(d.z) < f8_all(1.5f));
         list_lanes(&w->scratch.odd, first, i8_bits(here & ~easy));
         if (w->detections[TD_RANK_CONTINUOUS]) {
-            i8 fast = easy & (v.w > zero) & (d.x * d.x + d.y * d.y > f8_all(0.25f) * core * core);
+            i8 fast = easy & (v.w > zero) &
+                      (d.x * d.x + d.y * d.y > f8_all(0.25f) * min_extent * min_extent);
             list_lanes(&w->scratch.fast, first, i8_bits(fast));
         }
         unsigned bits = i8_bits(easy);

@@ -34,8 +34,8 @@ void td_awake_refresh(thud_world *w, td_body_index index) {
     *td_row(&w->mass, body->awake) = body->mass;
     *td_row(&w->inertia, body->awake) = body->inertia;
     *td_row(&w->weight, body->awake) = body->mass * body->gravity_scale;
-    reach[0] = body->core;
-    reach[1] = body->rim;
+    reach[0] = body->min_extent;
+    reach[1] = body->max_extent;
     int lone = body->shape_count == 1 ? body->first_shape : TD_NONE;
     if (lone != TD_NONE && !td_shape_at(w, lone)->plain) {
         lone = TD_NONE;

@@ -202,13 +202,14 @@ void td_body_weigh(thud_world *w, td_body_index index) {
     if (body->kind == THUD_STATIC) {
         return;
     }
-    body->core = body->shape_count ? 3.0e38f : 0.0f;
-    body->rim = 0.0f;
+    body->min_extent = body->shape_count ? 3.0e38f : 0.0f;
+    body->max_extent = 0.0f;
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         const td_shape *shape = td_shape_at(w, i);
         float x = shape->x - body->center_x, y = shape->y - body->center_y;
-        body->core = td_min_float(body->core, td_half_thickness(shape));
-        body->rim = td_max_float(body->rim, __builtin_sqrtf(x * x + y * y) + reach_of(shape));
+        body->min_extent = td_min_float(body->min_extent, td_half_thickness(shape));
+        body->max_extent =
+            td_max_float(body->max_extent, __builtin_sqrtf(x * x + y * y) + reach_of(shape));
     }
 }
 

@@ -2,7 +2,7 @@
  * placed; whatever rested on them wakes. One body is done whole or not at all. */
 #include "state/awake.h"
 #include "state/body.h"
-#include "constraint/joining.h"
+#include "constraint/joint_hooks.h"
 #include "contact/contact.h"
 #include "constraint/lanes.h"
 #include "contact/internal_edges.h"
@@ -131,8 +131,8 @@ static void change_enabled(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     bool enabled = !(body->flags & TD_BODY_DISABLED);
     destroy_contacts(w, index, TD_NONE, false);
-    if (w->joining) {
-        w->joining->suspend(w, index);
+    if (w->joint_hooks) {
+        w->joint_hooks->suspend(w, index);
     }
     if (!enabled && body->awake.at > 0) {
         td_awake_remove(w, index);
@@ -212,8 +212,8 @@ static bool apply(thud_world *w, td_body_index index) {
     if (changes & TD_CHANGE_PLACE) {
         renew_terrain(w, index);
     }
-    if (changes & (TD_CHANGE_SHAPES | TD_CHANGE_PLACE) && w->joining) {
-        w->joining->follow(w, index);
+    if (changes & (TD_CHANGE_SHAPES | TD_CHANGE_PLACE) && w->joint_hooks) {
+        w->joint_hooks->follow(w, index);
     }
     if (changes & TD_CHANGE_ENABLE) {
         change_enabled(w, index);
@@ -242,7 +242,7 @@ static void clean_moved(thud_world *w) {
 
 /* Joints take effect once their bodies are there. */
 static bool engage(thud_world *w) {
-    return !w->joining || w->joining->engage(w);
+    return !w->joint_hooks || w->joint_hooks->engage(w);
 }
 
 bool td_changes_apply(thud_world *w) {

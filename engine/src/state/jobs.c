@@ -34,7 +34,7 @@ void td_worker_walk(td_worker *worker, int chunks, td_chunk_fn *run, void *work)
  * pass stands for TD_BRACE_GIVE. */
 static int counter_count(const thud_world *w) {
     int bounces = w->bouncy > 0 || w->asks ? TD_BOUNCE_PASSES + 1 : 0;
-    int braces = w->joining ? 2 * w->substeps : 0, passes = 2 * w->substeps + 1 + bounces;
+    int braces = w->joint_hooks ? 2 * w->substeps : 0, passes = 2 * w->substeps + 1 + bounces;
     int phases = 2 * w->substeps + braces * TD_BRACE_TASKS +
                  (passes + braces * TD_BRACE_STAGES) * w->scratch.chunks.count;
     return phases * (1 + w->def.job_system.workers);

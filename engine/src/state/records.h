@@ -47,9 +47,9 @@ typedef struct td_body {
     float velocity[3];        /* while the body has no awake slot: x, y, turn */
     float force[3];           /* in the next step: x, y, torque */
     float mass, inertia, inv_mass, inv_inertia;
-    float center_x, center_y; /* centre of mass, in the body's frame */
-    float core, rim; /* half thickness of the thinnest shape; greatest distance of a shape's point
-                        from the centre of mass */
+    float center_x, center_y;     /* centre of mass, in the body's frame */
+    float min_extent, max_extent; /* half thickness of the thinnest shape; greatest distance of a
+                        shape's point from the centre of mass */
     float gravity_scale, linear_damping, angular_damping;
     uint32_t rest_epoch;  /* thud_world.rest_epoch when the body fell asleep */
     uint8_t direct_steps; /* while the body has no awake slot: see awake_arrays.h */
@@ -156,7 +156,7 @@ typedef td_constraint td_contact;
 
 /* The parts of a joint, each a constraint: one for the limits, springs and motors of each
  * direction, and one for all directions that are locked. */
-enum { TD_JOINT_DIRECTIONS = 3, TD_JOINT_HOLD = TD_JOINT_DIRECTIONS, TD_JOINT_PARTS };
+enum { TD_JOINT_DIRECTIONS = 3, TD_JOINT_LOCK = TD_JOINT_DIRECTIONS, TD_JOINT_PARTS };
 
 /* thud_drive (limits, spring and motor of a direction), without padding. */
 typedef struct td_drive {

@@ -32,7 +32,7 @@ typedef struct td_scratch {
     td_array strays;              /* td_stray */
     td_array impacts;             /* td_impact; before, td_pushes by block: gaps.c */
     td_array odd;                 /* td_awake_slot: what wide_finalize.c leaves to finalize.c */
-    td_array rings;               /* td_awake_slot, by awake slot: constraint/rings.h */
+    td_array next_tied;           /* td_awake_slot, by awake slot: constraint/tied_bodies.h */
     td_array before;              /* float[4], by awake slot: velocities, joints/joint_yield.c */
     td_array powers;              /* double[3], by ring: joints/joint_brace.c */
     td_array held_at;             /* double, by awake slot: see td_held_count */

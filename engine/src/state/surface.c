@@ -1,8 +1,8 @@
 /* surface.c: see surface.h. */
 #include "state/surface.h"
 
-#include "listeners/listening.h"
-#include "rules/ruling.h"
+#include "listeners/listener_hooks.h"
+#include "rules/rule_hooks.h"
 #include "state/handles.h"
 
 thud_contact_settings td_surface_of_pair(const thud_world *w, int shape_a, int shape_b) {
@@ -10,15 +10,15 @@ thud_contact_settings td_surface_of_pair(const thud_world *w, int shape_a, int s
     thud_contact_settings s = {.friction = __builtin_sqrtf(a->friction * b->friction),
                                .restitution = td_max_float(a->restitution, b->restitution),
                                .surface_speed = a->surface_speed + b->surface_speed};
-    if (w->ruling) {
-        w->ruling->settle(w, shape_a, shape_b, &s);
+    if (w->rule_hooks) {
+        w->rule_hooks->settle(w, shape_a, shape_b, &s);
     }
     return s;
 }
 
 bool td_surface_meet(thud_world *w, const thud_contact *seen, thud_contact_settings *settings) {
-    return !(w->ruling && w->ruling->lets_through(w, seen)) &&
-           (!w->asks || w->listening->ask_one(w, seen, settings));
+    return !(w->rule_hooks && w->rule_hooks->lets_through(w, seen)) &&
+           (!w->asks || w->listener_hooks->ask_one(w, seen, settings));
 }
 
 void td_surface_set(thud_world *w, td_block *block, int points, int lane,

@@ -15,7 +15,7 @@ void td_contact_settle(thud_world *w, td_block *block, int lane, int contact);
 bool td_surface_meet(thud_world *w, const thud_contact *seen, thud_contact_settings *settings);
 /* Whether there is either. */
 static inline bool td_surface_asks(const thud_world *w) {
-    return w->asks || w->ruling;
+    return w->asks || w->rule_hooks;
 }
 
 /* Gives a lane its settings, and counts in the world the lanes that bounce or have a surface speed.

@@ -10,7 +10,7 @@
 #include "broadphase/proxy_set.h"
 #include "contact/pair_kinds.h"
 #include "detection/detection.h"
-#include "islands/direct_islands.h"
+#include "direct/direct_islands.h"
 #include "solver/tally.h"
 #include "state/awake_arrays.h"
 #include "state/records.h"
@@ -33,12 +33,12 @@ struct thud_world {
     /* Plugged in by kinds.h, as the next two are, and by what makes joints. */
     const td_constraint_ops *kinds[TD_CONSTRAINT_KINDS];
     const struct td_internal_edge_ops *internal_edges; /* null: nothing has faces */
-    const struct td_joining_ops *joining;              /* null: there never was a joint */
+    const struct td_joint_hooks *joint_hooks;          /* null: there never was a joint */
     const struct td_ground_ops *ground;                /* null: there are no lines */
-    const struct td_ruling_ops *ruling;                /* null: there never was a rule */
+    const struct td_rule_hooks *rule_hooks;            /* null: there never was a rule */
     struct td_rules *rules;                            /* with it; a snapshot has them */
     bool adds_impulses;                                /* a rule asks what contacts bear */
-    const struct td_listening_ops *listening;          /* null: there never was a listener */
+    const struct td_listener_hooks *listener_hooks;    /* null: there never was a listener */
     struct td_listeners *listeners;                    /* with it */
     bool asks, tells;                                  /* there is a prologue; an epilogue */
     bool wide;                                         /* AVX2 kernels may run */

@@ -334,7 +334,7 @@ static void add_centre(const place *k, td_terrain_manifold *out) {
     double x = k->shape->x, y = k->shape->y, above = td_above(&k->s, x, y);
     if (above < 0.0 && owner_of(k, x, y) == k->segment) {
         double nx = -k->s.ty, ny = k->s.tx;
-        double separation = above - td_shadow(k->shape, nx, ny);
+        double separation = above - td_projected_extent(k->shape, nx, ny);
         *out = (td_terrain_manifold){.nx = nx, .ny = ny};
         add(out, k, x - above * nx, y - above * ny, separation, 6);
     }

@@ -125,7 +125,7 @@ static void direct_belt_takes_a_box_along(void **state) {
     (void)state;
     problem p;
     make_column(&p, 1, 10);
-    p.contacts[0].row[TD_DIRECT_TANGENT].wanted = 0.1;
+    p.contacts[0].row[TD_DIRECT_TANGENT].target_speed = 0.1;
     assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
     near_to(p.bodies[0].velocity[0], 0.1, TOLERANCE);
     assert_solved(&p, TOLERANCE);
@@ -137,7 +137,7 @@ static void direct_known_speed_of_the_ground_is_taken_on(void **state) {
     (void)state;
     problem p;
     make_column(&p, 5, 0.6);
-    p.contacts[0].row[0].known = p.contacts[0].row[1].known = -3;
+    p.contacts[0].row[0].known_speed = p.contacts[0].row[1].known_speed = -3;
     assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
     for (int i = 0; i < 5; i++) {
         near_to(p.bodies[i].velocity[1], 3, 10 * TOLERANCE);
@@ -182,12 +182,12 @@ static void direct_wedge_that_cannot_be_says_so(void **state) {
     const double left[2][2] = {{0, 0}, {-0.5, 0}}, right[2][2] = {{0, 0}, {0.5, 0}};
     begin_problem(&p);
     add_mass(&p, 1, 1);
-    add_contact(&p, GROUND, 0, 1, 0, left, 1, 0, 0.6)->row[0].wanted = 1;
-    add_contact(&p, GROUND, 0, -1, 0, right, 1, 0, 0.6)->row[0].wanted = 1;
+    add_contact(&p, GROUND, 0, 1, 0, left, 1, 0, 0.6)->row[0].target_speed = 1;
+    add_contact(&p, GROUND, 0, -1, 0, right, 1, 0, 0.6)->row[0].target_speed = 1;
     order_problem(&p);
     double miss = td_direct_solve(&p.d, TOLERANCE);
     assert_true(miss >= 1 - TOLERANCE);
-    assert_true(p.d.factorings <= p.d.patience);
+    assert_true(p.d.factorings <= p.d.factoring_budget);
     end_problem(&p);
 }
 
@@ -199,8 +199,10 @@ static void direct_narrow_wedge_is_pushed_out(void **state) {
         const double left[2][2] = {{0, 0}, {-0.5, 0}}, right[2][2] = {{0, 0}, {0.5, 0}};
         begin_problem(&p);
         add_mass(&p, 1, 1);
-        add_contact(&p, GROUND, 0, cos(angle), sin(angle), left, 1, 0, 0)->row[0].wanted = 0.1;
-        add_contact(&p, GROUND, 0, -cos(angle), sin(angle), right, 1, 0, 0)->row[0].wanted = 0.1;
+        add_contact(&p, GROUND, 0, cos(angle), sin(angle), left, 1, 0, 0)->row[0].target_speed =
+            0.1;
+        add_contact(&p, GROUND, 0, -cos(angle), sin(angle), right, 1, 0, 0)->row[0].target_speed =
+            0.1;
         order_problem(&p);
         assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
         assert_solved(&p, TOLERANCE);
@@ -211,17 +213,17 @@ static void direct_narrow_wedge_is_pushed_out(void **state) {
 
 static void direct_solver_takes_no_more_matrices_than_it_may(void **state) {
     (void)state;
-    for (int patience = 0; patience < 30; patience++) {
+    for (int factoring_budget = 0; factoring_budget < 30; factoring_budget++) {
         problem p;
         make_column(&p, 20, 0.6);
         for (int i = 0; i < 20; i++) {
             p.bodies[i].free[1] = i % 3 - 1.0;
             p.bodies[i].free[2] = i % 2;
         }
-        p.d.patience = patience;
+        p.d.factoring_budget = factoring_budget;
         double miss = td_direct_solve(&p.d, TOLERANCE);
         assert_true(miss >= 0);
-        assert_true(p.d.factorings <= patience);
+        assert_true(p.d.factorings <= factoring_budget);
         end_problem(&p);
     }
 }
@@ -232,7 +234,7 @@ static void direct_same_rows_again_take_no_matrix(void **state) {
     problem p;
     make_column(&p, 10, 0.6);
     assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
-    td_direct_bound(&p.d); /* from now on friction knows what it may bear */
+    td_direct_update_friction(&p.d); /* from now on friction knows what it may bear */
     assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
     int factorings = p.d.factorings;
     for (int i = 0; i < 10; i++) {
@@ -241,8 +243,8 @@ static void direct_same_rows_again_take_no_matrix(void **state) {
             p.contacts[i].row[k].impulse *= 2;
         }
     }
-    td_direct_bound(&p.d);
-    td_direct_measure(&p.d);
+    td_direct_update_friction(&p.d);
+    td_direct_update_speeds(&p.d);
     assert_true(td_direct_again(&p.d, TOLERANCE));
     assert_int_equal(p.d.factorings, factorings);
     assert_solved(&p, TOLERANCE);
@@ -287,7 +289,7 @@ static void direct_pushed_row_takes_one_matrix_a_step(void **state) {
         add_mass(&p, 1, 1.0 / 6);
         stack(&p, GROUND, i, 0.6);
         td_direct_constraint *c = add_contact(&p, i - 1, i, 1, 0, arms, 2, 1, 0.6);
-        c->row[0].known = c->row[1].known = i == 0 ? -1 : 0;
+        c->row[0].known_speed = c->row[1].known_speed = i == 0 ? -1 : 0;
         p.bodies[i].velocity[0] = p.bodies[i].free[0] = 1;
     }
     order_problem(&p);
@@ -327,11 +329,11 @@ static void direct_rows_not_solved_again_keep_their_impulses(void **state) {
         p.contacts[0].row[k].b[2] = 0;
     }
     p.bodies[0].free[0] = 8;
-    p.contacts[0].row[0].wanted = p.contacts[0].row[1].wanted = -1;
+    p.contacts[0].row[0].target_speed = p.contacts[0].row[1].target_speed = -1;
     assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
-    p.contacts[0].row[0].wanted = p.contacts[0].row[1].wanted = 0;
-    td_direct_bound(&p.d);
-    td_direct_measure(&p.d);
+    p.contacts[0].row[0].target_speed = p.contacts[0].row[1].target_speed = 0;
+    td_direct_update_friction(&p.d);
+    td_direct_update_speeds(&p.d);
     assert_false(td_direct_again(&p.d, TOLERANCE));
     near_to(load_of(&p.contacts[0]), 0, 0);
     assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);

@@ -8,7 +8,7 @@ typedef struct mix {
     int bodies, contacts; /* at most */
     double ratio;         /* of masses, log10 */
     double friction;      /* at most */
-    double wanted;        /* at most; 0 is always possible */
+    double target_speed;  /* at most; 0 is always possible */
     int points;           /* a contact, at most */
 } mix;
 
@@ -46,7 +46,8 @@ static void make_random(problem *p, mix m, uint64_t *seed) {
             td_direct_row *r = &c->row[k];
             r->a[2] *= c->a != GROUND && p->bodies[c->a].inverse_inertia > 0;
             r->b[2] *= p->bodies[b].inverse_inertia > 0;
-            r->wanted = r->used ? random_in(seed, k < TD_DIRECT_TANGENT ? -1 : 0, m.wanted) : 0;
+            r->target_speed =
+                r->used ? random_in(seed, k < TD_DIRECT_TANGENT ? -1 : 0, m.target_speed) : 0;
         }
     }
     order_problem(p);
@@ -94,7 +95,7 @@ static long double coupling(const problem *p, const normals *n, int i, int k) {
 }
 
 static long double free_speed(const problem *p, const normals *n, int i) {
-    long double sum = n->row[i]->known;
+    long double sum = n->row[i]->known_speed;
     for (int j = 0; j < 3; j++) {
         int a = n->contact[i]->a, b = n->contact[i]->b;
         sum += a == GROUND ? 0 : (long double)n->row[i]->a[j] * p->bodies[a].free[j];
@@ -103,8 +104,8 @@ static long double free_speed(const problem *p, const normals *n, int i) {
     return sum;
 }
 
-/* Impulses of the rows of a set that give them just the wanted speeds; false where they depend on
- * each other. */
+/* Impulses of the rows of a set that give them just the target_speed speeds; false where they
+ * depend on each other. */
 static bool solve_set(const long double full[ROWS_MOST][ROWS_MOST], const long double *lack,
                       int count, unsigned set, long double *impulse) {
     long double m[ROWS_MOST][ROWS_MOST + 1];
@@ -144,7 +145,7 @@ static bool search(const problem *p, long double *impulse) {
     normals n = normals_of(p);
     long double full[ROWS_MOST][ROWS_MOST], lack[ROWS_MOST];
     for (int i = 0; i < n.count; i++) {
-        lack[i] = n.row[i]->wanted - free_speed(p, &n, i);
+        lack[i] = n.row[i]->target_speed - free_speed(p, &n, i);
         for (int k = 0; k < n.count; k++) {
             full[i][k] = coupling(p, &n, i, k);
         }
@@ -214,9 +215,9 @@ static mix many(double ratio, double friction) {
 
 /* Masses that rows feel, and bounds of friction for the impulses that are there. */
 static void weigh(problem *p) {
-    p->d.patience = 0;
+    p->d.factoring_budget = 0;
     assert_true(td_direct_solve(&p->d, TOLERANCE) > TOLERANCE);
-    p->d.patience = 200;
+    p->d.factoring_budget = 200;
 }
 
 static void direct_interior_point_solves_from_nothing(void **state) {
@@ -327,7 +328,7 @@ static void direct_solver_tells_what_is_missing(void **state) {
     for (int i = 0; i < 600; i++) {
         problem p;
         mix m = many(i % 7, 1);
-        m.wanted = i % 2;
+        m.target_speed = i % 2;
         make_random(&p, m, &seed);
         double miss = td_direct_solve(&p.d, TOLERANCE), worst = 0;
         assert_true(miss >= 0);
@@ -336,7 +337,8 @@ static void direct_solver_tells_what_is_missing(void **state) {
                 const td_direct_constraint *c = &p.contacts[n];
                 for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
                     assert_true(!c->row[k].used || c->row[k].impulse >= 0);
-                    worst = fmax(worst, c->row[k].used * (c->row[k].wanted - row_speed(&p, c, k)));
+                    worst = fmax(worst,
+                                 c->row[k].used * (c->row[k].target_speed - row_speed(&p, c, k)));
                 }
             }
             near_to(worst, miss, 1e-9);

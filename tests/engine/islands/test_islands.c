@@ -169,9 +169,9 @@ static void islands_without_any_work_stay_soft(void **state) {
 
 /* Steps of 240 in which boxes that are thrown together were solved directly, and the most of them
  * in succession. */
-static int direct_steps(int patience, int *longest) {
+static int direct_steps(int factoring_budget, int *longest) {
     thud_quality quality = thud_quality_exact;
-    quality.island_patience = patience;
+    quality.island_patience = factoring_budget;
     thud_world *world = world_of(&quality);
     uint64_t seed = 5;
     for (int i = 0; i < 40; i++) {

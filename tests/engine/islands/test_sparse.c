@@ -3,7 +3,7 @@
 #include "dense_support.h"
 
 #include "hostile_memory.h"
-#include "islands/sparse.h"
+#include "direct/sparse.h"
 
 static bool order(td_memory *memory, td_sparse *s) {
     if (!td_sparse_begin(memory, s, g.nodes)) {

@@ -1,0 +1,172 @@
+/* direct.h: the velocities of an island of bodies under all of its constraints at once.
+ *
+ * This is the velocity-level problem of rigid bodies with unilateral contacts (Gauss's principle of
+ * least constraint), a convex quadratic programme:
+ *
+ *     minimise  1/2 (v - v*)' M (v - v*)
+ *     subject to  J_i v + known_i >= target_i   for a unilateral row i,
+ *                 J_i v + known_i  = target_i   for an equality row i.
+ *
+ * v has three numbers a body (x, y, turn), v* are the velocities without constraints, M is the
+ * diagonal of masses and moments of inertia, J_i the Jacobian of row i, and known_i the speed that
+ * bodies outside of the problem (static, kinematic) give the row. A constraint brings one to three
+ * rows. The optimum satisfies M (v - v*) = sum_i J_i' impulse_i (the KKT conditions), where a
+ * unilateral row has impulse >= 0, speed >= target_speed, and one of both with equality.
+ *
+ * Friction is not part of the convex problem. A friction row has |impulse| <= max_impulse;
+ * `max_impulse` is kept fixed while velocities are solved for, and then recomputed from the normal
+ * impulses (a fixed-point iteration over Coulomb's law).
+ *
+ * Two methods solve the problem, both by Newton steps with one sparse Cholesky factorisation each:
+ * - active_set.c, an active set with augmented Lagrangian penalties. It starts from the rows
+ * that were active in the last step and takes one or two factorisations where few of them change.
+ * - interior_point.c, a primal-dual interior point. It needs no start and takes ten to twenty
+ *   factorisations. */
+#ifndef TD_DIRECT_H
+#define TD_DIRECT_H
+
+#include "direct/sparse.h"
+
+enum {
+    TD_DIRECT_ROWS = 3,   /* rows of a constraint at most: a contact has two points and a tangent */
+    TD_DIRECT_TANGENT = 2 /* index of a contact's friction row */
+};
+
+/* The order matters: odd kinds are active from the start, and from TD_ROW_FRICTION on a row is
+ * allowed to miss its target speed. */
+typedef enum td_row_kind {
+    TD_ROW_UNILATERAL, /* unilateral (a contact point, a joint's limit): impulse >= 0, speed >=
+                    target_speed, and one of both with equality. Never the last row of a constraint.
+                  */
+    TD_ROW_EQUALITY, /* equality (a joint's lock): speed = target_speed, with an impulse of any size
+                      */
+    TD_ROW_FRICTION, /* friction or a motor: |impulse| <= max_impulse, and less only where speed =
+                      * target_speed
+                      */
+    TD_ROW_SOFT      /* spring: impulse = weight * (target_speed - speed), cut off at |impulse| <=
+                        max_impulse,      which is infinite for a spring without a greatest force */
+} td_row_kind;
+
+/* Lengths, masses and times are the world's own units; angles are radians. */
+typedef struct td_direct_body {
+    double inverse_mass, inverse_inertia; /* inverse_inertia 0: the body does not turn */
+    double free[3];                       /* v*: velocity without constraints (x, y, turn) */
+    double velocity[3];                   /* in: a guess; out: the solution */
+    /* The rest is for islands with joints, which divide a step into parts: island_step_joints.c. */
+    double before[3];           /* velocity at the start of this part of the step */
+    double moved[3];            /* motion from the start of the step to the start of the part */
+    double stiff;               /* added to the moment of inertia: geometric stiffness of joints */
+    double own_inverse_inertia; /* inverse_inertia without that */
+    double gain[3];             /* velocity that gravity, forces and damping add in one part */
+    bool sweeps;                /* the body's rotation moves an anchor or the axis of a joint */
+    bool rubs; /* the body has a contact, and is no disc about its centre of mass (a wheel): its
+                  rotation changes the manifold */
+} td_direct_body;
+
+typedef struct td_direct_row {
+    td_row_kind kind;
+    double a[3], b[3];   /* Jacobian: the part of body a, and that of body b */
+    double target_speed; /* target speed along the row; of a friction row that of the surfaces */
+    double known_speed;  /* speed along the row of bodies that are no variables */
+    double impulse;      /* in: the warm start; out: the solution */
+    double guess;        /* copy of the warm start */
+    double closing; /* islands with joints: speed at which the row closes a joint's gap within the
+                       part of the step, or pushes apart a contact that overlaps as the step
+                       begins */
+    double given;   /* islands with joints: impulse of the mean-velocity problem, while the
+                       velocity at the end of a part is solved for; island_step_joints.c */
+    bool used;      /* the constraint has this row */
+    bool active;    /* the row is in the matrix, with `weight` */
+    double mass;    /* effective mass, 1 / (J M^-1 J') */
+    double weight;  /* factor of J' J in the matrix: a penalty, or the stiffness of a soft row */
+    double base;    /* active set: the multiplier; interior point: the weight of a soft row */
+    double max_impulse; /* bound of |impulse| of a friction or soft row */
+    double speed;       /* J v + known */
+    double force;       /* impulse on the right side of the Newton step's equations */
+    double change;      /* J dv: change of the speed by the whole Newton step */
+    double slack[2]; /* interior point: slack of the speed (unilateral), of both bounds (others) */
+    double push[3];  /* interior point: Newton step of the impulse and of the slacks;
+                        conjugate_gradients.c: [0] is the search direction */
+} td_direct_row;
+
+typedef struct td_direct_constraint {
+    int a, b;        /* indices of bodies; TD_NONE: that side is no variable of the problem */
+    int entry;       /* index of the matrix's block between a and b, where both are variables */
+    bool b_later;    /* b is eliminated after a: the block's rows are b's, its columns a's */
+    double friction; /* friction coefficient of the friction row, times the normal impulses */
+    double bound;    /* constant bound of the friction row, added to that: a motor's */
+    bool keeps;      /* a contact whose impulses are those of the soft solver, and whose rows only
+                        keep it from closing further: joint_subsystems.c */
+    double stiff[2]; /* of a joint: geometric stiffness against the rotation of a and b */
+    td_direct_row row[TD_DIRECT_ROWS];
+} td_direct_constraint;
+
+typedef struct td_direct {
+    td_direct_body *bodies;
+    td_direct_constraint *constraints;
+    td_sparse *matrix; /* a block row a body, its elimination order found already */
+    double (*step)[4]; /* Newton step of each body: x, y, turn, and a number that is not used */
+    double (*work)[4]; /* scratch memory of the same size */
+    int body_count, constraint_count;
+    double unit_speed;    /* g h: the speed that gravity gives a body in a step */
+    int factorings;       /* factorisations so far */
+    int factoring_budget; /* budget of factorisations */
+    int64_t effort;       /* budget of work that is left, in operations on 3 x 3 blocks */
+    bool spent;           /* the budget of work was too small, so that the solve failed */
+    bool fresh;           /* the warm start comes from the soft solver, or there is none */
+    bool factored;        /* the matrix holds the factor of the active rows */
+} td_direct;
+
+/* Solves the problem, first by the active set, then by the interior point where that fails. The
+ * solution is in the bodies' velocities and the rows' impulses. Returns the residual: the greatest
+ * speed by which a row misses its target speed, at most `tolerance` where a method converged, and
+ * infinite where neither did. */
+double td_direct_solve(td_direct *d, double tolerance);
+
+/* ---- the two methods ---- */
+
+/* Active set. False where it did not converge within its budget of factorisations. */
+bool td_direct_active(td_direct *d, double tolerance);
+/* Solves once more after free velocities and target speeds have changed, with the active set and
+ * the factor of the last td_direct_active. False, with the impulses as they were, where the active
+ * set does not stay the same. */
+bool td_direct_again(td_direct *d, double tolerance);
+/* Interior point. False where a factorisation failed or iterations ran out. */
+bool td_direct_interior(td_direct *d, double tolerance);
+
+/* ---- what they share ---- */
+
+/* Recomputes the speed of every row from the bodies' velocities. */
+void td_direct_update_speeds(td_direct *d);
+/* Builds and factors M + sum of weight J' J over the active rows. False where the matrix is not
+ * positive definite to rounding, or the budget of work is too small. */
+bool td_direct_factor(td_direct *d);
+/* Solves for the Newton step: (M + sum weight J' J) dv = M (v* - v) + sum J' force. Leaves dv in
+ * d->step and J dv in the rows' `change`. False where the budget of work is too small. */
+bool td_direct_step(td_direct *d);
+/* Adds `part` of that step to velocities and speeds. False where a velocity is not finite. */
+bool td_direct_advance(td_direct *d, double part);
+/* Reduces the residual of the active rows to `enough` by conjugate gradients on the multipliers,
+ * with the factor that stands and the active set as it is. Leaves the impulses in `force`. False
+ * where numbers are not finite or the budget of work is too small; a residual that stays is no
+ * failure. */
+bool td_direct_reduce_residual(td_direct *d, double enough);
+/* The residual: the greatest speed by which a unilateral or equality row misses its target speed.
+ */
+double td_direct_residual(const td_direct *d);
+/* The sum of the normal impulses of a contact. */
+static inline double td_direct_load(const td_direct_constraint *c) {
+    double load = 0.0;
+    for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
+        load += c->row[k].used && c->row[k].kind == TD_ROW_UNILATERAL ? c->row[k].impulse : 0.0;
+    }
+    return load;
+}
+/* The bound of a constraint's friction row, from its present normal impulses and sliding speed. */
+double td_direct_friction_bound(const td_direct_constraint *c);
+/* Sets the bounds of all friction rows to that. */
+void td_direct_update_friction(td_direct *d);
+/* Restores the warm start after a method has failed: impulses, friction bounds and speeds. */
+void td_direct_restore(td_direct *d);
+
+#endif

@@ -1,0 +1,323 @@
+/* direct_islands.c: finds the islands that are solved directly in this step.
+ *
+ * An island is a connected component of dynamic bodies and the constraints that act between them.
+ * It is direct if one of its bodies is marked (direct_steps). td_islands_watch marks the bodies of
+ * a contact whose load is above the threshold of td_islands_most twice in succession, while both
+ * bodies are nearly at rest: an impact is as heavy, but passes, and a heap in motion is solved as
+ * well by the soft solver for less. It looks at an eighth of the blocks in each step. Where a heavy
+ * body lies on a light one, which sinks in at once, half the load found once is enough. A joint is
+ * marked when its load is found once, and its island is solved directly in the same step
+ * (direct/yielding_joints.c). With sag_limit 0 every island is direct. */
+#include "direct/direct_islands.h"
+
+#include "constraint/constraint.h"
+#include "constraint/lanes.h"
+#include "direct/elimination_order.h"
+
+#include <string.h>
+
+#define ARRAY(name, element) TD_ARRAY_PLACE(td_islands, name, element)
+
+static const td_array_place ARRAYS[] = {
+    ARRAY(island, td_island),
+    ARRAY(slots, td_awake_slot),
+    ARRAY(constraints, int),
+    ARRAY(local, int),
+    ARRAY(before, float[4]),
+    ARRAY(impulses, float[TD_DIRECT_ROWS + 1]),
+    ARRAY(rows, td_direct_constraint),
+    ARRAY(bodies, td_direct_body),
+    ARRAY(step, double[4]),
+    ARRAY(work, double[4]),
+    ARRAY(topology, int),
+    ARRAY(topology_before, int),
+    ARRAY(systems, td_system),
+    ARRAY(start, float[4]),
+};
+enum { ARRAY_COUNT = sizeof ARRAYS / sizeof *ARRAYS };
+
+void td_islands_init(td_islands *s, bool wide) {
+    td_arrays_init(s, ARRAYS, ARRAY_COUNT);
+    td_sparse_init(&s->matrix, wide);
+}
+
+void td_islands_free(td_memory *memory, td_islands *s) {
+    td_arrays_free(memory, s, ARRAYS, ARRAY_COUNT);
+    td_sparse_free(memory, &s->matrix);
+}
+
+/* Reserves room in each list for all bodies and constraints. False when memory is short. */
+static bool reserve_lists(thud_world *w) {
+    td_islands *s = &w->islands;
+    int bodies = w->body_of.count, constraints = w->touching + TD_JOINT_PARTS * w->joints.live;
+    return td_islands_room(w, &s->local, bodies) && td_islands_room(w, &s->island, bodies) &&
+           td_islands_room(w, &s->slots, bodies) && td_islands_room(w, &s->before, bodies) &&
+           td_islands_room(w, &s->constraints, constraints) &&
+           td_islands_room(w, &s->impulses, constraints) &&
+           td_sparse_reserve(&w->memory, &s->matrix, bodies);
+}
+
+/* ---- which ---- */
+
+/* Values of td_islands.local of bodies that are in no listed island. */
+enum {
+    TOO_MANY = -1, /* its island has more bodies than quality.island_limit */
+    ALONE = -2,    /* it has no constraints */
+    COOLING = -3   /* its island is in the cooldown */
+};
+
+/* Whether a body begins an island: it is marked, or every island is direct, and it is in none yet.
+ */
+static bool is_seed(const thud_world *w, td_awake_slot slot) {
+    int direct_steps = *td_direct_steps_at(w, slot);
+    return direct_steps <= TD_DIRECT_COOLDOWN &&
+           (direct_steps > 0 || w->quality.sag_limit == 0.0f) &&
+           *td_island_local_at(w, slot) == 0 && td_row(&w->velocity, slot)[3] > 0.0f;
+}
+
+static bool any_direct(const thud_world *w) {
+    const uint8_t *direct_steps = w->direct_steps.data;
+    uint8_t any = 0;
+    for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
+        any |= direct_steps[slot.at];
+    }
+    return any > 0;
+}
+
+enum {
+    COOLDOWNS_MAX = 5
+}; /* 2^4 times TD_COOLDOWN_STEPS: half a minute at 60 steps a second. Chosen. */
+
+/* Begins the cooldown of a body, the `times`th in succession. */
+static void cool_down(thud_world *w, td_awake_slot slot, int steps, int times) {
+    *td_direct_steps_at(w, slot) = (uint8_t)(TD_DIRECT_COOLDOWN + steps);
+    *td_slow_steps_at(w, slot) = (uint16_t)(td_min_int(times, COOLDOWNS_MAX) * TD_SLOW_ONCE);
+}
+
+/* direct_steps of a body after this step: in the cooldown it counts down, in one of 2^(n - 1) steps
+ * in the nth cooldown in succession. */
+static int direct_after_step(const thud_world *w, td_awake_slot slot) {
+    int direct_steps = *td_direct_steps_at(w, slot);
+    uint64_t halvings = TD_SLOW_LEFT(*td_slow_steps_at(w, slot));
+    bool counts = halvings == 0 || w->steps % (1ull << (halvings - 1)) == 0;
+    int left = direct_steps > TD_DIRECT_COOLDOWN && counts ? direct_steps - 1 : direct_steps;
+    return left == TD_DIRECT_COOLDOWN ? 0 : left;
+}
+
+void td_islands_leave(thud_world *w, const td_island *island, int steps, bool for_long) {
+    for (int i = 0; i < island->bodies; i++) {
+        td_awake_slot slot = td_slot_in(&w->islands.slots, island->first_body + i);
+        int times = TD_SLOW_LEFT(*td_slow_steps_at(w, slot)) + 1;
+        cool_down(w, slot, steps, for_long ? COOLDOWNS_MAX : times);
+    }
+}
+
+void td_islands_settle(thud_world *w) {
+    uint8_t *direct_steps = w->direct_steps.data;
+    for (td_awake_slot slot = {1}; slot.at < w->islands.local.count; slot.at++) {
+        int after = direct_after_step(w, slot);
+        if (direct_steps[slot.at] > TD_DIRECT_COOLDOWN && after == 0) {
+            int times = TD_SLOW_LEFT(*td_slow_steps_at(w, slot));
+            *td_slow_steps_at(w, slot) = (uint16_t)(times * TD_SLOW_ONCE);
+        }
+        direct_steps[slot.at] = (uint8_t)after;
+        if (*td_island_local_at(w, slot) == TOO_MANY) {
+            cool_down(w, slot, TD_COOLDOWN_STEPS, 1);
+        } else if (*td_island_local_at(w, slot) == ALONE) {
+            direct_steps[slot.at] = 0;
+        }
+    }
+}
+
+/* Adds the constraints of a body to its island, each once, and the bodies at their other ends.
+ * False where the island has too many bodies. */
+static bool add_constraints_of(thud_world *w, td_island *island, td_awake_slot slot) {
+    td_body_index body = td_body_of(w, slot);
+    for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
+        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        if (constraint->state != TD_TOUCHING) {
+            continue;
+        }
+        td_awake_slot other = td_island_neighbour(w, constraint, e & 1);
+        bool is_new = other.at && *td_island_local_at(w, other) == 0;
+        if (other.at && (*td_island_local_at(w, other) == TOO_MANY ||
+                         (is_new && island->bodies == w->quality.island_limit))) {
+            return false;
+        }
+        if (!other.at || !(e & 1)) {
+            td_push_int(&w->islands.constraints, e / 2);
+        }
+        if (is_new) {
+            td_island_add(w, island, other);
+        }
+    }
+    return true;
+}
+
+float td_calm_speed(const thud_world *w) {
+    float x = w->def.gravity.x, y = w->def.gravity.y;
+    return td_max_float(4.0f * __builtin_sqrtf(x * x + y * y) * (float)w->def.time_step,
+                        4.0f * TD_SLEEP_SPEED * w->unit);
+}
+
+int64_t td_island_cost(const td_island *island) {
+    return island->system.work + island->bodies + 2 * (int64_t)island->constraints;
+}
+
+/* Whether an island stays in its cooldown: more than half of its bodies are. A few bodies that join
+ * a heap do not end its cooldown. */
+static bool cools_down(const thud_world *w, const td_island *island) {
+    int cooling = 0;
+    for (int i = 0; i < island->bodies; i++) {
+        td_awake_slot slot = td_slot_in(&w->islands.slots, island->first_body + i);
+        cooling += *td_direct_steps_at(w, slot) > TD_DIRECT_COOLDOWN;
+    }
+    return 2 * cooling > island->bodies;
+}
+
+void td_islands_follow(thud_world *w, td_awake_slot seed) {
+    td_islands *s = &w->islands;
+    td_island island = {.first_body = s->slots.count, .first_constraint = s->constraints.count};
+    bool whole = true;
+    td_island_add(w, &island, seed);
+    for (int i = island.first_body; whole && i < s->slots.count; i++) {
+        whole = add_constraints_of(w, &island, td_slot_in(&s->slots, i));
+    }
+    island.constraints = s->constraints.count - island.first_constraint;
+    bool cooling = cools_down(w, &island);
+    if (whole && island.constraints && !cooling) {
+        TD_PUSH(td_island, &s->island) = island;
+        return;
+    }
+    for (int i = island.first_body; i < s->slots.count; i++) {
+        *td_island_local_at(w, td_slot_in(&s->slots, i)) = !whole    ? TOO_MANY
+                                                           : cooling ? COOLING
+                                                                     : ALONE;
+    }
+    s->slots.count = island.first_body;
+    s->constraints.count = island.first_constraint;
+}
+
+bool td_islands_find(thud_world *w) {
+    td_islands *s = &w->islands;
+    int slots = w->body_of.count;
+    s->island.count = s->slots.count = s->constraints.count = 0;
+    s->local.count = 0;
+    if (w->quality.sag_limit > 0.0f && !any_direct(w) && !w->joints.live) {
+        return true;
+    }
+    if (!reserve_lists(w)) {
+        return false;
+    }
+    s->local.count = slots;
+    memset(s->local.data, 0, (size_t)slots * sizeof(int));
+    for (td_awake_slot slot = {1}; slot.at < slots; slot.at++) {
+        if (is_seed(w, slot)) {
+            td_islands_follow(w, slot);
+        }
+    }
+    return td_islands_order(w);
+}
+
+/* ---- load ---- */
+
+/* Mass ratio of two bodies above which half the load marks them: the soft solver holds ratios up to
+ * some 30, and above it the heavy body sinks in at once. */
+#define MASS_RATIO 30.0f
+
+enum {
+    ALL_BLOCKS = 32, /* with fewer blocks than this, all are looked at in each step. Chosen. */
+    TIMES_SEEN = 2   /* times in succession that a contact's load must be above the threshold */
+};
+
+/* Marks the body of a lane's side as direct, unless it is static or in its cooldown. */
+static void mark_direct(thud_world *w, uint32_t record) {
+    td_awake_slot slot = td_slot_of_side(record);
+    uint8_t *direct_steps = td_direct_steps_at(w, slot);
+    if (td_row(&w->velocity, slot)[3] > 0.0f && *direct_steps <= TD_DIRECT_COOLDOWN) {
+        *direct_steps = TD_DIRECT_STEPS;
+    }
+}
+
+/* The soft contact is a spring of angular frequency omega = 2 pi f, so that under an impulse per
+ * substep of length h it sinks in by  s = (impulse / mass / h) / omega^2.  contact_stiffness is f
+ * h, and h is time_step / substeps, so that  impulse / mass = s (2 pi contact_stiffness)^2 substeps
+ * / time_step; the limits of s are given for the quality's own number of substeps, and a max_error
+ * for the present one: sinking is proportional to h^2. */
+float td_islands_most(const thud_world *w, float size) {
+    float steps = (float)w->substeps, own = td_max_float(steps, (float)w->quality.substeps);
+    float sag = w->quality.sag_limit * size * (own * own);
+    float omega = 2.0f * (float)TD_PI * w->quality.contact_stiffness; /* rad a substep */
+    if (w->def.max_error > 0.0) {
+        sag = td_min_float(sag, (float)w->def.max_error * (steps * steps));
+    }
+    return sag * omega * omega / (steps * (float)w->def.time_step);
+}
+
+/* Thickness of a body's thinnest shape; static bodies have none. */
+static float size_of(const thud_world *w, td_awake_slot slot) {
+    return slot.at ? 2.0f * td_row(&w->reach, slot)[0] : 3.0e38f;
+}
+
+float td_islands_size(const thud_world *w, td_awake_slot a, td_awake_slot b) {
+    return td_min_float(size_of(w, a), size_of(w, b));
+}
+
+/* Whether two bodies hardly move against each other. */
+static bool is_nearly_at_rest(const thud_world *w, td_awake_slot a, td_awake_slot b) {
+    const float *v = td_row(&w->velocity, a), *u = td_row(&w->velocity, b);
+    float x = u[0] - v[0], y = u[1] - v[1], max = td_calm_speed(w);
+    return x * x + y * y < max * max;
+}
+
+/* Looks at the lanes of one block, and marks bodies as direct. A lane's `loaded` counts how often
+ * in succession its load was above the threshold; the flag TD_DIRECT beside it says that its
+ * impulses are the direct solver's. True where a joint is marked. */
+static bool watch_block(thud_world *w, td_block *block, int kind) {
+    float deep = w->def.max_error > 0.0 ? (float)w->def.max_error : 3.0e38f;
+    int points = td_form_points(w->kinds[kind]->form);
+    bool contact = kind < TD_PAIR_COUNT, joint_marked = false;
+    for (int lane = 0; lane < block->used; lane++) {
+        td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
+        float inverse_a = td_row(&w->velocity, a)[3], inverse_b = td_row(&w->velocity, b)[3];
+        float light = td_max_float(inverse_a, inverse_b),
+              other = td_min_float(inverse_a, inverse_b);
+        float size = td_islands_size(w, a, b), threshold = td_islands_most(w, size);
+        float load = 0.0f, off = 0.0f;
+        for (int k = 0; contact && k < points; k++) {
+            load += block->point[k].normal_impulse[lane];
+            off = td_max_float(off, -(block->point[k].separation[lane] + w->skin));
+        }
+        load = contact ? load * light : w->kinds[kind]->lanes->load(w, block, lane, size, &off);
+        bool sinks = 2.0f * load > threshold && other > 0.0f && light > MASS_RATIO * other;
+        int direct = block->mark[lane].loaded & TD_DIRECT,
+            before = block->mark[lane].loaded - direct;
+        /* A contact between moving bodies may be an impact, which passes; a joint's load stays. */
+        bool impact = contact && !is_nearly_at_rest(w, a, b);
+        bool yields = (load > threshold && !impact) || off > deep;
+        int seen = yields ? td_min_int(before + 1, TIMES_SEEN) : 0;
+        if (sinks || seen >= (contact ? TIMES_SEEN : 1)) {
+            mark_direct(w, block->a[lane]);
+            mark_direct(w, block->b[lane]);
+            joint_marked |= !contact;
+        }
+        block->mark[lane].loaded = (uint8_t)(seen | direct);
+    }
+    return joint_marked;
+}
+
+bool td_islands_watch(thud_world *w) {
+    bool joint_marked = false;
+    if (w->quality.sag_limit == 0.0f) {
+        return joint_marked;
+    }
+    int stride = w->scratch.blocks.count < ALL_BLOCKS ? 1 : 8;
+    for (int i = (int)(w->steps % (uint64_t)stride); i < w->scratch.blocks.count; i += stride) {
+        td_block *block = *TD_AT(td_block *, &w->scratch.blocks, i);
+        if (block->used) {
+            int kind = td_constraint_at(w, block->constraint[0])->kind;
+            joint_marked |= watch_block(w, block, kind);
+        }
+    }
+    return joint_marked;
+}

@@ -1,0 +1,110 @@
+/* direct_islands.h: the islands that are solved directly in a step: how they are found, and their
+ * data.
+ *
+ * An island is solved directly where the soft solver's contacts would sink in under their load by
+ * more than the quality's sag_limit (a contact is a spring, so that it sinks in by force /
+ * stiffness), or by more than the world's max_error. With sag_limit 0 every island is. */
+#ifndef TD_ISLANDS_H
+#define TD_ISLANDS_H
+
+#include "base/indices.h"
+#include "direct/direct.h"
+
+struct thud_world;
+
+/* An island: ranges of bodies and constraints in the lists of td_islands, and its elimination
+ * order. */
+typedef struct td_island {
+    int first_body, bodies, first_constraint, constraints;
+    td_system system;
+} td_island;
+
+typedef struct td_islands {
+    td_array island;      /* td_island */
+    td_array slots;       /* td_awake_slot: bodies, island by island */
+    td_array constraints; /* int: constraints, island by island */
+    td_array local;       /* int, by awake slot: 1 + the body's number in its island; 0: in none;
+                             negative: direct_islands.c says why it is in none */
+    td_array before;      /* float[4], parallel to `slots`: velocity before the soft solver */
+    td_array impulses;    /* float[4], parallel to `constraints`: warm-start impulses of points and
+                             tangent;    1 where they are the soft solver's, else 0 */
+    td_array rows; /* td_direct_constraint: of the island that is being solved, as the next three */
+    td_array bodies;     /* td_direct_body */
+    td_array step, work; /* double[4] */
+    td_array topology,
+        topology_before; /* int: the graph of all islands, on which their orders depend,
+                      and the graph for which the present orders were found */
+    td_array systems;    /* td_system, parallel to `island`: the present orders */
+    td_array
+        start; /* float[4], by awake slot, in worlds with joints: velocity before the soft solver */
+    bool adds_up; /* the soft solver sums up the contacts' impulses of the step, for
+                     joint_subsystems.c */
+    int64_t
+        effort; /* budget of work (td_direct.effort) left for islands with joints in this step */
+    td_sparse matrix;
+} td_islands;
+
+/* The island solver of a quality. */
+struct thud_island_solver {
+    /* After the narrowphase: finds the islands and reserves memory for them. False when it is
+     * short. */
+    bool (*find)(struct thud_world *w);
+    /* Before the soft solver, which solves these islands, too. */
+    void (*begin)(struct thud_world *w);
+    /* After it: solves them directly, and keeps the better of both results of each. */
+    void (*end)(struct thud_world *w);
+};
+
+void td_islands_init(td_islands *islands, bool wide);
+void td_islands_free(td_memory *memory, td_islands *islands);
+
+/* Lists the islands. False when memory is short. */
+bool td_islands_find(struct thud_world *w);
+/* Counts thud_world.direct_steps down, and begins the cooldown of islands with too many bodies. It
+ * is called when the step can no longer fail, so that a step that is made again counts once. */
+void td_islands_settle(struct thud_world *w);
+/* The threshold of a contact's load: the impulse of a substep over the lighter body's mass,
+ * length/s, under which the contact sinks in by max_error, or by sag_limit times `size`, the size
+ * of the smaller body. With fewer substeps than the quality's, the quality's number counts: fewer
+ * substeps must not send more islands to the direct solver. */
+float td_islands_most(const struct thud_world *w, float size);
+/* The size of the smaller of two bodies; slot 0 (static) has none. */
+float td_islands_size(const struct thud_world *w, td_awake_slot a, td_awake_slot b);
+/* Looks for constraints whose load is above the threshold, in a part of them each step, and marks
+ * their islands as direct. True where a joint is among them. */
+bool td_islands_watch(struct thud_world *w);
+/* Lists the island of a body, unless it has no constraints, too many bodies, or is in its cooldown.
+ */
+void td_islands_follow(struct thud_world *w, td_awake_slot seed);
+
+/* The speed below which bodies count as nearly at rest, length/s: 4 g h, or four times the sleep
+ * speed. */
+float td_calm_speed(const struct thud_world *w);
+/* Begins the cooldown of an island for which the direct solver was of no use: it is not tried for
+ * so many steps. The time doubles each time; with `for_long` it has its maximum at once. */
+void td_islands_leave(struct thud_world *w, const td_island *island, int steps, bool for_long);
+/* The cost of a factorisation of the island, with what comes before and after it, in operations on
+ * 3 x 3 blocks: the unit of thud_quality.island_work. */
+int64_t td_island_cost(const td_island *island);
+
+/* Hysteresis: an island stays direct for TD_DIRECT_STEPS after a constraint of it last had a load
+ * above TD_DIRECT_LEAVE times the threshold. Chosen: a second at 60 steps a second. */
+#define TD_DIRECT_STEPS 60
+#define TD_DIRECT_LEAVE 0.7
+/* thud_world.direct_steps of a body: 0, not direct; 1 to TD_DIRECT_STEPS, direct, counting down;
+ * from TD_DIRECT_COOLDOWN + TD_COOLDOWN_STEPS down to TD_DIRECT_COOLDOWN, in the cooldown. The
+ * values fit a byte. */
+#define TD_DIRECT_COOLDOWN 128
+#define TD_COOLDOWN_STEPS 120
+/* Cooldown of islands with joints, which open if they are left alone for long. */
+#define TD_PAUSE_STEPS 8
+/* thud_world.slow_steps of a body holds two counts. Its lower part, up to TD_SLOW_STEPS, is the
+ * number of steps in succession in which the direct solver took long, or, at qualities without a
+ * limit of such steps, failed; in the cooldown, the number of failures of its linkage
+ * (direct/joint_subsystems.c). Its upper part, in multiples of TD_SLOW_ONCE, is the number of
+ * cooldowns in succession. */
+#define TD_SLOW_STEPS 4095
+#define TD_SLOW_ONCE 4096
+#define TD_SLOW_LEFT(slow_steps) ((slow_steps) / TD_SLOW_ONCE)
+
+#endif

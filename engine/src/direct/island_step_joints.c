@@ -1,0 +1,441 @@
+/* island_step_joints.c: a step of an island with joints, solved directly by an energy-momentum
+ * method.
+ *
+ * The step is divided into parts (step_parts.c). In a part of length h the unknown is the mean
+ * velocity v of each body, so that its motion is h v and its velocity at the end 2 v - v_before, as
+ * in the implicit midpoint rule. Joint rows change as bodies turn. Their Jacobian is a discrete
+ * gradient: J(h v) (h v) = q(after) - q(before) exactly, for the joint's coordinate q (Gonzalez,
+ * "Time integration and discrete Hamiltonian systems", 1996; td_turn_rows_fn computes it). Then
+ * impulses J' l of locked rows do no work, and gaps are closed at the end of the part instead of in
+ * its tangent direction.
+ *
+ * Since J depends on v, the equations are solved by Newton's method: solve direct.h's problem with
+ * the present rows, compute the rows for the new motion, and so on. The derivative of J' l with
+ * respect to the rotation, the geometric stiffness, is added to the moments of inertia.
+ *
+ * A second problem gives the velocity at the end of the part, for the rows as they are there: see
+ * solve_end_velocity. Contacts in the island keep the normals and arms of the start of the step. */
+#include "direct/island_step.h"
+
+#include "constraint/joint_hooks.h"
+#include "direct/contact_check.h"
+#include "direct/step_parts.h"
+
+/* A result is refused if its kinetic energy is more than this many times what the island had, or
+ * could get from gravity, motors and springs. Chosen: an explosion exceeds any factor, and a whip
+ * of light bodies may well have a few times the mean. */
+#define ENERGY_RATIO_MAX 16.0
+/* Factor of the budget of factorisations for islands of joints alone, and with contacts: Newton's
+ * method needs several where contacts need one, and the soft solver would let a loaded chain come
+ * apart. */
+enum { BUDGET_OF_JOINTS = 8, BUDGET_WITH_CONTACTS = 2 };
+/* Newton iterations of a part. Chosen; each is one or more factorisations. */
+enum { NEWTON_ITERATIONS_MAX = 12 };
+/* Least geometric stiffness, in moments of inertia: a negative one makes the body turn more easily,
+ * and at -1 the matrix would not be positive definite. Chosen. */
+#define STIFFNESS_MIN (-0.5)
+/* Residual of Newton's method, in tolerances: at qualities that solve every island directly, and at
+ * others. With contacts, whose active set may change from iteration to iteration, it is 1. Chosen.
+ */
+#define RESIDUAL_EXACT 1e-3
+#define RESIDUAL_OTHER 0.05
+/* Velocities at the end of a part that miss those of the joints by less than this many times g h
+ * are left as they are, since correcting them would take energy out of every swing. Chosen. */
+#define END_ERROR_MAX 4.0
+
+/* The motion of one side from the start of the step to the start of the part (motion[0]) and, at
+ * the mean velocity, to its end (motion[1]). `start` is the time of the part's start in the step,
+ * s. */
+static void span_of_side(const td_island_work *work, int body, uint32_t record, double start,
+                         double motion[2][3]) {
+    const float *v = td_row(&work->w->velocity, td_slot_of_side(record));
+    for (int k = 0; k < 3; k++) {
+        const td_direct_body *b = body == TD_NONE ? NULL : &work->problem.bodies[body];
+        double speed = b ? b->velocity[k] : (double)v[k];
+        motion[0][k] = b ? b->moved[k] : start * (double)v[k];
+        motion[1][k] = motion[0][k] + work->time * speed;
+    }
+}
+
+/* Sets the lever arms of bodies that do not turn to 0. */
+static void clear_arms(const td_direct *d, td_direct_constraint *c) {
+    bool turns_a = c->a == TD_NONE || d->bodies[c->a].inverse_inertia > 0.0;
+    bool turns_b = c->b == TD_NONE || d->bodies[c->b].inverse_inertia > 0.0;
+    for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+        c->row[k].a[2] *= turns_a;
+        c->row[k].b[2] *= turns_b;
+    }
+}
+
+/* Computes the rows of all joints for the motion at the present mean velocities; with `ended`, the
+ * ordinary Jacobian for the poses at the end of the part. */
+static void update_joint_rows(td_island_work *work, double start, bool ended) {
+    for (int i = 0; i < work->island->constraints; i++) {
+        td_direct_constraint *c = &work->problem.constraints[i];
+        int kind = td_constraint_at(work->w, work->constraints[i])->kind;
+        if (kind < TD_PAIR_COUNT) {
+            continue;
+        }
+        td_lane at = td_island_lane(work, i);
+        td_span span = {.time = ended ? 0.0 : work->time};
+        span_of_side(work, c->a, at.block->a[at.lane], start, span.a);
+        span_of_side(work, c->b, at.block->b[at.lane], start, span.b);
+        for (int k = 0; k < 3 && ended; k++) {
+            span.a[1][k] = span.a[0][k];
+            span.b[1][k] = span.b[0][k];
+        }
+        work->w->kinds[kind]->lanes->turn_rows(work->w, at.block, at.lane, &span, c);
+        clear_arms(&work->problem, c);
+    }
+    td_direct_update_speeds(&work->problem);
+}
+
+/* Adds the geometric stiffness k of the joints' impulses to the moments of inertia. The moment of
+ * an impulse that turns with its body changes by -k per angle, so that near the present velocity w
+ * of the last iteration the body behaves as one of inertia I + k that is pulled towards w: (I + k)
+ * w_new = I w_free + k w + impulses. Without it, the iteration overshoots for a light body between
+ * heavy ones. */
+static void add_geometric_stiffness(td_island_work *work) {
+    td_direct *d = &work->problem;
+    for (int i = 0; i < work->island->constraints; i++) {
+        const td_direct_constraint *c = &d->constraints[i];
+        const int side[2] = {c->a, c->b};
+        for (int k = 0; k < 2; k++) {
+            if (side[k] != TD_NONE) {
+                d->bodies[side[k]].stiff += c->stiff[k];
+            }
+        }
+    }
+    for (int i = 0; i < work->island->bodies; i++) {
+        td_direct_body *b = &d->bodies[i];
+        if (b->inverse_inertia > 0.0) {
+            double own = 1.0 / b->own_inverse_inertia;
+            double more = td_max_double(b->stiff, STIFFNESS_MIN * own);
+            b->inverse_inertia = 1.0 / (own + more);
+            b->free[2] =
+                (own * (b->before[2] + b->gain[2]) + more * b->velocity[2]) * b->inverse_inertia;
+        }
+        b->stiff = 0.0;
+    }
+}
+
+/* Restores the moments of inertia and free velocities. */
+static void remove_geometric_stiffness(td_island_work *work) {
+    for (int i = 0; i < work->island->bodies; i++) {
+        td_direct_body *b = &work->problem.bodies[i];
+        b->inverse_inertia = b->own_inverse_inertia;
+        b->free[2] = (b->before[2] + b->gain[2]);
+    }
+}
+
+/* Newton's residual, in tolerances. */
+static double newton_residual(const td_island_work *work) {
+    bool everywhere = work->w->quality.sag_limit == 0.0f;
+    return !td_island_is_joints(work) ? 1.0 : everywhere ? RESIDUAL_EXACT : RESIDUAL_OTHER;
+}
+
+/* Whether all velocities are finite, and rotations small enough for td_sin. */
+static bool velocities_are_valid(const td_island_work *work) {
+    bool all = true;
+    for (int i = 0; i < work->island->bodies; i++) {
+        const double *v = work->problem.bodies[i].velocity;
+        all &= td_finite(v[0]) && td_finite(v[1]) && td_abs(v[2]) <= (double)THUD_SPIN_MAX;
+    }
+    return all;
+}
+
+/* The first problem: mean velocities, by Newton's method. Returns the residual, as a speed;
+ * infinite where a solve failed. */
+static double solve_mean_velocity(td_island_work *work, double start, double tolerance) {
+    td_direct *d = &work->problem;
+    double missing = __builtin_inf();
+    double enough = newton_residual(work) * tolerance;
+    for (int n = 0; n < NEWTON_ITERATIONS_MAX && velocities_are_valid(work); n++) {
+        update_joint_rows(work, start, false);
+        if (n && td_direct_residual(d) <= enough) {
+            return missing;
+        }
+        add_geometric_stiffness(work);
+        missing = td_direct_solve(d, tolerance);
+        if (!td_finite(missing)) {
+            return missing;
+        }
+        d->fresh = false; /* the next iteration starts from this one's active set */
+    }
+    if (!velocities_are_valid(work)) {
+        return __builtin_inf();
+    }
+    update_joint_rows(work, start, false);
+    return td_max_double(missing, td_direct_residual(d));
+}
+
+/* Prepares motors and springs for the second problem, which is over the whole part instead of the
+ * mean (half): bounds are doubled, and a spring keeps the force that it had on the way. */
+static void set_end_drives(td_direct_constraint *c) {
+    c->bound *= 2.0;
+    c->row[TD_DIRECT_TANGENT].max_impulse +=
+        c->row[TD_DIRECT_TANGENT].kind == TD_ROW_FRICTION ? 0.5 * c->bound : 0.0;
+    for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+        td_direct_row *r = &c->row[k];
+        if (r->used && r->kind == TD_ROW_SOFT) {
+            r->max_impulse *= 2.0;
+            r->target_speed = r->speed + r->impulse / r->weight;
+        }
+    }
+}
+
+/* Removes an impulse along the Jacobian j from a free velocity. */
+static void remove_impulse(td_direct_body *b, const double *j, double impulse) {
+    b->free[0] -= b->inverse_mass * j[0] * impulse;
+    b->free[1] -= b->inverse_mass * j[1] * impulse;
+    b->free[2] -= b->inverse_inertia * j[2] * impulse;
+}
+
+/* Share of the bodies' speed above which the closing of a gap counts: see closes_gaps. Chosen. */
+#define CLOSING_SHARE 1e-3
+
+/* Whether a joint's gap closes in this part, at a speed that is not negligible beside the bodies'
+ * own. That speed is position correction, and must not remain in the velocities at the end. */
+static bool closes_gaps(const td_island_work *work, double tolerance) {
+    double worst = 0.0, fastest = 0.0;
+    for (int i = 0; i < work->island->bodies; i++) {
+        const double *v = work->problem.bodies[i].before;
+        fastest = td_max_double(fastest, v[0] * v[0] + v[1] * v[1]);
+    }
+    for (int i = 0; i < work->island->constraints; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            const td_direct_row *r = &work->problem.constraints[i].row[k];
+            bool locks = r->used && r->kind == TD_ROW_EQUALITY;
+            worst = locks ? td_max_double(worst, r->closing) : worst;
+        }
+    }
+    return worst > tolerance + CLOSING_SHARE * __builtin_sqrt(fastest);
+}
+
+/* Keeps the impulses of equality rows that the first problem found, in `given`, and removes those
+ * of all other rows from the free velocities, which the second problem solves for anew. Solving for
+ * equality rows again in the directions at the end of the part would take out energy, by the square
+ * of the angle by which a direction turns. */
+static void keep_lock_impulses(td_island_work *work) {
+    td_direct *d = &work->problem;
+    for (int i = 0; i < work->island->bodies; i++) {
+        td_direct_body *b = &d->bodies[i];
+        for (int k = 0; k < 3; k++) {
+            b->free[k] = b->velocity[k];
+        }
+    }
+    for (int i = 0; i < work->island->constraints; i++) {
+        td_direct_constraint *c = &d->constraints[i];
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            td_direct_row *r = &c->row[k];
+            bool locks = r->used && r->kind == TD_ROW_EQUALITY;
+            r->given = locks ? r->impulse : 0.0;
+            r->impulse -= r->given;
+            if (r->used && !locks && c->a != TD_NONE) {
+                remove_impulse(&d->bodies[c->a], r->a, r->impulse);
+            }
+            if (r->used && !locks && c->b != TD_NONE) {
+                remove_impulse(&d->bodies[c->b], r->b, r->impulse);
+            }
+        }
+    }
+}
+
+/* Adds the kept impulses to those of the second problem. */
+static void restore_lock_impulses(td_island_work *work) {
+    for (int i = 0; i < work->island->constraints; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            td_direct_row *r = &work->problem.constraints[i].row[k];
+            r->impulse += r->given;
+        }
+    }
+}
+
+/* Whether the island has equality rows and springs alone: no contact, limit or motor. */
+static bool has_only_locks_and_springs(const td_island_work *work) {
+    bool any = false;
+    for (int i = 0; i < work->island->constraints; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            const td_direct_row *r = &work->problem.constraints[i].row[k];
+            any |= r->used && (r->kind == TD_ROW_UNILATERAL || r->kind == TD_ROW_FRICTION);
+        }
+    }
+    return !any;
+}
+
+/* The second problem: velocities at the end of the part. They start from 2 v - v_before.
+ * - Where gaps were closed, all rows are solved for anew, from the velocities without impulses.
+ * - Otherwise impulses of equality rows are kept, and the rest is solved for. In an island without
+ *   contacts, limits and motors nothing is solved unless the velocities miss the joints' by more
+ * than END_ERROR_MAX g h. Returns the residual, as a speed. */
+static double solve_end_velocity(td_island_work *work, double start, double tolerance) {
+    td_direct *d = &work->problem;
+    td_island_carry_on(work);
+    for (int i = 0; i < work->island->constraints; i++) {
+        set_end_drives(&d->constraints[i]);
+    }
+    if (closes_gaps(work, tolerance)) {
+        update_joint_rows(work, start, true);
+        return td_direct_solve(d, tolerance);
+    }
+    keep_lock_impulses(work);
+    update_joint_rows(work, start, true);
+    bool stays =
+        has_only_locks_and_springs(work) && td_direct_residual(d) <= END_ERROR_MAX * d->unit_speed;
+    double missing = stays ? 0.0 : td_direct_solve(d, tolerance);
+    restore_lock_impulses(work);
+    return missing;
+}
+
+/* Sets what gravity, forces and damping add in one of so many parts, and the closing speeds of all
+ * rows. */
+static void begin_step(td_island_work *work, int parts) {
+    for (int i = 0; i < work->island->constraints; i++) {
+        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
+            td_direct_row *r = &work->problem.constraints[i].row[k];
+            r->closing = td_max_double(r->target_speed, 0.0);
+        }
+    }
+    for (int i = 0; i < work->island->bodies; i++) {
+        td_direct_body *b = &work->problem.bodies[i];
+        for (int k = 0; k < 3; k++) {
+            b->gain[k] = (b->free[k] - b->before[k]) / parts;
+        }
+        b->own_inverse_inertia = b->inverse_inertia;
+    }
+}
+
+/* Sets the target speeds of contacts from their separations at the start of the part, which follow
+ * from the motion so far with the normals and arms of the start of the step. The speed at which an
+ * overlap is pushed apart is that of the start of the step. */
+static void set_contact_speeds(td_island_work *work) {
+    for (int i = 0; i < work->island->constraints; i++) {
+        td_direct_constraint *c = &work->problem.constraints[i];
+        td_lane at = td_island_lane(work, i);
+        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
+            td_direct_row *r = &c->row[k];
+            if (r->used && td_is_contact(td_constraint_at(work->w, work->constraints[i]))) {
+                double gap = td_island_gap(work, c, k, (double)at.block->point[k].base[at.lane]);
+                r->target_speed = gap > 0.0 ? -gap / work->time : r->closing;
+            }
+        }
+    }
+}
+
+/* Begins a part with the velocities at the end of the part before. */
+static void begin_part(td_island_work *work) {
+    for (int i = 0; i < work->island->bodies; i++) {
+        td_direct_body *b = &work->problem.bodies[i];
+        for (int k = 0; k < 3; k++) {
+            b->before[k] = b->velocity[k];
+            b->free[k] = b->before[k] + b->gain[k];
+        }
+    }
+}
+
+static void scale_impulses(td_island_work *work, double by) {
+    for (int i = 0; i < work->island->constraints; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            work->problem.constraints[i].row[k].impulse *= by;
+        }
+    }
+}
+
+/* Twice the kinetic energy; with `free`, of the larger of the velocities before and without
+ * constraints, number by number. */
+static double energy_of(const td_island_work *work, bool free) {
+    double sum = 0.0;
+    for (int i = 0; i < work->island->bodies; i++) {
+        const td_direct_body *b = &work->problem.bodies[i];
+        double v[3];
+        for (int k = 0; k < 3; k++) {
+            v[k] = free ? td_max_double(td_abs(b->free[k]), td_abs(b->before[k])) : b->velocity[k];
+        }
+        sum += (v[0] * v[0] + v[1] * v[1]) / b->inverse_mass;
+        sum += b->inverse_inertia > 0.0 ? v[2] * v[2] / b->inverse_inertia : 0.0;
+    }
+    return sum;
+}
+
+/* Twice the energy that springs and motors may add in a step: a spring its potential energy, a
+ * motor the kinetic energy of its effective mass at its target speed. */
+static double energy_of_drives(const td_island_work *work) {
+    double sum = 0.0;
+    for (int i = 0; i < work->island->constraints; i++) {
+        for (int k = 0; k < TD_DIRECT_ROWS; k++) {
+            const td_direct_row *r = &work->problem.constraints[i].row[k];
+            bool drives = r->used && r->kind >= TD_ROW_FRICTION;
+            double mass = r->kind == TD_ROW_SOFT ? r->weight : r->mass;
+            sum += drives ? mass * r->target_speed * r->target_speed : 0.0;
+        }
+    }
+    return sum;
+}
+
+/* Whether the solution has more than ENERGY_RATIO_MAX times the energy that it may have: `there`
+ * (twice the energy at the start of the step, with that of motors and springs), or twice the energy
+ * at the start of the last part, since a motor may move more than its own two bodies; and what
+ * closing gaps and overlaps may add. Equality rows do no work themselves. */
+static bool gains_energy(const td_island_work *work, double there) {
+    double mass = 0.0, pushed = work->pushed + work->problem.unit_speed;
+    for (int i = 0; i < work->island->bodies; i++) {
+        mass += 1.0 / work->problem.bodies[i].inverse_mass;
+    }
+    there = td_max_double(there, energy_of(work, true));
+    double max = there + mass * pushed * pushed * work->island->bodies;
+    return !(energy_of(work, false) <= ENERGY_RATIO_MAX * max);
+}
+
+double td_island_solve_joints(td_island_work *work, double tolerance) {
+    double missing = 0.0, whole = work->time;
+    double there = energy_of(work, true) + energy_of_drives(work);
+    int parts = td_island_parts(work);
+    if (parts == 0) {
+        return __builtin_inf();
+    }
+    work->problem.effort = work->w->islands.effort;
+    work->problem.factoring_budget *=
+        td_island_is_joints(work) ? BUDGET_OF_JOINTS : BUDGET_WITH_CONTACTS;
+    work->time = whole / parts;
+    scale_impulses(work, 1.0 / parts);
+    begin_step(work, parts);
+    for (int part = 0; part < parts && td_finite(missing); part++) {
+        begin_part(work);
+        work->elapsed = part * work->time;
+        if (parts > 1) {
+            set_contact_speeds(work);
+        }
+        work->elapsed = (part + 1) * work->time;
+        work->next = part + 1 < parts ? work->time : whole;
+        double then = solve_mean_velocity(work, part * work->time, tolerance);
+        remove_geometric_stiffness(work);
+        td_island_move_on(work);
+        missing = td_max_double(missing, then);
+        if (td_finite(missing)) {
+            then = solve_end_velocity(work, (part + 1) * work->time, tolerance);
+            missing = td_max_double(missing, then);
+        }
+        scale_impulses(work, part + 1 < parts ? 0.5 : (double)parts);
+    }
+    work->w->islands.effort = work->problem.effort;
+    work->time = work->elapsed = whole;
+    /* Long lever arms may have made numbers overflow; and a body that has contacts must not have
+     * turned further than the contacts' arms are good for. */
+    missing =
+        td_finite(energy_of(work, false)) && !td_island_rubs(work) ? missing : __builtin_inf();
+    work->turn_most = __builtin_inf();
+    if (td_finite(missing) && missing > tolerance && !td_island_is_joints(work) &&
+        td_island_sinks(work, tolerance * whole)) {
+        missing = __builtin_inf();
+    }
+    if (td_island_is_joints(work)) {
+        missing = gains_energy(work, there) ? __builtin_inf() : missing;
+        work->pushed = __builtin_inf();
+        /* Their factorisations depend on how fast they turn, and are not held against the island as
+         * a sign that it will be too dear again. */
+        work->w->stats.factorings += work->problem.factorings;
+        work->w->stats.island_work += work->problem.factorings * td_island_cost(work->island);
+        work->problem.factorings = 0;
+    }
+    return missing;
+}

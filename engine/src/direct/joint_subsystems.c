@@ -1,0 +1,298 @@
+/* joint_subsystems.c: joints of islands that are left to the soft solver, because the whole island
+ * is too dear for the quality, or because a contact of it bounces.
+ *
+ * A linkage is a set of bodies that joints connect. Where joints of a linkage yield, its bodies are
+ * solved directly by themselves. Contacts act on them by the impulses that the soft solver found,
+ * as known forces; and each contact is a unilateral row that keeps it from closing further than the
+ * soft solver has it, beside other bodies that move as in the soft solver's result. So what lies on
+ * a bridge does not sink through it as the bridge's joints close. Where joints and contacts cannot
+ * both be satisfied, the soft solver's result stands.
+ *
+ * This is for machines beside or on a heap. A linkage with more contacts than bodies is left alone:
+ * there the contacts, whose impulses are taken as known, decide the motion. */
+#include "direct/joint_islands.h"
+
+#include "constraint/constraint.h"
+#include "direct/elimination_order.h"
+
+/* Budget of factorisations of a linkage, beside the island budget of the step; island_step_joints.c
+ * doubles it. Measured: with a third of it, the wrecking ball's chain opens by over 10 mm as the
+ * ball meets the wall. */
+enum { LINKAGE_FACTORINGS = 32 };
+/* A linkage that has failed n times in succession is tried in one of 2^n steps, and in one of
+ * 2^BACKOFF_MAX at least (32 steps). Chosen. */
+enum { BACKOFF_MAX = 5 };
+/* With more yielding joints than this in the world, none is solved: in a crowd it would cost much,
+ * and improve little. Chosen. */
+enum { YIELDING_MAX = 64 };
+/* A linkage is solved if at least one in so many of its joints yields: the soft solver corrects a
+ * few yielding joints by itself. Chosen. */
+enum { YIELDING_PART = 2 };
+/* The value of td_islands.local of bodies whose linkage is not fit to be solved. */
+enum { UNFIT = -5 };
+
+bool td_linkages_may_come(const thud_world *w) {
+    const uint8_t *direct_steps = w->direct_steps.data;
+    const uint16_t *slow_steps = w->slow_steps.data;
+    int any = 0;
+    for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
+        any |= (direct_steps[slot.at] > TD_DIRECT_COOLDOWN) | TD_SLOW_LEFT(slow_steps[slot.at]);
+    }
+    return any != 0;
+}
+
+/* ---- which ---- */
+
+/* Whether the body's linkage is not tried in this step, after failures. Their number is in
+ * slow_steps, which an island in its cooldown does not need otherwise. */
+static bool backs_off(const thud_world *w, td_awake_slot slot) {
+    int failures = *td_direct_steps_at(w, slot) > TD_DIRECT_COOLDOWN
+                       ? *td_slow_steps_at(w, slot) % TD_SLOW_ONCE
+                       : 0;
+    return w->steps % (1ull << td_min_int(failures, BACKOFF_MAX)) != 0;
+}
+
+/* Counts a failure, or sets the count to 0. */
+static void note_outcome(thud_world *w, const td_island *linkage, bool solved) {
+    for (int i = 0; i < linkage->bodies; i++) {
+        td_awake_slot slot = td_slot_in(&w->islands.slots, i);
+        if (*td_direct_steps_at(w, slot) > TD_DIRECT_COOLDOWN) {
+            uint16_t *slow_steps = td_slow_steps_at(w, slot);
+            int failures = *slow_steps % TD_SLOW_ONCE, left = *slow_steps - failures;
+            *slow_steps = (uint16_t)(left + (solved ? 0 : td_min_int(failures + 1, BACKOFF_MAX)));
+        }
+    }
+}
+
+/* Whether the body is dynamic, left to the soft solver in this step, and not marked as unfit. */
+static bool is_soft(const thud_world *w, td_awake_slot slot) {
+    int local = *td_island_local_at(w, slot);
+    bool left = *td_direct_steps_at(w, slot) > TD_DIRECT_COOLDOWN && local != UNFIT;
+    return td_row(&w->velocity, slot)[3] > 0.0f && local <= 0 && (left || local == TD_ISLAND_SOFT);
+}
+
+/* Whether a joint yields by more than the quality allows. */
+static bool yields(const thud_world *w, const td_block *block, int lane, int kind) {
+    td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
+    float size = td_islands_size(w, a, b), off = 0.0f;
+    float load = w->kinds[kind]->lanes->load(w, block, lane, size, &off);
+    return load > td_islands_most(w, size);
+}
+
+/* Adds the joints of a body and the bodies at their other ends. Counts its contacts with moving
+ * bodies, and joints that yield. False where the linkage is too large, or reaches an unfit one. */
+static bool add_joints_of(thud_world *w, td_island *linkage, td_awake_slot slot, int *contacts,
+                          int *yielding) {
+    td_body_index body = td_body_of(w, slot);
+    for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
+        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        if (constraint->state != TD_TOUCHING) {
+            continue;
+        }
+        td_awake_slot other = td_island_neighbour(w, constraint, e & 1);
+        if (td_is_contact(constraint)) {
+            *contacts += other.at > 0;
+            continue;
+        }
+        if (other.at && *td_island_local_at(w, other) == UNFIT) {
+            return false;
+        }
+        if (other.at && *td_island_local_at(w, other) <= 0) {
+            td_island_add(w, linkage, other);
+        }
+        if (!other.at || !(e & 1)) {
+            td_lane at = td_lane_of(w, constraint);
+            td_push_int(&w->islands.constraints, e / 2);
+            linkage->constraints++;
+            *yielding += yields(w, at.block, at.lane, constraint->kind);
+        }
+    }
+    return linkage->bodies <= TD_LATE_BODIES && linkage->constraints <= TD_LATE_CONSTRAINTS;
+}
+
+/* Collects the linkage of a body, breadth first. False, with its bodies marked as unfit, where it
+ * is too large, has more contacts than bodies, or few of its joints yield. */
+static bool collect(thud_world *w, td_awake_slot seed, td_island *linkage) {
+    td_islands *s = &w->islands;
+    bool whole = true;
+    int contacts = 0, yielding = 0;
+    s->slots.count = s->constraints.count = 0;
+    *linkage = (td_island){0};
+    td_island_add(w, linkage, seed);
+    for (int i = 0; whole && i < s->slots.count; i++) {
+        whole = add_joints_of(w, linkage, td_slot_in(&s->slots, i), &contacts, &yielding);
+    }
+    whole =
+        whole && contacts <= linkage->bodies && YIELDING_PART * yielding >= linkage->constraints;
+    for (int i = 0; !whole && i < s->slots.count; i++) {
+        *td_island_local_at(w, td_slot_in(&s->slots, i)) = UNFIT;
+    }
+    return whole;
+}
+
+/* ---- what contacts give ---- */
+
+/* Adds an impulse along (x, y) to a free mean velocity: half of it, as it acts throughout the step.
+ */
+static void add_impulse(td_direct_body *b, double x, double y, double cross, double impulse) {
+    b->free[0] += 0.5 * b->inverse_mass * x * impulse;
+    b->free[1] += 0.5 * b->inverse_mass * y * impulse;
+    b->free[2] += 0.5 * b->inverse_inertia * cross * impulse;
+}
+
+/* Adds the impulses that the soft solver found for a contact of a body. */
+static void add_contact(td_direct_body *b, td_awake_slot slot, td_lane at, int points) {
+    td_block *block = at.block;
+    bool first = td_slot_of_side(block->a[at.lane]).at == slot.at;
+    double sign = first ? -1.0 : 1.0;
+    double x = sign * (double)block->nx[at.lane], y = sign * (double)block->ny[at.lane];
+    for (int k = 0; k < points; k++) {
+        const td_point *p = &block->point[k];
+        double cross = sign * (double)(first ? p->cross_a[at.lane] : p->cross_b[at.lane]);
+        bool acts = p->normal_mass[at.lane] > 0.0f;
+        double impulse = (double)td_history_of(block, points)[k].total[at.lane];
+        add_impulse(b, x, y, cross, acts ? impulse : 0.0);
+    }
+    double cross =
+        sign * (double)(first ? block->tangent_cross_a : block->tangent_cross_b)[at.lane];
+    bool rubs = block->friction[at.lane] > 0.0f;
+    double impulse = (double)td_surface_at(block, points)->total[at.lane];
+    add_impulse(b, y, -x, cross, rubs ? impulse : 0.0);
+}
+
+/* Lists the contacts of a linkage behind its joints, each once. False where there are too many. */
+static bool list_contacts(thud_world *w, td_island *linkage) {
+    for (int i = 0; i < linkage->bodies; i++) {
+        td_body_index body = td_body_of(w, td_slot_in(&w->islands.slots, i));
+        for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
+            const td_constraint *constraint = td_constraint_at(w, e / 2);
+            td_awake_slot other = td_island_neighbour(w, constraint, e & 1);
+            bool first = !(e & 1) || !other.at || td_island_number(w, linkage, other) == TD_NONE;
+            if (constraint->state == TD_TOUCHING && td_is_contact(constraint) && first) {
+                if (linkage->constraints == TD_LATE_CONSTRAINTS) {
+                    return false;
+                }
+                td_push_int(&w->islands.constraints, e / 2);
+                linkage->constraints++;
+            }
+        }
+    }
+    return true;
+}
+
+/* Makes the rows of contacts what keeps them from closing further: the impulses start from 0, on
+ * top of the known ones; there is no friction on top. */
+static void set_contact_rows(td_island_work *work) {
+    for (int i = 0; i < work->island->constraints; i++) {
+        td_direct_constraint *c = &work->problem.constraints[i];
+        if (!td_is_contact(td_constraint_at(work->w, work->constraints[i]))) {
+            continue;
+        }
+        td_lane at = td_island_lane(work, i);
+        c->keeps = true;
+        for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
+            double gap = (double)at.block->point[k].base[at.lane];
+            c->row[k].impulse = 0.0;
+            c->row[k].target_speed = gap > 0.0 ? -gap / work->time : 0.0;
+        }
+        c->row[TD_DIRECT_TANGENT].used = false;
+    }
+}
+
+/* Adds the known impulses of all contacts to the free velocities. */
+static void add_contacts(td_island_work *work) {
+    const thud_world *w = work->w;
+    for (int i = 0; i < work->island->bodies; i++) {
+        td_awake_slot slot = work->slots[i];
+        int e = td_body_at(w, td_body_of(w, slot))->first_constraint;
+        for (; e != TD_NONE; e = td_next_edge(w, e)) {
+            const td_constraint *constraint = td_constraint_at(w, e / 2);
+            if (constraint->state == TD_TOUCHING && td_is_contact(constraint)) {
+                add_contact(&work->problem.bodies[i], slot, td_lane_of(w, constraint),
+                            td_island_points(w, constraint));
+            }
+        }
+    }
+}
+
+/* ---- how ---- */
+
+static double energy_of(const td_direct_body *b, const double v[3]) {
+    double turning = b->own_inverse_inertia > 0.0 ? v[2] * v[2] / b->own_inverse_inertia : 0.0;
+    return (v[0] * v[0] + v[1] * v[1]) / b->inverse_mass + turning;
+}
+
+/* Whether the result has more energy than the start of the step and than the soft solver's result,
+ * beyond what closing gaps adds. The known impulses of contacts do not depend on what the joints
+ * do, and could add energy in each step anew. */
+static bool gains_energy(const td_island_work *work, double pushed) {
+    double before = 0.0, soft = 0.0, after = 0.0, mass = 0.0;
+    for (int i = 0; i < work->island->bodies; i++) {
+        const td_direct_body *b = &work->problem.bodies[i];
+        const float *v = td_row(&work->w->velocity, work->slots[i]);
+        const float *start = td_row(&work->w->islands.start, work->slots[i]);
+        before += energy_of(b, (double[]){(double)start[0], (double)start[1], (double)start[2]});
+        soft += energy_of(b, (double[]){(double)v[0], (double)v[1], (double)v[2]});
+        after += energy_of(b, b->velocity);
+        mass += 1.0 / b->inverse_mass;
+    }
+    return after > td_max_double(before, soft) + mass * pushed * pushed;
+}
+
+/* Solves the linkage of a body. Velocities and motions are written over; the joints' impulses stay
+ * the soft solver's, as its warm start of the next step. */
+static void solve_one(thud_world *w, td_awake_slot seed) {
+    td_island linkage;
+    bool counted = *td_island_local_at(w, seed) ==
+                   TD_ISLAND_SOFT; /* it is in the statistics of failed islands */
+    if (!collect(w, seed, &linkage) || !list_contacts(w, &linkage) ||
+        !td_joint_island_begin(w, &linkage)) {
+        return;
+    }
+    td_island_work work = td_island_take(w, &linkage);
+    work.problem.factoring_budget = LINKAGE_FACTORINGS;
+    double pushed = work.pushed + work.problem.unit_speed;
+    add_contacts(&work);
+    set_contact_rows(&work);
+    bool solved = td_island_work_out(&work) && !gains_energy(&work, pushed);
+    note_outcome(w, &linkage, solved);
+    if (solved) {
+        td_island_write_bodies(&work);
+        w->stats.direct_islands++;
+        w->stats.direct_bodies += counted ? 0 : linkage.bodies;
+    }
+}
+
+/* Lists a body of each joint that yields. False where there are more than YIELDING_MAX. */
+static bool list_seeds(thud_world *w, td_awake_slot *seeds, int *count) {
+    *count = 0;
+    for (int i = 0; i < w->scratch.blocks.count; i++) {
+        td_block *block = *TD_AT(td_block *, &w->scratch.blocks, i);
+        int kind = block->used ? td_constraint_at(w, block->constraint[0])->kind : 0;
+        for (int lane = 0; kind >= TD_PAIR_COUNT && lane < block->used; lane++) {
+            td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
+            td_awake_slot seed = is_soft(w, a) ? a : b;
+            if (is_soft(w, seed) && yields(w, block, lane, kind)) {
+                if (*count == YIELDING_MAX) {
+                    return false;
+                }
+                seeds[(*count)++] = seed;
+            }
+        }
+    }
+    return true;
+}
+
+void td_linkages_solve(thud_world *w, td_system last) {
+    td_islands *s = &w->islands;
+    int rows = s->matrix.row.count, count = 0;
+    td_awake_slot seeds[YIELDING_MAX];
+    bool few = list_seeds(w, seeds, &count);
+    for (int i = 0; few && i < count; i++) {
+        if (is_soft(w, seeds[i]) && !backs_off(w, seeds[i])) {
+            s->matrix.now = last;
+            solve_one(w, seeds[i]);
+            s->matrix.row.count = rows;
+        }
+    }
+}

@@ -1,0 +1,146 @@
+/* step_parts.c: chooses the number of parts by rotation, by the phase of springs and by substeps.
+ */
+#include "direct/step_parts.h"
+
+/* Greatest rotation of a lever arm or rod in a part, rad. Newton's method converges well there.
+ * Chosen. Islands that would need more than twice PARTS_MAX parts are left to the soft solver. */
+#define TURN_PART 0.1
+enum { PARTS_MAX = 64 };
+/* Greatest phase of a spring in a part, rad: 2 pi frequency time. The implicit midpoint rule lowers
+ * the frequency by phase^2 / 12, which is 2 % here. The phase in a step counts up to PHASE_MAX: a
+ * spring of more than half the step rate cannot be told from a slower one by its poses after steps.
+ */
+#define PHASE_PART 0.5
+#define PHASE_MAX TD_PI
+/* In islands of joints alone, a part is no longer than SUBSTEPS_OF_PART substeps, and the parts
+ * that springs need are multiplied likewise, so that the error falls as the number of substeps
+ * rises. Four are the substeps of quality default, whose steps have one part. This holds for
+ * islands of up to FEW_BODIES bodies (a pendulum, a vehicle, a ragdoll); finer parts for all made a
+ * chain of 100 links 2.2 times as dear at exact, and its phase error is hidden among its many
+ * modes. */
+enum { SUBSTEPS_OF_PART = 4, FEW_BODIES = 16 };
+
+/* Upper bound of the angular speed of the line between a distance's anchors before the step, rad/s;
+ * 0 for other kinds of joints. */
+static double line_rate(const td_island_work *work, int i) {
+    const td_constraint *constraint = td_constraint_at(work->w, work->constraints[i]);
+    const td_direct_constraint *c = &work->problem.constraints[i];
+    td_lane at = td_island_lane(work, i);
+    double length = 0.0, speed = 0.0;
+    if (constraint->kind == TD_CONSTRAINT_ROD) {
+        length = (double)td_lock_rows_at(at.block)->turn_base[at.lane];
+    } else if (constraint->kind == TD_CONSTRAINT_DRIVE_LINE) {
+        length = (double)td_drive_rows_at(at.block)->value_base[at.lane];
+    }
+    for (int k = 0; k < 2 && length > 0.0; k++) {
+        double a = c->a == TD_NONE ? 0.0 : work->problem.bodies[c->a].before[k];
+        double b = c->b == TD_NONE ? 0.0 : work->problem.bodies[c->b].before[k];
+        speed += (b - a) * (b - a);
+    }
+    return length > 0.0 ? __builtin_sqrt(speed) / length : 0.0;
+}
+
+static bool is_drive(int kind) {
+    return kind == TD_CONSTRAINT_DRIVE_LINE || kind == TD_CONSTRAINT_DRIVE_AXIS ||
+           kind == TD_CONSTRAINT_DRIVE_TURN;
+}
+
+/* The greatest phase of a spring in the step, rad. */
+static double spring_phase(const td_island_work *work) {
+    double fastest = 0.0;
+    for (int i = 0; i < work->island->constraints; i++) {
+        if (is_drive(td_constraint_at(work->w, work->constraints[i])->kind)) {
+            td_lane at = td_island_lane(work, i);
+            double frequency = (double)td_drive_rows_at(at.block)->frequency[at.lane];
+            fastest = td_max_double(fastest, frequency);
+        }
+    }
+    return td_min_double(2.0 * TD_PI * fastest * work->time, PHASE_MAX);
+}
+
+/* An anchor nearer to the body's centre of mass than this, in length scales, is at it: a rotation
+ * does not move it. Ten times the rounding of an anchor at one length scale. */
+#define CENTRED 1e-5
+
+static bool is_centred(const td_island_work *work, float cross_u, float cross_v) {
+    double most = CENTRED * (double)work->w->unit;
+    return td_abs((double)cross_u) <= most && td_abs((double)cross_v) <= most;
+}
+
+/* Sets `sweeps` of a joint's bodies: whether a rotation moves an anchor, or the axis of the joint's
+ * frame, which turns with body a. */
+static void set_sweeps(td_island_work *work, int i) {
+    const td_direct_constraint *c = &work->problem.constraints[i];
+    int kind = td_constraint_at(work->w, work->constraints[i])->kind;
+    td_lane at = td_island_lane(work, i);
+    const td_point *p = &at.block->point[0], *q = &at.block->point[1];
+    bool turns = kind == TD_CONSTRAINT_DRIVE_AXIS || kind == TD_CONSTRAINT_GEAR ||
+                 (kind == TD_CONSTRAINT_LOCK && td_lock_rows_at(at.block)->frame[at.lane] > 0.0f);
+    if (kind == TD_CONSTRAINT_DRIVE_TURN) {
+        return;
+    }
+    if (c->a != TD_NONE) {
+        work->problem.bodies[c->a].sweeps |=
+            turns || !is_centred(work, p->cross_a[at.lane], q->cross_a[at.lane]);
+    }
+    if (c->b != TD_NONE) {
+        work->problem.bodies[c->b].sweeps |=
+            kind == TD_CONSTRAINT_GEAR ||
+            !is_centred(work, p->cross_b[at.lane], q->cross_b[at.lane]);
+    }
+}
+
+/* Sets `sweeps` and `rubs` of all bodies. */
+static void set_turn_flags(td_island_work *work) {
+    for (int i = 0; i < work->island->bodies; i++) {
+        work->problem.bodies[i].rubs = false;
+    }
+    for (int i = 0; i < work->island->constraints; i++) {
+        const td_direct_constraint *c = &work->problem.constraints[i];
+        const int sides[] = {c->a, c->b};
+        if (!td_is_contact(td_constraint_at(work->w, work->constraints[i]))) {
+            set_sweeps(work, i);
+            continue;
+        }
+        for (int side = 0; side < 2; side++) {
+            if (sides[side] != TD_NONE) {
+                work->problem.bodies[sides[side]].rubs |= !td_island_is_disc(work, sides[side]);
+            }
+        }
+    }
+}
+
+int td_island_parts(td_island_work *work) {
+    set_turn_flags(work);
+    double fastest = 0.0;
+    for (int i = 0; i < work->island->bodies; i++) {
+        double soft = (double)td_row(&work->w->velocity, work->slots[i])[2];
+        double before = work->problem.bodies[i].before[2];
+        double rate = td_max_double(td_abs(soft), td_abs(before));
+        fastest = work->problem.bodies[i].sweeps ? td_max_double(fastest, rate) : fastest;
+    }
+    for (int i = 0; i < work->island->constraints; i++) {
+        fastest = td_max_double(fastest, line_rate(work, i));
+    }
+    double parts = td_max_double(fastest * work->time / TURN_PART, 1.0);
+    if (!(parts < 2 * PARTS_MAX)) {
+        return 0;
+    }
+    if (td_island_is_joints(work)) {
+        bool few = work->island->bodies <= FEW_BODIES;
+        double finer = few ? (double)work->w->substeps / SUBSTEPS_OF_PART : 1.0;
+        double phase = td_max_double(spring_phase(work) / PHASE_PART, 1.0);
+        parts = td_max_double(parts, finer * phase);
+    }
+    int whole = parts < PARTS_MAX ? (int)parts : PARTS_MAX;
+    return whole < PARTS_MAX && whole < parts ? whole + 1 : whole;
+}
+
+bool td_island_rubs(const td_island_work *work) {
+    bool any = false;
+    for (int i = 0; i < work->island->bodies; i++) {
+        const td_direct_body *b = &work->problem.bodies[i];
+        any |= b->rubs && td_abs(b->moved[2]) > work->turn_most;
+    }
+    return any;
+}

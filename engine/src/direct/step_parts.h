@@ -1,0 +1,15 @@
+/* step_parts.h: the number of parts into which a step of an island with joints is divided. */
+#ifndef TD_ISLAND_PARTS_H
+#define TD_ISLAND_PARTS_H
+
+#include "direct/island_step.h"
+
+/* The number of parts, from the fastest rotation of a body that moves a joint, in the velocities
+ * before the step and in the soft solver's result. 0: the rotation is too fast for the direct
+ * solver. Sets `sweeps` and `rubs` of the problem's bodies. */
+int td_island_parts(td_island_work *work);
+/* Whether a body that has contacts, and is no disc, has turned by more than work->turn_most, so
+ * that the contacts' normals and arms of the start of the step are no longer good. */
+bool td_island_rubs(const td_island_work *work);
+
+#endif

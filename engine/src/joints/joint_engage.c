@@ -1,0 +1,219 @@
+/* joint_engage.c: see joint_hooks.h. */
+#include "constraint/joint_hooks.h"
+
+#include "joints/gear.h"
+#include "contact/contact.h"
+#include "islands/wake.h"
+
+static bool is_solid_contact(const td_constraint *constraint) {
+    return td_is_contact(constraint) && constraint->kind != TD_PAIR_SENSOR;
+}
+
+static bool is_there(const td_body *body) {
+    return !(body->flags & (TD_BODY_DISABLED | TD_BODY_QUARANTINED)) &&
+           !(body->changes & TD_CHANGE_ENTER);
+}
+
+/* Contacts of two bodies that are to meet no more. */
+static bool end_contacts(thud_world *w, td_body_index a, td_body_index b) {
+    int count = 0;
+    for (int e = td_body_at(w, a)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
+        count +=
+            is_solid_contact(td_constraint_at(w, e / 2)) && td_same_body(td_other_body(w, e), b);
+    }
+    if (count && !td_contact_end_reserve(w, count)) {
+        return false;
+    }
+    for (int e = td_body_at(w, a)->first_constraint; count && e != TD_NONE;) {
+        int next = td_next_edge(w, e);
+        if (is_solid_contact(td_constraint_at(w, e / 2)) && td_same_body(td_other_body(w, e), b)) {
+            td_contact_destroy(w, e / 2);
+        }
+        e = next;
+    }
+    return true;
+}
+
+/* Its bodies are there. */
+static bool may_engage(const thud_world *w, const td_constraint *constraint) {
+    return !td_joint_of(w, constraint)->disabled && is_there(td_body_at(w, constraint->body[0])) &&
+           is_there(td_body_at(w, constraint->body[1]));
+}
+
+/* Bodies that are tied meet no more, and wake, since something new holds them. */
+static bool make_way(thud_world *w, int index) {
+    const td_constraint *constraint = td_constraint_at(w, index);
+    const td_joint *joint = td_joint_of(w, constraint);
+    if (!joint->collides && !end_contacts(w, constraint->body[0], constraint->body[1])) {
+        return false;
+    }
+    for (int side = 0; side < 2 && joint->kind != THUD_FILTER; side++) {
+        td_body_index body = td_constraint_at(w, index)->body[side];
+        if (td_body_sleeps(w, body) && !td_wake(w, body)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* A filter needs no lane, and rests. */
+static void drop_filters(const thud_world *w, td_array *list) {
+    int kept = 0;
+    for (int i = 0; i < list->count; i++) {
+        int index = td_int_at(list, i);
+        bool filter = td_joint_of(w, td_constraint_at(w, index))->kind == THUD_FILTER;
+        ((int *)list->data)[kept] = index;
+        kept += !filter;
+    }
+    list->count = kept;
+}
+
+/* Lanes for all parts of a kind that wait and may have some. */
+static bool engage(thud_world *w, int kind) {
+    const td_array *waiting = &w->waiting[kind];
+    for (int i = 0; i < waiting->count; i++) {
+        int index = td_int_at(waiting, i);
+        if (may_engage(w, td_constraint_at(w, index)) && !make_way(w, index)) {
+            return false;
+        }
+    }
+    td_array *list = &w->scratch.constraints;
+    if (!td_array_reserve(&w->memory, list, waiting->count)) {
+        return false;
+    }
+    list->count = 0;
+    for (int i = 0; i < waiting->count; i++) {
+        if (may_engage(w, td_constraint_at(w, td_int_at(waiting, i)))) {
+            td_push_int(list, td_int_at(waiting, i));
+        }
+    }
+    for (int i = 0; i < list->count; i++) {
+        td_constraint_rest(w, td_int_at(list, i));
+    }
+    drop_filters(w, list);
+    /* Where memory was short they wait in the order in which they did, so that the next try gives
+     * them the same lanes. */
+    if (!td_lanes_place(w, list->data, list->count)) {
+        for (int i = 0; i < list->count; i++) {
+            td_constraint_wait(w, td_int_at(list, i));
+        }
+        return false;
+    }
+    return true;
+}
+
+/* Gears go with their joints. */
+static void end_idle_gears(thud_world *w) {
+    for (int i = 0; i < w->joints.count && w->constraint_count[TD_CONSTRAINT_GEAR] > 0; i++) {
+        const td_joint *joint = td_joint_at(w, i);
+        if (joint->live && joint->kind == THUD_GEAR && !td_gear_whole(w, joint)) {
+            td_joint_end(w, i);
+        }
+    }
+}
+
+bool td_joints_engage(thud_world *w) {
+    int bodies = w->bodies.live + 1; /* awake slots of this step, whoever wakes in it */
+    w->scratch.next_tied.count = w->scratch.powers.count = 0;
+    if (!td_array_reserve(&w->memory, &w->broken, w->breakable) ||
+        !td_array_reserve(&w->memory, &w->scratch.parents, bodies) ||
+        !td_array_reserve(&w->memory, &w->scratch.next_tied, bodies) ||
+        !td_array_reserve(&w->memory, &w->scratch.before, bodies) ||
+        !td_array_reserve(&w->memory, &w->scratch.powers, bodies)) {
+        return false;
+    }
+    end_idle_gears(w);
+    for (int kind = TD_PAIR_COUNT; kind < TD_CONSTRAINT_KINDS; kind++) {
+        if (w->waiting[kind].count > 0 && !engage(w, kind)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void td_joints_suspend(thud_world *w, td_body_index body) {
+    for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
+        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        if (!td_is_contact(constraint) && constraint->state == TD_TOUCHING) {
+            td_lane_remove(w, e / 2);
+            td_constraint_wait(w, e / 2);
+        }
+    }
+}
+
+/* An anchor has no shapes, and stands at angle 0: it is its own frame. */
+void td_joints_follow(thud_world *w, td_body_index index) {
+    const td_body *body = td_body_at(w, index);
+    const td_position *center = &td_pose_at(w, index)->center;
+    for (int e = body->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
+        const td_constraint *part = td_constraint_at(w, e / 2);
+        td_joint *joint = td_is_contact(part) ? NULL : td_joint_of(w, part);
+        if (!joint || !td_joint_is_lock(w, joint, index)) {
+            continue;
+        }
+        const td_position *from = &td_pose_at(w, joint->body[0])->center;
+        joint->anchor[0][0] = (float)((double)(center->x - from->x) / w->to_fixed);
+        joint->anchor[0][1] = (float)((double)(center->y - from->y) / w->to_fixed);
+        joint->anchor[1][0] = body->center_x;
+        joint->anchor[1][1] = body->center_y;
+        if (part->state == TD_TOUCHING) {
+            td_lane_renew(w, e / 2);
+        }
+    }
+}
+
+/* Both bodies' constraints are walked in turns: the shorter list decides. */
+bool td_joints_keep_apart(const thud_world *w, td_body_index a, td_body_index b) {
+    const td_body *body_a = td_body_at(w, a), *body_b = td_body_at(w, b);
+    if (!(body_a->passes & td_passing_bit(b) && body_b->passes & td_passing_bit(a))) {
+        return false;
+    }
+    int e = body_a->first_constraint, f = body_b->first_constraint;
+    td_body_index other = b;
+    while (e != TD_NONE && f != TD_NONE) {
+        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        if (!td_is_contact(constraint) && td_same_body(td_other_body(w, e), other) &&
+            !td_joint_of(w, constraint)->collides) {
+            return true;
+        }
+        int next = td_next_edge(w, e);
+        e = f;
+        f = next;
+        other = td_same_body(other, b) ? a : b;
+    }
+    return false;
+}
+
+/* A body that locked others, and nobody any more. Where it waits for the change list it goes by
+ * that; else no list has it, and no shapes, contacts or awake slot are to be given back. */
+static void end_idle_anchor(thud_world *w, td_body_index index) {
+    td_body *body = td_body_at(w, index);
+    int wanted = TD_BODY_LIVE | TD_BODY_ANCHOR;
+    if ((body->flags & wanted) != wanted || body->first_constraint != TD_NONE) {
+        return;
+    }
+    if (body->changes) {
+        body->flags &= (uint8_t)~TD_BODY_LIVE;
+        body->changes |= TD_CHANGE_LEAVE;
+        return;
+    }
+    body->flags = 0;
+    body->generation++;
+    td_slots_give(&w->bodies, index.at);
+}
+
+void td_joints_leave(thud_world *w, int index, int part) {
+    td_joint *joint = td_slot_at(&w->joints, index);
+    bool any = false;
+    for (int i = 0; i < TD_JOINT_PARTS; i++) {
+        joint->part[i] = joint->part[i] == part ? TD_NONE : joint->part[i];
+        any |= joint->part[i] != TD_NONE;
+    }
+    if (!any) {
+        w->breakable -= td_joint_breaks(joint);
+        joint->live = 0;
+        joint->generation++;
+        td_slots_give(&w->joints, index);
+        end_idle_anchor(w, joint->body[0]);
+    }
+}

@@ -1,0 +1,68 @@
+/* joint_tied.c: see tied_bodies.h. */
+#include "constraint/joint_hooks.h"
+#include "constraint/tied_bodies.h"
+#include "detection/detection.h"
+#include "islands/label.h"
+#include "joints/joint.h"
+
+/* Two rings become one where their next ones change places. */
+static void tie(thud_world *w, td_awake_slot a, td_awake_slot b) {
+    td_awake_slot *parents = w->scratch.parents.data;
+    td_awake_slot root_a = td_root_of(parents, a), root_b = td_root_of(parents, b);
+    if (root_a.at != root_b.at) {
+        parents[root_a.at] = root_b;
+        td_awake_slot next = td_next_tied(w, a);
+        *td_tied_link(w, a) = td_next_tied(w, b);
+        *td_tied_link(w, b) = next;
+    }
+}
+
+/* Whether it locks a body to what it cannot move, in so many directions that an impact on the way
+ * would tear it: a rod leaves all but one free. Locks of axes leave bodies to detection, too. */
+static bool holds_still(const thud_world *w, const td_joint *joint) {
+    return joint->kind != THUD_DISTANCE && !td_joint_is_lock(w, joint, joint->body[1]);
+}
+
+static void tie_down(const thud_world *w, td_awake_slot slot) {
+    if (td_tied_link(w, slot)->at == slot.at && slot.at > 0) {
+        td_tied_link(w, slot)->at = TD_NONE;
+    }
+}
+
+static td_awake_slot moving_slot(const thud_world *w, td_body_index body) {
+    const td_body *b = td_body_at(w, body);
+    return b->kind == THUD_DYNAMIC && b->awake.at > 0 ? b->awake : (td_awake_slot){0};
+}
+
+/* Springs and motors give way anyway, and tie nothing; rooms are made by td_joints_engage. */
+void td_joints_tie(thud_world *w) {
+    if (w->scratch.next_tied.count > 0) {
+        return;
+    }
+    w->scratch.next_tied.count = w->body_of.count;
+    td_awake_slot *parents = w->scratch.parents.data;
+    for (td_awake_slot slot = {0}; slot.at < w->body_of.count; slot.at++) {
+        parents[slot.at] = slot;
+        *td_tied_link(w, slot) = slot;
+    }
+    for (int i = 0; i < w->joints.count; i++) {
+        const td_joint *joint = td_joint_at(w, i);
+        if (joint->live && joint->locked && td_joint_acts(w, joint)) {
+            td_awake_slot a = moving_slot(w, joint->body[0]), b = moving_slot(w, joint->body[1]);
+            if (a.at > 0 && b.at > 0) {
+                tie(w, a, b);
+            } else if (holds_still(w, joint)) {
+                tie_down(w, a.at > 0 ? a : b);
+            }
+        }
+    }
+}
+
+void td_joints_hold_back(thud_world *w, td_awake_slot slot, double time) {
+    td_joints_tie(w);
+    td_awake_slot other = td_next_tied(w, slot);
+    while (other.at != slot.at) {
+        td_hold_at(w, other, time);
+        other = td_next_tied(w, other);
+    }
+}

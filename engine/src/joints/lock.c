@@ -1,0 +1,47 @@
+/* lock.c: the lanes of what joints lock. */
+#include "joints/joint.h"
+
+TD_DECLARE_WIDE(const td_solve_ops, td_solve_lock);
+
+static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
+    const td_point *p = block->point;
+    const td_lock_rows *rows = td_lock_rows_at(block);
+    float turn = td_max_float(block->inv_inertia_a[lane], block->inv_inertia_b[lane]);
+    float linear =
+        td_joint_size(p[0].normal_impulse[lane]) + td_joint_size(p[1].normal_impulse[lane]);
+    float gap = td_joint_size(p[0].separation[lane]) + td_joint_size(p[1].separation[lane]);
+    float apart =
+        block->tangent_mass[lane] > 0.0f ? td_joint_size(rows->turn_apart[lane]) * size : 0.0f;
+    *off = td_max_float(gap, apart);
+    return linear * td_joint_lighter(w, block, lane) +
+           td_joint_size(block->tangent_impulse[lane]) * turn * size;
+}
+
+/* What is locked misses what it wants by its speed, either way. */
+static void count(thud_world *w, const td_block *block) {
+    const td_lock_rows *rows = td_lock_rows_at(block);
+    const td_point *p = block->point;
+    for (int lane = 0; lane < block->used; lane++) {
+        double a[3], b[3], sign = (double)rows->turn_sign[lane];
+        td_joint_motion(w, block, lane, a, b);
+        td_joint_frame f =
+            td_joint_frame_after(block, lane, (double)p[0].base[lane], (double)p[1].base[lane],
+                                 rows->frame[lane] > 0.0f, a, b);
+        float missed[] = {td_joint_speed(w, block, lane, f.x, f.y, f.a_u, f.b_u),
+                          td_joint_speed(w, block, lane, -f.y, f.x, f.a_v, f.b_v),
+                          td_joint_speed(w, block, lane, 0.0, 0.0, sign, sign)};
+        bool locked[] = {p[0].normal_mass[lane] > 0.0f, p[1].normal_mass[lane] > 0.0f, false};
+        for (int k = 0; k < 3; k++) {
+            float speed = locked[k] ? td_joint_size(missed[k]) : 0.0f;
+            w->errors.residual = td_max_float(speed, w->errors.residual);
+        }
+    }
+}
+
+TD_DEFINE_JOINT_LANES(td_lock_take_rows, td_lock_turn_rows)
+TD_DEFINE_JOINT_OPS(ops, TD_FORM_LOCK, td_place_joints, td_solve_lock)
+
+const td_constraint_ops *td_lock_ops(const thud_world *w) {
+    (void)w;
+    return &TD_PICK_WIDE(w, ops);
+}
