@@ -1,4 +1,4 @@
-/* surface.c: see surface.h. */
+/* surface.c: combines the surfaces of two shapes, and keeps the result in a lane; see surface.h. */
 #include "state/surface.h"
 
 #include "listeners/listener_hooks.h"
@@ -31,7 +31,7 @@ void td_surface_set(thud_world *w, td_block *block, int points, int lane,
     block->bouncy |= s->restitution > 0.0f;
     surface->speed[lane] = s->surface_speed;
     if (s->friction == 0.0f) {
-        block->tangent_impulse[lane] = 0.0f; /* a block without friction would keep it */
+        block->tangent_impulse[lane] = 0.0f; /* a block without friction would keep and apply it */
     }
 }
 
