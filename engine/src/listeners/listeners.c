@@ -38,8 +38,7 @@ static bool settings_valid(const thud_world *w, td_reason *why, const thud_conta
            td_in(why, "prologue: surface_speed", (double)s->surface_speed, -max_speed, max_speed);
 }
 
-/* Copies the settings of an answer; refuses those out of range, and leaves *settings as they were.
- */
+/* Copies the settings of an answer; refuses those out of range, and leaves *settings unchanged. */
 static void accept(const thud_world *w, const thud_contact_settings *answer,
                    thud_contact_settings *settings) {
     if (settings_equal(answer, settings)) {
@@ -74,8 +73,7 @@ typedef struct lane {
     td_block *block;
     int points, index;         /* points of the block's kind; index of the lane */
     const td_seen_block *seen; /* what listeners see of the block's lanes */
-    uint32_t tag, without;     /* td_tag(w, 0); parts of thud_contact that the listeners do without:
-                                  bits     of thud_contact_part */
+    uint32_t tag, without;     /* td_tag(w, 0); bits of thud_contact_part not to fill in */
     double from_fixed;
 } lane;
 
