@@ -78,6 +78,8 @@ static bool refresh(thud_world *w, td_proxy_set *shapes, bool awake) {
            (list_proxy_set(w, shapes, awake) && kind->build(w, shapes, few_moved));
 }
 
+/* Brings both proxy sets up to date: the broadphase stage and queries need that. False when memory
+ * is short. */
 bool td_broadphase_refresh(thud_world *w) {
     return refresh(w, &w->awake_shapes, true) && refresh(w, &w->rest_shapes, false);
 }
@@ -395,6 +397,8 @@ static void clear_marks(thud_world *w) {
     }
 }
 
+/* The stage: finds all new pairs, filters and sorts them, makes contacts of them, and empties the
+ * moved list. False when memory is short: then the step can be tried again. */
 bool td_broadphase(thud_world *w) {
     if (w->moved.count == 0) {
         return true;

@@ -49,6 +49,8 @@ static bool add_pairs_of_line(thud_world *w, int line, const td_array *shapes) {
     return true;
 }
 
+/* Adds the new pairs of every line: of a new line with all shapes, of another one with those that
+ * moved. */
 bool td_pairs_add_ground(thud_world *w) {
     for (int t = 0; t < w->terrains.count; t++) {
         int line = td_terrain_record_at(w, t)->shape;

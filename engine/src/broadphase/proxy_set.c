@@ -20,6 +20,7 @@ void td_proxy_set_init(td_proxy_set *p) {
     td_arrays_init(p, ARRAYS, ARRAY_COUNT);
 }
 
+/* Room for the shapes in p->list, and for the eight lanes that may be written beyond. */
 bool td_proxy_set_reserve(thud_world *w, td_proxy_set *p) {
     int count = p->list.count;
     bool room = td_arrays_reserve(&w->memory, p, ARRAYS, FILLED, count + TD_LANES);

@@ -9,6 +9,9 @@
 #include "contact/sensors.h"
 #include "state/shape.h"
 
+/* Reserves, before bodies move, the memory of all that follows here. False when memory is short.
+ * The hits of a search, and the room that it asks for ahead of each range of shapes, are at most
+ * all shapes each; the third part is reserve. */
 bool td_sensed_reserve(thud_world *w) {
     int room = w->scratch.sensed_room = td_sensors_expect(w);
     int more[TD_CONSTRAINT_KINDS] = {[TD_PAIR_SENSOR] = room};
@@ -19,6 +22,7 @@ bool td_sensed_reserve(thud_world *w) {
            td_constraints_reserve(w, more);
 }
 
+/* Lists the awake bodies that have a sensor. */
 void td_sensed_list(thud_world *w) {
     td_array *list = &w->scratch.sensing;
     list->count = 0;
@@ -63,7 +67,8 @@ static bool may_pair(const thud_world *w, int shape, int other) {
            td_pair_allowed(w, shape, other);
 }
 
-/* Adds the pair if it may have a contact and the fat bounds overlap. False: no room. So too below.
+/* Adds the pair if it may have a contact and the fat bounds overlap. False, here and below: no
+ * room.
  */
 static bool try_pair(thud_world *w, int shape, int other) {
     bool may = td_pair_meets(w, shape, other) && may_pair(w, shape, other);

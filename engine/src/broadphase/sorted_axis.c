@@ -3,6 +3,7 @@
 
 #include "state/kinds.h"
 
+/* Computes the range of centres, and copies bounds and moved flags. */
 void td_sorted_axis_fill(thud_world *w, td_proxy_set *set) {
     const int32_t *ids = set->ids.data;
     set->origin_x = set->origin_y = INT64_MAX;

@@ -66,6 +66,8 @@ thud_shape_instance td_field_shape(const thud_world *w, const td_field_body *a,
     return at;
 }
 
+/* The part p of a force, in [0, 1], that takes the most energy from the motion relative to the
+ * flow. */
 td_push td_push_dissipative(const thud_world *w, const td_field_body *a, td_push force) {
     const td_body *body = td_body_at(w, a->index);
     double inv_mass = (double)body->inv_mass, inv_inertia = (double)body->inv_inertia;
@@ -84,6 +86,7 @@ td_push td_push_dissipative(const thud_world *w, const td_field_body *a, td_push
     return (td_push){part * force.x, part * force.y, part * force.turn};
 }
 
+/* Adds a force to those that act through the next step. */
 thud_result td_field_push(thud_world *w, const td_field_body *a, td_push force) {
     if (!td_push_valid(force)) {
         return td_refuse(w, THUD_ERROR_INVALID, "field: its force is out of range");

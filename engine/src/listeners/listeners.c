@@ -241,6 +241,7 @@ TD_INLINE int visit(thud_world *w, visit_purpose purpose) {
     return number;
 }
 
+/* td_listener_hooks.ask. */
 static void run_prologue(thud_world *w) {
     td_listeners *l = w->listeners;
     if (l->calls.prologue) {
@@ -252,6 +253,7 @@ static void run_prologue(thud_world *w) {
     }
 }
 
+/* td_listener_hooks.tell: contacts first, then the impacts that detection has resolved. */
 static void run_epilogue(thud_world *w) {
     td_listeners *l = w->listeners;
     bool each = l->calls.epilogue != NULL;
@@ -278,6 +280,7 @@ static bool reserve(thud_world *w) {
            td_array_reserve(&w->memory, &l->answers, l->calls.prologue_all ? touching : 0);
 }
 
+/* td_listener_hooks.end. */
 static void end(thud_world *w) {
     td_array_free(&w->memory, &w->listeners->contacts);
     td_array_free(&w->memory, &w->listeners->answers);

@@ -34,6 +34,7 @@ static void add_events_of_block(thud_world *w, td_block *block, int points) {
     }
 }
 
+/* Adds the events of the step: of solved lanes, then of impacts within the step. */
 void td_rules_tell(thud_world *w) {
     for (int r = 0; r < w->scratch.runs.count && w->adds_impulses; r++) {
         const td_run *run = TD_AT(td_run, &w->scratch.runs, r);

@@ -10,6 +10,7 @@ static bool is_stored(const td_rule *rule) {
     return rule->is_set && !rule->reversed;
 }
 
+/* How many rules and events there are to store. */
 td_ruled td_rules_ruled(const thud_world *w) {
     td_ruled ruled = {.impulses = w->rules->impulses.count};
     for (int cell = 0; cell < TD_RULE_CELLS; cell++) {
@@ -18,6 +19,7 @@ td_ruled td_rules_ruled(const thud_world *w) {
     return ruled;
 }
 
+/* Writes both to `to`, td_ruled_bytes long. */
 void td_rules_keep(const thud_world *w, char *to) {
     const td_array *impulses = &w->rules->impulses;
     for (int32_t cell = 0; cell < TD_RULE_CELLS; cell++) {
@@ -49,6 +51,7 @@ static uint32_t column_of(td_kept_rule kept) {
     return 1u << kept.cell % TD_RULE_KINDS;
 }
 
+/* Whether the bytes hold valid rules, by rising cells: they may come from anywhere. */
 bool td_rules_kept(const thud_world *w, td_ruled ruled, const char *from) {
     int last = -1;
     for (int i = 0; i < ruled.rules; i++) {
@@ -66,6 +69,7 @@ bool td_rules_make_room(thud_world *w, td_ruled ruled) {
     return td_array_reserve(&w->memory, &w->rules->impulses, ruled.impulses);
 }
 
+/* Replaces the world's rules and events by those of the bytes, which are valid. */
 void td_rules_bring_back(thud_world *w, td_ruled ruled, const char *from) {
     memset(w->rules->table, 0, sizeof w->rules->table);
     for (int i = 0; i < ruled.rules; i++) {

@@ -56,6 +56,7 @@ static void decide_lane(thud_world *w, td_block *block, int lane, const td_rule 
     }
 }
 
+/* Decides all one-way contacts of the step, before it is solved. */
 void td_rules_decide(thud_world *w) {
     td_lane_marks one_way = {.rule = TD_RULE_ONE_WAY};
     w->rules->impulses.count = 0;
@@ -71,6 +72,8 @@ void td_rules_decide(thud_world *w) {
     }
 }
 
+/* Whether a one-way rule lets an impact within the step pass: its normal is not on the solid side.
+ */
 bool td_rules_let_through(const thud_world *w, const thud_contact *seen) {
     int a = (int)seen->shape_a.index1 - 1, b = (int)seen->shape_b.index1 - 1;
     const td_rule *rule = td_rule_of_pair(w, a, b);

@@ -61,6 +61,7 @@ static uint16_t settle(const thud_world *w, int shape_a, int shape_b,
     return (uint16_t)(marks ? marks | (unsigned)(rule - w->rules->table[0]) : 0u);
 }
 
+/* td_rule_hooks.end. */
 static void end(thud_world *w) {
     td_array_free(&w->memory, &w->rules->impulses);
     td_memory_put(&w->memory, w->rules, sizeof *w->rules);

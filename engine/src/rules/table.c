@@ -27,6 +27,8 @@ const char *td_rule_error(const thud_world *w, uint32_t first, uint32_t second,
     return NULL;
 }
 
+/* Writes a rule into the cells of each kind of `first` with each of `second`, and, reversed, into
+ * those of the other order. Of a kind with itself the rule as given stays. */
 void td_rules_write(td_rules *rules, uint32_t first, uint32_t second, const td_rule *rule) {
     td_rule reversed = *rule;
     reversed.reversed = true;
@@ -39,6 +41,8 @@ void td_rules_write(td_rules *rules, uint32_t first, uint32_t second, const td_r
     }
 }
 
+/* Recomputes what the stages ask first: whether any rule is one-way or has a bound of the impulse.
+ */
 void td_rules_look_through(thud_world *w) {
     w->rules->one_way = false;
     w->rules->min_bound = __builtin_inff();

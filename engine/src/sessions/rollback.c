@@ -37,12 +37,13 @@ typedef struct player_inputs {
 struct thud_rollback {
     thud_world *world;
     thud_rollback_options options;
-    size_t bytes; /* of the memory block of this struct and its rings */
-    saved_step *saved;
-    player_inputs *players;
-    int64_t steps, replayed;
-    int64_t first_wrong; /* the first step that has to be played again, or NO_STEP */
-    bool playing;        /* inside options.step */
+    size_t bytes;           /* of the memory block of this struct and its rings */
+    saved_step *saved;      /* ring of saved_count */
+    player_inputs *players; /* by player */
+    int64_t steps;          /* made so far: the number of the next one */
+    int64_t replayed;       /* steps that were played again, in all */
+    int64_t first_wrong;    /* the first step that has to be played again, or NO_STEP */
+    bool playing;           /* inside options.step */
 };
 
 /* The length of the ring `saved`: one more than the depth, since the prediction for the earliest
@@ -56,6 +57,7 @@ static int input_count(const thud_rollback *r) {
     return 2 * r->options.depth + 2;
 }
 
+/* The place of a step in the ring. */
 static saved_step *saved_step_of(const thud_rollback *r, int64_t step) {
     return &r->saved[step % saved_count(r)];
 }

@@ -24,6 +24,7 @@ bool td_awake_reserve(thud_world *w, int more) {
     return true;
 }
 
+/* Copies what follows from the body's record to its slot, and keeps the count of damped bodies. */
 void td_awake_refresh(thud_world *w, td_body_index index) {
     const td_body *body = td_body_at(w, index);
     if (body->awake.at < 0) {

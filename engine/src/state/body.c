@@ -52,6 +52,7 @@ const char *td_body_def_error(const thud_world *w, const thud_body_def *def, td_
     return NULL;
 }
 
+/* For edits of settings that sleeping bodies depend on. */
 void td_wake_all(thud_world *w) {
     for (td_body_index i = {0}; i.at < w->bodies.count; i.at++) {
         if (td_body_at(w, i)->flags & TD_BODY_LIVE) {
@@ -107,6 +108,7 @@ thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_
     return THUD_OK;
 }
 
+/* Adds a pending change of the body to the change list, and invalidates what depends on it. */
 void td_body_mark(thud_world *w, td_body_index index, td_change_kind change) {
     td_body *body = td_body_at(w, index);
     if (!body->changes) {
@@ -196,6 +198,7 @@ static void weigh_shapes(thud_world *w, td_body_index index) {
     }
 }
 
+/* Recomputes mass, inertia, centre of mass and extents from the body's shapes. */
 void td_body_weigh(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     if (body->aabbs) {

@@ -29,6 +29,7 @@ static void set_velocity(thud_world *w, td_body_index index, const double v[4]) 
     td_body_mark(w, index, TD_CHANGE_WAKE);
 }
 
+/* An impulse (v[0], v[1]) at the point (v[2], v[3]) of the world. */
 static void add_impulse(thud_world *w, td_body_index index, const double v[4]) {
     td_body *body = td_body_at(w, index);
     const td_pose *pose = td_pose_at(w, index);
@@ -84,6 +85,7 @@ static void apply_edit(thud_world *w, td_body_index index, td_deferred_kind what
     }
 }
 
+/* Applies what callbacks have deferred, in the order of the calls. */
 void td_deferred_apply(thud_world *w) {
     int kept = 0;
     for (int i = 0; i < w->deferred.count; i++) {
@@ -117,6 +119,7 @@ void td_deferred_add(thud_world *w, td_body_index index, td_deferred_kind what, 
                            .value = {v[0], v[1], v[2], v[3]}};
 }
 
+/* Whether a deferred edit will rotate the body, so that it cannot get an AABB or a line. */
 bool td_deferred_turns(const thud_world *w, td_body_index index) {
     bool rotates = false, kinematic = td_body_at(w, index)->kind == THUD_KINEMATIC;
     for (int i = 0; i < w->deferred.count; i++) {

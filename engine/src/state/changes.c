@@ -180,7 +180,7 @@ static void extend_bounds(thud_world *w, td_body_index index) {
     }
 }
 
-/* Applies all changes of a body. False when memory is short: then nothing has changed. */
+/* Applies all changes of a body. False when memory is short: then all of them are still pending. */
 static bool apply_changes(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     int changes = body->changes;
@@ -255,6 +255,8 @@ static bool engage_joints(thud_world *w) {
     return !w->joint_hooks || w->joint_hooks->engage(w);
 }
 
+/* The stage: applies deferred edits, then the change list body by body. False when memory is short:
+ * the rest of the list stays for the step that is tried again. */
 bool td_changes_apply(thud_world *w) {
     td_deferred_apply(w);
     w->preview.shape.count = 0;

@@ -7,6 +7,8 @@
  * not tuned. */
 enum { SHARED_BLOCKS_MIN = 64 };
 
+/* A phase for one worker: takes chunks of each part, its own first, and waits until all are done.
+ */
 void td_worker_walk(td_worker *worker, int chunks, td_chunk_fn *run, void *work) {
     atomic_int *phase = worker->phase;
     if (!phase) {
@@ -48,6 +50,7 @@ bool td_job_reserve(thud_world *w) {
            td_array_reserve(&w->memory, &w->scratch.counters, counter_count(w));
 }
 
+/* A task with cleared counters, or one without, for the calling thread alone. */
 td_job td_job_begin(thud_world *w) {
     if (w->def.job_system.workers < 2 || w->scratch.blocks.count < SHARED_BLOCKS_MIN) {
         return (td_job){.workers = 1};

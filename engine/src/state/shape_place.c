@@ -32,6 +32,7 @@ void td_shape_settle(thud_world *w, int index) {
     settle(w, td_shape_at(w, index), td_shape_proxy_at(w, index));
 }
 
+/* The least thickness of all shapes but lines, cached until shapes change. */
 float td_thinnest(thud_world *w) {
     if (w->thinnest_stale) {
         w->thinnest_stale = false;
@@ -46,6 +47,7 @@ float td_thinnest(thud_world *w) {
     return w->thinnest;
 }
 
+/* Puts a shape onto the moved list, and makes its set of proxies out of date. */
 void td_shape_mark_moved(thud_world *w, int index) {
     uint8_t *marks = td_marks_at(w, index);
     if (!(*marks & TD_MARK_MOVED)) {
@@ -104,6 +106,7 @@ td_bounds td_placed_bounds(const thud_world *w, const thud_shape_instance *p, td
  * found by the detection itself. Chosen. */
 #define EXPECTED_MOTION_MAX 16384.0f
 
+/* Extends the fat bounds over an expected motion (dx, dy), caller's unit. */
 void td_shape_expect(thud_world *w, int index, float dx, float dy) {
     td_shape_proxy *proxy = td_shape_proxy_at(w, index);
     float max = EXPECTED_MOTION_MAX * w->unit;
@@ -136,6 +139,7 @@ static void compute_place(const thud_world *w, const td_shape *shape, td_shape_p
     }
 }
 
+/* Computes the shape's place, and updates its fat bounds. */
 void td_shape_place(thud_world *w, int index) {
     const td_shape *shape = td_shape_at(w, index);
     td_shape_proxy *proxy = td_shape_proxy_at(w, index);
@@ -147,6 +151,7 @@ void td_shape_place(thud_world *w, int index) {
     }
 }
 
+/* The proxy as it would be after td_shape_settle and td_shape_place. */
 td_shape_proxy td_shape_placed(const thud_world *w, int index) {
     td_shape shape = *td_shape_at(w, index);
     td_shape_proxy proxy = {.margin = 0};
