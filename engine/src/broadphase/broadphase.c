@@ -9,9 +9,10 @@
  * Two proxy sets are kept: one of the shapes of awake bodies, and one of those of static, sleeping
  * and disabled bodies (here: resting), which is sorted again only when a shape enters or leaves it.
  * Pairs are searched only around shapes on the list `moved`: those whose tight bounds have left
- * their fat bounds, and new ones. How a proxy set is ordered and swept is the choice of the world's
- * thud_broadphase: grid.c, plane_sweep.c or all_pairs.c. td_pairs_sort makes the result independent
- * of that choice, but for crowds (below). */
+ * their fat bounds, new ones, and those of bodies that woke or lack pairs. How a proxy set is
+ * ordered and swept is the choice of the world's thud_broadphase: grid.c, plane_sweep.c or
+ * all_pairs.c. td_pairs_sort makes the result independent of that choice, but for crowds (below).
+ */
 #include "contact/contact.h"
 #include "state/kinds.h"
 #include "broadphase/pairs.h"
@@ -36,9 +37,9 @@ static bool is_placed(const thud_world *w, int shape) {
 
 /* Lists the shapes of a proxy set: those of awake bodies in the order of awake slots, or all others
  * in the order of their indices. Lines of ground are in neither. False when memory is short. */
-static bool list_proxy_set(thud_world *w, td_proxy_set *grid, bool awake) {
-    td_array *list = &grid->list;
-    if (grid->listed) {
+static bool list_proxy_set(thud_world *w, td_proxy_set *set, bool awake) {
+    td_array *list = &set->list;
+    if (set->listed) {
         return true;
     }
     if (!td_array_reserve(&w->memory, list, w->shapes.count)) {
@@ -63,7 +64,7 @@ static bool list_proxy_set(thud_world *w, td_proxy_set *grid, bool awake) {
             }
         }
     }
-    grid->listed = true;
+    set->listed = true;
     return true;
 }
 
@@ -71,7 +72,9 @@ static bool list_proxy_set(thud_world *w, td_proxy_set *grid, bool awake) {
  * that, else by building it again. False when memory is short. */
 static bool refresh(thud_world *w, td_proxy_set *shapes, bool awake) {
     const thud_broadphase *kind = w->def.broadphase;
-    /* At most a fifth has moved: preparing for updates in place pays. Chosen; not tuned. */
+    /* Where at most a fifth has moved, a proxy set is updated in place, or built so that it can be.
+     * With more, most updates in place fail, since some shape has left its cell. Chosen; not tuned.
+     */
     bool few_moved = awake && w->moved.count * 5 <= w->awake_shapes.list.count;
     return shapes->valid ||
            (few_moved && kind->follow && kind->follow(w, shapes, w->moved.data, w->moved.count)) ||
@@ -116,7 +119,7 @@ static unsigned turn_number(const thud_world *w, int a, int b) {
  * contact with: the bounds did not overlap before, or, where bounds tell nothing, the hit is not
  * stamped as a partner. Leaves out the pairs whose turn number has a bit of `skip_mask`. False when
  * memory is short. */
-static bool add_new(thud_world *w, int a, const int *hits, int count, unsigned skip_mask) {
+static bool add_new_pairs(thud_world *w, int a, const int *hits, int count, unsigned skip_mask) {
     const td_bounds *before = td_bounds_before(w, a);
     const uint32_t *stamps = w->scratch.stamps.data;
     int own = *td_marks_at(w, a);
@@ -211,7 +214,7 @@ static bool add_hits(void *context, int shape, const int *hits, int count) {
     thud_world *w = s->w;
     int first = w->scratch.pairs.count;
     unsigned skip_mask = s->crowded ? turn_mask(count, CROWD_TESTS_A_SHAPE) : 0;
-    if (!add_new(w, shape, hits, count, skip_mask)) {
+    if (!add_new_pairs(w, shape, hits, count, skip_mask)) {
         return false;
     }
     s->overlaps += count;
@@ -226,9 +229,9 @@ static bool add_hits(void *context, int shape, const int *hits, int count) {
 }
 
 /* Puts the shapes of a proxy set whose bounds overlap those of `shape` into scratch.hits. */
-static bool query(thud_world *w, const td_proxy_set *grid, int shape) {
+static bool query(thud_world *w, const td_proxy_set *set, int shape) {
     w->scratch.hits.count = 0;
-    return w->def.broadphase->find[w->wide](grid, &w->memory, td_fat_at(w, shape),
+    return w->def.broadphase->find[w->wide](set, &w->memory, td_fat_at(w, shape),
                                             td_shape_proxy_at(w, shape)->center, &w->scratch.hits);
 }
 
@@ -237,10 +240,10 @@ static bool query(thud_world *w, const td_proxy_set *grid, int shape) {
 static bool sweep(pair_search *s) {
     thud_world *w = s->w;
     s->overlaps = 0;
-    const td_proxy_set *grid = &w->awake_shapes;
-    bool every = grid->moved_count * 2 > grid->ids.count;
+    const td_proxy_set *set = &w->awake_shapes;
+    bool every = set->moved_count * 2 > set->ids.count;
     w->scratch.hits.count = w->scratch.pairs.count = 0;
-    return w->def.broadphase->sweep[w->wide](grid, &w->memory, w->proxy.data, every,
+    return w->def.broadphase->sweep[w->wide](set, &w->memory, w->proxy.data, every,
                                              &w->scratch.hits, add_hits, s);
 }
 
@@ -279,7 +282,7 @@ static bool find_awake_pairs_of(thud_world *w, int shape, bool with_moved) {
     }
     for (int k = 0; k < w->scratch.hits.count; k++) {
         const int *other = TD_AT(int, &w->scratch.hits, k);
-        if (has_moved(w, *other) == with_moved && !add_new(w, shape, other, 1, 0)) {
+        if (has_moved(w, *other) == with_moved && !add_new_pairs(w, shape, other, 1, 0)) {
             return false;
         }
     }
@@ -298,7 +301,7 @@ static bool find_resting_sensor_pairs_of(thud_world *w, int shape) {
     for (int k = 0; k < w->scratch.hits.count && done; k++) {
         const int *other = TD_AT(int, &w->scratch.hits, k);
         bool finds = (own || td_senses(w, *other)) && !(has_moved(w, *other) && *other < shape);
-        done = !finds || add_new(w, shape, other, 1, 0);
+        done = !finds || add_new_pairs(w, shape, other, 1, 0);
     }
     return done;
 }
@@ -306,7 +309,7 @@ static bool find_resting_sensor_pairs_of(thud_world *w, int shape) {
 /* Adds the new pairs of an awake shape with resting ones. False when memory is short. */
 static bool find_resting_pairs_of(thud_world *w, int shape) {
     return query(w, &w->rest_shapes, shape) &&
-           add_new(w, shape, w->scratch.hits.data, w->scratch.hits.count, 0);
+           add_new_pairs(w, shape, w->scratch.hits.data, w->scratch.hits.count, 0);
 }
 
 /* Adds every new pair of an awake and a resting shape of which one moved, and of two resting ones
@@ -350,12 +353,12 @@ static bool is_vast(const thud_world *w) {
     const td_proxy_set *a = &w->awake_shapes, *b = &w->rest_shapes;
     int64_t low_x = INT64_MAX, low_y = INT64_MAX, high_x = INT64_MIN, high_y = INT64_MIN;
     for (int i = 0; i < 2; i++) {
-        const td_proxy_set *grid = i ? b : a;
-        if (grid->ids.count) {
-            low_x = grid->origin_x < low_x ? grid->origin_x : low_x;
-            low_y = grid->origin_y < low_y ? grid->origin_y : low_y;
-            high_x = grid->end_x > high_x ? grid->end_x : high_x;
-            high_y = grid->end_y > high_y ? grid->end_y : high_y;
+        const td_proxy_set *set = i ? b : a;
+        if (set->ids.count) {
+            low_x = set->origin_x < low_x ? set->origin_x : low_x;
+            low_y = set->origin_y < low_y ? set->origin_y : low_y;
+            high_x = set->end_x > high_x ? set->end_x : high_x;
+            high_y = set->end_y > high_y ? set->end_y : high_y;
         }
     }
     return low_x <= high_x && (high_x - low_x > INT32_MAX / 2 || high_y - low_y > INT32_MAX / 2);

@@ -101,7 +101,8 @@ static uint32_t table_size_for(int64_t n) {
 
 /* Sets each level's cell width and table; returns the length of `starts`. A table has at least two
  * cells a shape; a level is hashed where its rectangle has more than twice as many cells as that.
- * The slack is 1/16 of the cell. Both chosen; not tuned. */
+ * The slack is 1/16 of the cell: with more, cells hold more shapes, which all are tested; with
+ * less, shapes leave their cells sooner, and the grid is built again. Both chosen; not tuned. */
 static int choose_tables(td_proxy_set *grid, bool few_moved) {
     int first = 0, starts = 0;
     for (int l = 0; l < TD_LEVELS; l++) {

@@ -67,9 +67,7 @@ static bool may_pair(const thud_world *w, int shape, int other) {
            td_pair_allowed(w, shape, other);
 }
 
-/* Adds the pair if it may have a contact and the fat bounds overlap. False, here and below: no
- * room.
- */
+/* Adds the pair if it may have a contact and the fat bounds overlap. False: no room; so below. */
 static bool try_pair(thud_world *w, int shape, int other) {
     bool may = td_pair_meets(w, shape, other) && may_pair(w, shape, other);
     return !may || add(w, shape, other, 0);

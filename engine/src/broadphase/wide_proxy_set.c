@@ -19,7 +19,7 @@ int TD_WIDE(td_proxy_set_fill)(td_proxy_set *set, const td_shape_proxy *proxy,
             __builtin_memcpy(rows[k] + i, &bounds[k], sizeof bounds[k]);
         }
     }
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count; i++) { /* bit 0 is TD_MARK_MOVED */
         int32_t flag = -(int32_t)(marks[ids[i]] & 1);
         moved[i] = flag;
         moved_count -= flag;

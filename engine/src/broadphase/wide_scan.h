@@ -1,7 +1,7 @@
 /* wide_scan.h: tests eight bounds at a time against one, for the files that sweep a proxy set.
  *
  * Bounds a and b overlap where none of the differences a.max - b.min and b.max - a.min, along x and
- * y, is negative; so the sign bit of their disjunction decides. Differences wrap around, as bounds
+ * y, is negative; so the sign bit of their bitwise or decides. Differences wrap around, as bounds
  * do. */
 #ifndef TD_WIDE_SCAN_H
 #define TD_WIDE_SCAN_H

@@ -54,11 +54,11 @@ void td_rules_tell(thud_world *w) {
 }
 
 const thud_impulse_event *thud_world_impulses(const thud_world *w, int *count) {
-    const td_array *told = !w || !w->rules ? NULL
-                           : w->gathers    ? &w->gathered.impulses
-                                           : &w->rules->impulses;
+    const td_array *events = !w || !w->rules ? NULL
+                             : w->gathers    ? &w->gathered.impulses
+                                             : &w->rules->impulses;
     if (count) {
-        *count = told ? told->count : 0;
+        *count = events ? events->count : 0;
     }
-    return told ? told->data : NULL;
+    return events ? events->data : NULL;
 }

@@ -3,8 +3,9 @@
 
 #include <string.h>
 
-/* Blocks from which on a task is shared: fewer are solved before another thread has woken. Chosen;
- * not tuned. */
+/* Blocks from which on a task is shared: fewer are solved before another thread has woken, so that
+ * sharing would only cost. A greater value leaves more small worlds to one thread. Chosen; not
+ * tuned. */
 enum { SHARED_BLOCKS_MIN = 64 };
 
 /* A phase for one worker: takes chunks of each part, its own first, and waits until all are done.

@@ -1,6 +1,6 @@
 /* shape_place.c: computes the places of shapes from their bodies' poses, their tight and fat
- * bounds, and which terrain segments bounds reach. The arithmetic gives the same bits as
- * wide_finalize.c, which does this for eight awake bodies at a time. */
+ * bounds, and which terrain segments bounds reach. wide_finalize.c does the
+ * same for the awake bodies of a step, eight at a time and with the same rounding. */
 #include "state/body.h"
 #include "state/shape.h"
 
@@ -47,7 +47,8 @@ float td_thinnest(thud_world *w) {
     return w->thinnest;
 }
 
-/* Puts a shape onto the moved list, and makes its set of proxies out of date. */
+/* Puts a shape onto the moved list, and makes the awake proxy set out of date. (Edits invalidate
+ * the resting one: changes.c.) */
 void td_shape_mark_moved(thud_world *w, int index) {
     uint8_t *marks = td_marks_at(w, index);
     if (!(*marks & TD_MARK_MOVED)) {
