@@ -271,7 +271,8 @@ static void run_epilogue(thud_world *w) {
     }
 }
 
-/* Impacts are at most as many as the step's detection has reserved room for. */
+/* td_listener_hooks.reserve. Impacts are at most as many as the step's detection has reserved room
+ * for. */
 static bool reserve(thud_world *w) {
     td_listeners *l = w->listeners;
     int touching = w->touching, impacts = w->scratch.impacts.capacity;

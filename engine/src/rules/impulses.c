@@ -5,7 +5,8 @@
 #include "contact/contact.h"
 #include "rules/rules.h"
 
-/* Impacts are at most as many as the step's detection has reserved room for. */
+/* Makes room for an event of each touching lane and of each impact, of which there are at most as
+ * many as the step's detection has reserved room for. False when memory is short. */
 bool td_rules_reserve(thud_world *w) {
     return !w->adds_impulses || td_array_reserve(&w->memory, &w->rules->impulses,
                                                  w->touching + w->scratch.impacts.capacity);

@@ -26,8 +26,7 @@ thud_result td_find_shape(const thud_world *w, thud_shape_id id, int *index);
 /* The generation in handles: the slot's, plus the world's number times 2^32 over the golden ratio,
  * modulo 2^32, so that handles of another world are stale here. Such multiples spread evenly
  * (Fibonacci hashing; D. Knuth, "The Art of Computer Programming", vol. 3, 6.4): any two of n
- * worlds are at least 2^32 / (2.24 n) generations apart, about the square root of 5, which is the
- * best that multiples of one number can do. */
+ * worlds are at least 2^32 / (2.24 n) generations apart (2.24: about the square root of 5). */
 static inline uint32_t td_tag(const thud_world *w, uint32_t generation) {
     return generation + w->number * 0x9e3779b9u;
 }
