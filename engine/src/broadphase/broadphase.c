@@ -1,11 +1,18 @@
-/* broadphase.c: from moved bounds to new contacts.
+/* broadphase.c: the broadphase stage of a step, which turns moved bounds into new contacts.
  *
- * A contact exists exactly while the fat bounds of its shapes overlap, so a pair is new if and only
- * if the bounds that its shapes had before did not overlap: no table of pairs is needed. (In a
- * world so wide that bounds wrap around, they may seem to have overlapped; there the contacts of
- * the two bodies are searched instead.) Bodies that rest (static or asleep) have a grid of their
- * own, sorted anew only when one comes or goes. New pairs come in the order of the grids, then in
- * that of the moved list. */
+ * Main invariant: a contact exists exactly while the fat bounds of its shapes overlap. Hence an
+ * overlapping pair is new if and only if the bounds that its shapes had at the last broadphase did
+ * not overlap (td_bounds_before), and no table of pairs is needed. The exceptions are shapes marked
+ * TD_MARK_WOKEN and vast worlds (is_vast), whose bounds may wrap around and seem to have
+ * overlapped: there the list of contacts of one of the bodies is searched instead.
+ *
+ * Two proxy sets are kept: one of the shapes of awake bodies, and one of those of static, sleeping
+ * and disabled bodies (here: resting), which is sorted again only when a shape enters or leaves it.
+ * Pairs are searched only around shapes on the list `moved`: those whose tight bounds have left
+ * their fat bounds, new ones, and those of bodies that woke or lack pairs. How a proxy set is
+ * ordered and swept is the choice of the world's thud_broadphase: grid.c, plane_sweep.c or
+ * all_pairs.c. td_pairs_sort makes the result independent of that choice, but for crowds (below).
+ */
 #include "contact/contact.h"
 #include "state/kinds.h"
 #include "broadphase/pairs.h"
@@ -15,20 +22,24 @@
 
 #include <string.h>
 
+/* Whether the body of the shape has an awake slot. */
 static bool is_awake(const thud_world *w, int shape) {
     return td_body_at(w, td_shape_at(w, shape)->body)->awake.at > 0;
 }
 
-/* ---- the grids ---- */
+/* ---- the proxy sets ---- */
 
-/* Made since the last step, and asked about before the next one: preview.h has it. */
-static bool has_place(const thud_world *w, int shape) {
+/* Whether the shape has a pose and bounds in the world. False for a shape made since the last step,
+ * which queries see through preview.h. */
+static bool is_placed(const thud_world *w, int shape) {
     return td_shape_proxy_at(w, shape)->margin > 0;
 }
 
-static bool list_proxy_set(thud_world *w, td_proxy_set *grid, bool awake) {
-    td_array *list = &grid->list;
-    if (grid->listed) {
+/* Lists the shapes of a proxy set: those of awake bodies in the order of awake slots, or all others
+ * in the order of their indices. Lines of ground are in neither. False when memory is short. */
+static bool list_proxy_set(thud_world *w, td_proxy_set *set, bool awake) {
+    td_array *list = &set->list;
+    if (set->listed) {
         return true;
     }
     if (!td_array_reserve(&w->memory, list, w->shapes.count)) {
@@ -39,7 +50,7 @@ static bool list_proxy_set(thud_world *w, td_proxy_set *grid, bool awake) {
         for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
             int i = td_body_at(w, td_body_of(w, slot))->first_shape;
             for (; i != TD_NONE; i = td_shape_at(w, i)->next) {
-                if (has_place(w, i)) {
+                if (is_placed(w, i)) {
                     td_push_int(list, i);
                 }
             }
@@ -48,34 +59,41 @@ static bool list_proxy_set(thud_world *w, td_proxy_set *grid, bool awake) {
         for (int i = 0; i < w->shapes.count; i++) {
             const td_shape *shape = td_shape_at(w, i);
             if ((shape->flags & TD_SHAPE_LIVE) && !td_kind_is_line(shape->kind) &&
-                !is_awake(w, i) && has_place(w, i)) {
+                !is_awake(w, i) && is_placed(w, i)) {
                 td_push_int(list, i);
             }
         }
     }
-    grid->listed = true;
+    set->listed = true;
     return true;
 }
 
+/* Brings a proxy set up to date with the shapes' fat bounds: in place where the broadphase can do
+ * that, else by building it again. False when memory is short. */
 static bool refresh(thud_world *w, td_proxy_set *shapes, bool awake) {
     const thud_broadphase *kind = w->def.broadphase;
-    /* Where a fifth moved, nearly everything is to be sorted anew next time as well. */
-    bool quiet = awake && w->moved.count * 5 <= w->awake_shapes.list.count;
+    /* Where at most a fifth has moved, a proxy set is updated in place, or built so that it can be.
+     * With more, most updates in place fail, since some shape has left its cell. Chosen; not tuned.
+     */
+    bool few_moved = awake && w->moved.count * 5 <= w->awake_shapes.list.count;
     return shapes->valid ||
-           (quiet && kind->follow && kind->follow(w, shapes, w->moved.data, w->moved.count)) ||
-           (list_proxy_set(w, shapes, awake) && kind->build(w, shapes, quiet));
+           (few_moved && kind->follow && kind->follow(w, shapes, w->moved.data, w->moved.count)) ||
+           (list_proxy_set(w, shapes, awake) && kind->build(w, shapes, few_moved));
 }
 
+/* Brings both proxy sets up to date: the broadphase stage and queries need that. False when memory
+ * is short. */
 bool td_broadphase_refresh(thud_world *w) {
     return refresh(w, &w->awake_shapes, true) && refresh(w, &w->rest_shapes, false);
 }
 
 /* ---- new pairs ---- */
 
-/* Stamps every shape that shape a has a contact with; returns how many there are. */
+/* Marks the partners of shape a: sets scratch.stamps of every shape that it has a contact with to
+ * the new value of scratch.stamp. Returns how many there are. */
 static int stamp_partners(thud_world *w, int a) {
     uint32_t *stamps = w->scratch.stamps.data;
-    if (++w->scratch.stamp == 0) { /* all of them were used: none may be taken for a new one */
+    if (++w->scratch.stamp == 0) { /* wrapped around: clear stamps of old searches */
         memset(stamps, 0, (size_t)w->scratch.stamps.capacity * sizeof *stamps);
         w->scratch.stamp = 1;
     }
@@ -91,21 +109,23 @@ static int stamp_partners(thud_world *w, int a) {
     return count;
 }
 
-/* In a crowd pairs take turns: by the step and by the pair, so that each has its turn in time. */
-static unsigned turn_of(const thud_world *w, int a, int b) {
+/* In a crowded world a pair is looked at in the steps in which this number has no bit in common
+ * with a mask 2^k - 1 (turn_mask): in one of any 2^k successive steps. */
+static unsigned turn_number(const thud_world *w, int a, int b) {
     return (unsigned)a + (unsigned)b + (unsigned)w->steps;
 }
 
-/* Adds those of the hits, all of which overlap shape a, that have no contact with it: whose bounds
- * did not overlap before; or, where that tells nothing, those that are not among its contacts.
- * `skipped`: bits of turns that it is not. */
-static bool add_new(thud_world *w, int a, const int *hits, int count, unsigned skipped) {
+/* Adds a pair of shape a with each of the hits, whose bounds all overlap its own, that it has no
+ * contact with: the bounds did not overlap before, or, where bounds tell nothing, the hit is not
+ * stamped as a partner. Leaves out the pairs whose turn number has a bit of `skip_mask`. False when
+ * memory is short. */
+static bool add_new_pairs(thud_world *w, int a, const int *hits, int count, unsigned skip_mask) {
     const td_bounds *before = td_bounds_before(w, a);
     const uint32_t *stamps = w->scratch.stamps.data;
     int own = *td_marks_at(w, a);
     bool stamped = false;
     for (int i = 0; i < count; i++) {
-        if (turn_of(w, a, hits[i]) & skipped) {
+        if (turn_number(w, a, hits[i]) & skip_mask) {
             continue;
         }
         int marks = own | *td_marks_at(w, hits[i]);
@@ -128,114 +148,132 @@ static bool add_new(thud_world *w, int a, const int *hits, int count, unsigned s
 
 /* ---- crowds ---- */
 
-/* Where everything overlaps everything, there are as many pairs as the square of the shapes. A
- * world becomes crowded when more pairs overlap than ENOUGH and ENOUGH_A_SHAPE for each of its
- * shapes; until then all pairs get their contacts at once. It stays so until fewer than half as
- * many overlap: a crowd that comes apart would else get all that are missing in the one step in
- * which it has just few enough. */
-enum { ENOUGH = 8192, ENOUGH_A_SHAPE = 64 };
+/* Where n shapes stand in one place, n^2 / 2 pairs overlap. A world becomes crowded when a sweep
+ * finds more overlapping pairs than CROWD_PAIRS_BASE + CROWD_PAIRS_A_SHAPE times its shapes; until
+ * then every new pair gets its contact in the step in which it is found. The world stays crowded
+ * until fewer than half as many overlap: with one threshold, a crowd that disperses would get all
+ * contacts that it lacks in the one step in which it falls below. Both chosen: in a heap of
+ * like circles each has 6 neighbours, 3 pairs a shape; and 207 shapes in one place (the root of
+ * n (n - 1) / 2 = 8192 + 64 n) still get all contacts at once. */
+enum { CROWD_PAIRS_BASE = 8192, CROWD_PAIRS_A_SHAPE = 64 };
 
-static int64_t enough(const thud_world *w) {
-    return ENOUGH + ENOUGH_A_SHAPE * (int64_t)w->shapes.live;
+/* Overlapping pairs above which the world is crowded. */
+static int64_t crowd_threshold(const thud_world *w) {
+    return CROWD_PAIRS_BASE + CROWD_PAIRS_A_SHAPE * (int64_t)w->shapes.live;
 }
 
-/* In a crowded world, a shape looks in each step at about LOOKS of those that overlap it, which is
- * cheap, and gets new contacts with about PLACES of them, which is not; once it has PLACES contacts
- * it gets about one more a step. Sensors get contacts with all that are looked at. The others have
- * their turn in later steps: each within as many as the power of two by which they were divided. */
-enum { LOOKS = 128, PLACES = 32 };
+/* Limits of a shape in one step of a crowded world. Its overlapping shapes are divided into 2^k
+ * parts of about CROWD_TESTS_A_SHAPE or fewer, of which one is tested in this step (cheap: filters
+ * and contact lists); of the pairs left, about CROWD_CONTACTS_A_SHAPE become contacts (expensive:
+ * each goes through the narrowphase from then on), or about one, once the shape has that many.
+ * Pairs of sensors become contacts as soon as they are tested. Every other pair has its turn within
+ * the product of both powers of two, in steps. CROWD_TESTS_A_SHAPE is part of what thud_detection.h
+ * promises (n / 64 steps in a crowd of n); both chosen. */
+enum { CROWD_TESTS_A_SHAPE = 128, CROWD_CONTACTS_A_SHAPE = 32 };
 
-typedef struct search {
+/* The search for pairs among awake shapes, as add_hits continues it. */
+typedef struct pair_search {
     thud_world *w;
-    int64_t looks;
-    bool crowded;
-} search;
+    int64_t overlaps; /* overlapping pairs found so far */
+    bool crowded;     /* pairs wait for their turn */
+} pair_search;
 
-/* One less than the power of two that divides `count` down to `most`. */
-static unsigned turns_for(int count, int most) {
+/* 2^k - 1 for the least 2^k with count <= 2^k max: a mask for turn_number. */
+static unsigned turn_mask(int count, int max) {
     unsigned turns = 1;
-    while ((unsigned)count > turns * (unsigned)most) {
+    while ((unsigned)count > turns * (unsigned)max) {
         turns *= 2;
     }
     return turns - 1;
 }
 
-/* In a crowd: of a shape's pairs, those from `first` on, drops those that may not touch, and those
- * whose turn it is not; all passed `skipped`. Returns whether any may be missing. */
-static bool take_turns(thud_world *w, int shape, int first, unsigned skipped) {
+/* In a crowded world: drops of a shape's new pairs, from index `first` on, those that filters rule
+ * out, and then those whose turn it is not, but for sensors. `skip_mask` is the mask that the pairs
+ * have passed already. Returns whether the shape may have pairs left for later steps. */
+static bool keep_pairs_in_turn(thud_world *w, int shape, int first, unsigned skip_mask) {
     td_array *pairs = &w->scratch.pairs;
     td_pairs_filter(w, first);
-    int kept = first, most = stamp_partners(w, shape) < PLACES ? PLACES : 1;
-    skipped += (skipped + 1) * turns_for(pairs->count - first, most);
+    int kept = first,
+        max = stamp_partners(w, shape) < CROWD_CONTACTS_A_SHAPE ? CROWD_CONTACTS_A_SHAPE : 1;
+    skip_mask += (skip_mask + 1) * turn_mask(pairs->count - first, max);
     for (int i = first; i < pairs->count; i++) {
         const td_new_pair *pair = TD_AT(td_new_pair, pairs, i);
         bool sensor = td_senses(w, pair->a) || td_senses(w, pair->b);
-        if (sensor || !(turn_of(w, pair->a, pair->b) & skipped)) {
+        if (sensor || !(turn_number(w, pair->a, pair->b) & skip_mask)) {
             *TD_AT(td_new_pair, pairs, kept++) = *pair;
         }
     }
     pairs->count = kept;
-    return skipped != 0;
+    return skip_mask != 0;
 }
 
-static bool take_hits(void *context, int shape, const int *hits, int count) {
-    search *s = context;
+/* The sweep's td_hits_fn: adds the new pairs of one shape. False, which ends the sweep, when memory
+ * is short, and when the pairs make an uncrowded world crowded (the sweep is then done again). */
+static bool add_hits(void *context, int shape, const int *hits, int count) {
+    pair_search *s = context;
     thud_world *w = s->w;
     int first = w->scratch.pairs.count;
-    unsigned skipped = s->crowded ? turns_for(count, LOOKS) : 0;
-    if (!add_new(w, shape, hits, count, skipped)) {
+    unsigned skip_mask = s->crowded ? turn_mask(count, CROWD_TESTS_A_SHAPE) : 0;
+    if (!add_new_pairs(w, shape, hits, count, skip_mask)) {
         return false;
     }
-    s->looks += count;
+    s->overlaps += count;
     if (s->crowded) {
-        if (take_turns(w, shape, first, skipped)) {
+        if (keep_pairs_in_turn(w, shape, first, skip_mask)) {
             td_push_int(&w->scratch.crowded, shape);
         }
         return true;
     }
-    s->crowded = s->looks > enough(w);
+    s->crowded = s->overlaps > crowd_threshold(w);
     return !s->crowded;
 }
 
-static bool query(thud_world *w, const td_proxy_set *grid, int shape) {
+/* Puts the shapes of a proxy set whose bounds overlap those of `shape` into scratch.hits. */
+static bool query(thud_world *w, const td_proxy_set *set, int shape) {
     w->scratch.hits.count = 0;
-    return w->def.broadphase->find[w->wide](grid, &w->memory, td_fat_at(w, shape),
+    return w->def.broadphase->find[w->wide](set, &w->memory, td_fat_at(w, shape),
                                             td_shape_proxy_at(w, shape)->center, &w->scratch.hits);
 }
 
-static bool sweep(search *s) {
+/* Searches all pairs of awake shapes of which one moved. False where add_hits ended it or memory is
+ * short. */
+static bool sweep(pair_search *s) {
     thud_world *w = s->w;
-    s->looks = 0;
-    const td_proxy_set *grid = &w->awake_shapes;
-    bool every = grid->moved_count * 2 > grid->ids.count;
+    s->overlaps = 0;
+    const td_proxy_set *set = &w->awake_shapes;
+    bool every = set->moved_count * 2 > set->ids.count;
     w->scratch.hits.count = w->scratch.pairs.count = 0;
-    return w->def.broadphase->sweep[w->wide](grid, &w->memory, w->proxy.data, every,
-                                             &w->scratch.hits, take_hits, s);
+    return w->def.broadphase->sweep[w->wide](set, &w->memory, w->proxy.data, every,
+                                             &w->scratch.hits, add_hits, s);
 }
 
-/* Shapes of a crowd are the first that moved: look_again. */
+/* Whether the world was crowded in the last step: requeue_crowded puts the shapes of a crowd at the
+ * head of the moved list, with this mark. */
 static bool was_crowded(const thud_world *w) {
     return *td_marks_at(w, td_int_at(&w->moved, 0)) & TD_MARK_CROWDED;
 }
 
-/* Every pair of awake shapes of which one moved, or, in a crowd, whose turn it is. Sets whether the
- * next search is one in a crowd as well. */
-static bool pair_awake(thud_world *w, bool *crowded) {
+/* Adds every new pair of awake shapes of which one moved, in a crowded world only those whose turn
+ * it is. Sets *crowded to whether the world is crowded in the next step. False when out of memory.
+ */
+static bool find_awake_pairs(thud_world *w, bool *crowded) {
     bool before = was_crowded(w);
-    search s = {.w = w, .crowded = before};
+    pair_search s = {.w = w, .crowded = before};
     w->scratch.crowded.count = 0;
     bool done = td_array_reserve(&w->memory, &w->scratch.crowded, w->awake_shapes.ids.count) &&
                 (sweep(&s) || (s.crowded && !before && sweep(&s)));
-    *crowded = s.crowded && s.looks > enough(w) / 2;
+    *crowded = s.crowded && s.overlaps > crowd_threshold(w) / 2;
     return done;
 }
 
-static bool moved(const thud_world *w, int shape) {
+/* Whether the shape is on the moved list. */
+static bool has_moved(const thud_world *w, int shape) {
     return *td_marks_at(w, shape) & TD_MARK_MOVED;
 }
 
-/* A shape at rest against awake ones; where both moved the pair comes once more from the other. */
-static bool pair_resting(thud_world *w, int shape, bool with_moved) {
+/* Adds the new pairs of a resting shape with those awake shapes that moved (`with_moved`), or with
+ * those that did not. False when memory is short. */
+static bool find_awake_pairs_of(thud_world *w, int shape, bool with_moved) {
     if (td_kind_is_line(td_shape_at(w, shape)->kind)) {
         return true;
     }
@@ -244,16 +282,17 @@ static bool pair_resting(thud_world *w, int shape, bool with_moved) {
     }
     for (int k = 0; k < w->scratch.hits.count; k++) {
         const int *other = TD_AT(int, &w->scratch.hits, k);
-        if (moved(w, *other) == with_moved && !add_new(w, shape, other, 1, 0)) {
+        if (has_moved(w, *other) == with_moved && !add_new_pairs(w, shape, other, 1, 0)) {
             return false;
         }
     }
     return true;
 }
 
-/* A sensor sees who sleeps where it comes to, and one that sleeps what comes to it. Where both
- * moved, the lower shape finds the pair. */
-static bool pair_sensed(thud_world *w, int shape) {
+/* Adds the new pairs of a resting shape that moved with other resting shapes, where one of the two
+ * is a sensor: the only pairs that have contacts without an awake body. Where both moved, the shape
+ * of lower index adds the pair. False when memory is short. */
+static bool find_resting_sensor_pairs_of(thud_world *w, int shape) {
     bool own = td_senses(w, shape);
     if ((!own && !w->mobile_sensors) || td_kind_is_line(td_shape_at(w, shape)->kind)) {
         return true;
@@ -261,38 +300,43 @@ static bool pair_sensed(thud_world *w, int shape) {
     bool done = query(w, &w->rest_shapes, shape);
     for (int k = 0; k < w->scratch.hits.count && done; k++) {
         const int *other = TD_AT(int, &w->scratch.hits, k);
-        bool finds = (own || td_senses(w, *other)) && !(moved(w, *other) && *other < shape);
-        done = !finds || add_new(w, shape, other, 1, 0);
+        bool finds = (own || td_senses(w, *other)) && !(has_moved(w, *other) && *other < shape);
+        done = !finds || add_new_pairs(w, shape, other, 1, 0);
     }
     return done;
 }
 
-static bool pair_moved(thud_world *w, int shape) {
+/* Adds the new pairs of an awake shape with resting ones. False when memory is short. */
+static bool find_resting_pairs_of(thud_world *w, int shape) {
     return query(w, &w->rest_shapes, shape) &&
-           add_new(w, shape, w->scratch.hits.data, w->scratch.hits.count, 0);
+           add_new_pairs(w, shape, w->scratch.hits.data, w->scratch.hits.count, 0);
 }
 
-/* Every pair of an awake shape and one at rest of which one moved. Where few rest, they look for
- * what moved rather than the other way around. Those that came to rest or moved there look for
- * awake ones that did not move, if there are any: in a world's first step there are none. */
-static bool pair_across(thud_world *w) {
+/* Adds every new pair of an awake and a resting shape of which one moved, and of two resting ones
+ * with a sensor. Where the resting shapes are fewer than an eighth of the awake ones that moved,
+ * each resting shape queries the awake set; else each moved awake shape queries the resting set.
+ * (The eighth is chosen; not tuned.) Resting shapes that moved also query the awake set for shapes
+ * that did not move, unless all of those moved, as in the first step. False when memory is short.
+ */
+static bool find_mixed_pairs(thud_world *w) {
     const td_array *rest = &w->rest_shapes.ids;
     bool all_moved = w->awake_shapes.moved_count == w->awake_shapes.ids.count;
-    bool few = rest->count * 8 < w->awake_shapes.moved_count;
-    for (int i = 0; i < rest->count && few; i++) {
-        if (!pair_resting(w, td_int_at(rest, i), true)) {
+    bool few_rest = rest->count * 8 < w->awake_shapes.moved_count;
+    for (int i = 0; i < rest->count && few_rest; i++) {
+        if (!find_awake_pairs_of(w, td_int_at(rest, i), true)) {
             return false;
         }
     }
     bool moved_rest = w->awake_shapes.moved_count < w->moved.count;
-    if (few && !moved_rest) {
+    if (few_rest && !moved_rest) {
         return true;
     }
     for (int i = 0; i < w->moved.count; i++) {
         int shape = td_int_at(&w->moved, i);
         bool done = is_awake(w, shape)
-                        ? few || rest->count == 0 || pair_moved(w, shape)
-                        : (all_moved || pair_resting(w, shape, false)) && pair_sensed(w, shape);
+                        ? few_rest || rest->count == 0 || find_resting_pairs_of(w, shape)
+                        : (all_moved || find_awake_pairs_of(w, shape, false)) &&
+                              find_resting_sensor_pairs_of(w, shape);
         if (!done) {
             return false;
         }
@@ -302,23 +346,26 @@ static bool pair_across(thud_world *w) {
 
 /* ---- the stage ---- */
 
-/* Wider than half the way around the bounds. */
+/* Whether the centres of all shapes span more than 2^30 bounds quanta (2^16 length scales) along an
+ * axis: a quarter of the range after which bounds wrap around. Differences of bounds are right up
+ * to half of the range, so that the rest is reserve for the shapes' extents. */
 static bool is_vast(const thud_world *w) {
     const td_proxy_set *a = &w->awake_shapes, *b = &w->rest_shapes;
     int64_t low_x = INT64_MAX, low_y = INT64_MAX, high_x = INT64_MIN, high_y = INT64_MIN;
     for (int i = 0; i < 2; i++) {
-        const td_proxy_set *grid = i ? b : a;
-        if (grid->ids.count) {
-            low_x = grid->origin_x < low_x ? grid->origin_x : low_x;
-            low_y = grid->origin_y < low_y ? grid->origin_y : low_y;
-            high_x = grid->end_x > high_x ? grid->end_x : high_x;
-            high_y = grid->end_y > high_y ? grid->end_y : high_y;
+        const td_proxy_set *set = i ? b : a;
+        if (set->ids.count) {
+            low_x = set->origin_x < low_x ? set->origin_x : low_x;
+            low_y = set->origin_y < low_y ? set->origin_y : low_y;
+            high_x = set->end_x > high_x ? set->end_x : high_x;
+            high_y = set->end_y > high_y ? set->end_y : high_y;
         }
     }
     return low_x <= high_x && (high_x - low_x > INT32_MAX / 2 || high_y - low_y > INT32_MAX / 2);
 }
 
-/* Static shapes that came or moved may stand next to others. */
+/* Looks up anew which edges of the resting shapes that moved are internal: covered by a
+ * neighbouring static shape (internal_edges.h). False when memory is short. */
 static bool find_internal_edges(thud_world *w) {
     bool any = w->internal_edges && w->awake_shapes.moved_count < w->moved.count;
     for (int i = 0; i < w->moved.count && any; i++) {
@@ -330,9 +377,10 @@ static bool find_internal_edges(thud_world *w) {
     return true;
 }
 
-/* Shapes in a crowd have pairs that are not listed yet. `crowded`: so is the world in the next
- * step, which a snapshot takes along with their marks. */
-static void look_again(thud_world *w, bool crowded) {
+/* Puts the shapes that may have pairs left for later steps onto the moved list of the next step,
+ * to be searched by their contact lists. `crowded` is kept as a mark of these shapes, so that it is
+ * in snapshots: was_crowded. */
+static void requeue_crowded(thud_world *w, bool crowded) {
     int marks = TD_MARK_WOKEN | (crowded ? TD_MARK_CROWDED : 0);
     for (int i = 0; i < w->scratch.crowded.count; i++) {
         int shape = td_int_at(&w->scratch.crowded, i);
@@ -341,6 +389,7 @@ static void look_again(thud_world *w, bool crowded) {
     }
 }
 
+/* Clears the marks of the shapes on the moved list: all marks at once where the list is long. */
 static void clear_marks(thud_world *w) {
     if (w->moved.count * 4 > w->shapes.count) {
         memset(w->marks.data, 0, (size_t)w->shapes.count);
@@ -351,6 +400,8 @@ static void clear_marks(thud_world *w) {
     }
 }
 
+/* The stage: finds all new pairs, filters and sorts them, makes contacts of them, and empties the
+ * moved list. False when memory is short: then the step can be tried again. */
 bool td_broadphase(thud_world *w) {
     if (w->moved.count == 0) {
         return true;
@@ -359,11 +410,11 @@ bool td_broadphase(thud_world *w) {
         !td_broadphase_refresh(w)) {
         return false;
     }
-    /* A body that was far away a step ago may be near now, hence both. */
+    /* Bounds before this step matter as well, so the world counts as vast for one step longer. */
     bool vast = is_vast(w);
     w->vast |= vast;
     bool crowded = false;
-    if (!pair_awake(w, &crowded) || !pair_across(w)) {
+    if (!find_awake_pairs(w, &crowded) || !find_mixed_pairs(w)) {
         return false;
     }
     td_pairs_filter(w, 0);
@@ -376,7 +427,7 @@ bool td_broadphase(thud_world *w) {
         memset(w->awake_shapes.moved.data, 0, (size_t)w->awake_shapes.ids.count * sizeof(int32_t));
     }
     w->moved.count = 0;
-    look_again(w, crowded);
+    requeue_crowded(w, crowded);
     w->vast = vast;
     return true;
 }

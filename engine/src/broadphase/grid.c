@@ -1,6 +1,7 @@
-/* grid.c: building a grid by counting sort, and following small changes. The order of the shapes
- * listed decides within a cell, and places count relative to the proxy set's own least centre, so
- * that a shifted world is sorted the same. */
+/* grid.c: builds the hierarchical grid of grid.h by a counting sort, and updates it in place while
+ * few shapes move. Within a cell shapes keep the order of the list, and columns and rows count from
+ * the least centre of the proxy set, so that a translated world is sorted in the same order.
+ * wide_grid.c and wide_grid_sweep.c have the loops that take eight shapes at a time. */
 #include "broadphase/proxy_set.h"
 
 #include "state/kinds.h"
@@ -8,37 +9,39 @@
 
 #include <string.h>
 
+/* The larger of width and height, bounds quanta. */
 static int32_t extent_of(const td_bounds *b) {
     return td_max_int(td_wrap_sub(b->max_x, b->min_x), td_wrap_sub(b->max_y, b->min_y));
 }
 
-static int size_of(int32_t extent) {
+/* The size class of an extent: see TD_SIZE_SHIFT. */
+static int size_class_of(int32_t extent) {
     float f = (float)td_max_int(extent, 1);
     uint32_t bits;
     memcpy(&bits, &f, sizeof bits);
-    return (int)(bits >> TD_SIZE_SHIFT) - TD_SIZE_ZERO;
+    return (int)(bits >> TD_SIZE_SHIFT) - TD_SIZE_OF_ONE;
 }
 
-/* Levels from the last one down: each begins at the largest size that is left, and holds all down
- * to an eighth of it, so that sizes that differ little share a level. */
-static void choose_levels(const int *set, uint8_t *level_of_size) {
-    int level = TD_LEVELS, least = TD_SIZES;
-    for (int size = TD_SIZES - 1; size >= 0; size--) {
-        if (set[size] && size < least && level > 0) {
+/* Assigns size classes to levels, from the last level down: each takes the largest class that is
+ * left and the eleven below it, which is an eightfold range, so that like sizes share a level. */
+static void choose_levels(const int *has_size, uint8_t *level_of_size) {
+    int level = TD_LEVELS, min_size = TD_SIZE_CLASSES;
+    for (int size = TD_SIZE_CLASSES - 1; size >= 0; size--) {
+        if (has_size[size] && size < min_size && level > 0) {
             level--;
-            least = size - 11;
+            min_size = size - 11;
         }
         level_of_size[size] = (uint8_t)level;
     }
 }
 
-/* As the wide measure, however far the proxy set reaches. */
-static void measure_far(const thud_world *w, td_grid_measures *m) {
+/* What td_grid_measure does, in 64 bits and one by one, for a proxy set of any width. */
+static void measure_one_by_one(const thud_world *w, td_grid_measures *m) {
     int64_t ref_x = td_shape_proxy_at(w, m->list[0])->center.x >> TD_COARSE_SHIFT;
     int64_t ref_y = td_shape_proxy_at(w, m->list[0])->center.y >> TD_COARSE_SHIFT;
-    m->least_x = m->least_y = 0x1p62;
-    m->most_x = m->most_y = -0x1p62;
-    memset(m->set, 0, sizeof m->set);
+    m->min_x = m->min_y = 0x1p62;
+    m->max_x = m->max_y = -0x1p62;
+    memset(m->has_size, 0, sizeof m->has_size);
     for (int i = 0; i < m->count; i++) {
         const td_shape_proxy *proxy = td_shape_proxy_at(w, m->list[i]);
         const td_bounds *b = &proxy->fat;
@@ -47,45 +50,48 @@ static void measure_far(const thud_world *w, td_grid_measures *m) {
         m->x[i] = x;
         m->y[i] = y;
         m->extent[i] = extent_of(b);
-        m->least_x = x < m->least_x ? x : m->least_x;
-        m->least_y = y < m->least_y ? y : m->least_y;
-        m->most_x = x > m->most_x ? x : m->most_x;
-        m->most_y = y > m->most_y ? y : m->most_y;
-        m->set[size_of(m->extent[i])] = 1;
+        m->min_x = x < m->min_x ? x : m->min_x;
+        m->min_y = y < m->min_y ? y : m->min_y;
+        m->max_x = x > m->max_x ? x : m->max_x;
+        m->max_y = y > m->max_y ? y : m->max_y;
+        m->has_size[size_class_of(m->extent[i])] = 1;
     }
 }
 
-static void widen(td_level *level, int64_t x, int64_t y) {
+/* Extends the range of a level's centres by one; called before the level counts the shape. */
+static void add_center(td_level *level, int64_t x, int64_t y) {
     bool first = level->count == 0;
-    level->least_x = first || x < level->least_x ? x : level->least_x;
-    level->least_y = first || y < level->least_y ? y : level->least_y;
-    level->most_x = first || x > level->most_x ? x : level->most_x;
-    level->most_y = first || y > level->most_y ? y : level->most_y;
+    level->min_x = first || x < level->min_x ? x : level->min_x;
+    level->min_y = first || y < level->min_y ? y : level->min_y;
+    level->max_x = first || x > level->max_x ? x : level->max_x;
+    level->max_y = first || y > level->max_y ? y : level->max_y;
 }
 
-/* Measures the proxy set, counts the levels and finds the largest shape of each. */
+/* Measures all shapes, sets the range of the whole set, and assigns each shape to a level, whose
+ * count, range and greatest extent (in `cell`) are updated. */
 static void measure(const thud_world *w, td_proxy_set *grid, td_grid_measures *m) {
-    uint8_t level_of_size[TD_SIZES];
+    uint8_t level_of_size[TD_SIZE_CLASSES];
     if (!TD_PICK_WIDE(w, td_grid_measure)(w->proxy.data, m)) {
-        measure_far(w, m);
+        measure_one_by_one(w, m);
     }
     const td_position *first = &td_shape_proxy_at(w, m->list[0])->center;
     int64_t ref_x = first->x >> TD_COARSE_SHIFT, ref_y = first->y >> TD_COARSE_SHIFT;
-    grid->origin_x = ref_x + (int64_t)m->least_x;
-    grid->origin_y = ref_y + (int64_t)m->least_y;
-    grid->end_x = ref_x + (int64_t)m->most_x;
-    grid->end_y = ref_y + (int64_t)m->most_y;
-    choose_levels(m->set, level_of_size);
+    grid->origin_x = ref_x + (int64_t)m->min_x;
+    grid->origin_y = ref_y + (int64_t)m->min_y;
+    grid->end_x = ref_x + (int64_t)m->max_x;
+    grid->end_y = ref_y + (int64_t)m->max_y;
+    choose_levels(m->has_size, level_of_size);
     for (int i = 0; i < m->count; i++) {
-        m->level[i] = level_of_size[size_of(m->extent[i])];
+        m->level[i] = level_of_size[size_class_of(m->extent[i])];
         td_level *level = &grid->levels[m->level[i]];
         level->cell = m->extent[i] > level->cell ? m->extent[i] : level->cell;
-        widen(level, ref_x + (int64_t)m->x[i], ref_y + (int64_t)m->y[i]);
+        add_center(level, ref_x + (int64_t)m->x[i], ref_y + (int64_t)m->y[i]);
         level->count++;
     }
 }
 
-static uint32_t power_above(int64_t n) {
+/* The least power of two that is not below n, and not below 64. */
+static uint32_t table_size_for(int64_t n) {
     uint32_t p = 64;
     while (p < n) {
         p *= 2;
@@ -93,8 +99,11 @@ static uint32_t power_above(int64_t n) {
     return p;
 }
 
-/* Chooses each level's table from its proxy set; returns the length of `starts`. */
-static int lay_out(td_proxy_set *grid, bool quiet) {
+/* Sets each level's cell width and table; returns the length of `starts`. A table has at least two
+ * cells a shape; a level is hashed where its rectangle has more than twice as many cells as that.
+ * The slack is 1/16 of the cell: with more, cells hold more shapes, which all are tested; with
+ * less, shapes leave their cells sooner, and the grid is built again. Both chosen; not tuned. */
+static int choose_tables(td_proxy_set *grid, bool few_moved) {
     int first = 0, starts = 0;
     for (int l = 0; l < TD_LEVELS; l++) {
         td_level *level = &grid->levels[l];
@@ -103,20 +112,21 @@ static int lay_out(td_proxy_set *grid, bool quiet) {
         if (!level->count) {
             continue;
         }
-        level->slack = quiet ? (int32_t)(level->cell / 16) : 0;
+        level->slack = few_moved ? (int32_t)(level->cell / 16) : 0;
         level->cell += 2 + 2 * (int64_t)level->slack;
-        /* A little less than 1 / cell: rounding must never put neighbours two cells apart. */
+        /* Less than 1 / cell by 2^-16 of it: rounding must never put shapes that overlap two cells
+         * apart. 2 quanta of the width are for the rounding of the centres. */
         level->inv_cell = (1.0 - 1.0 / 65536.0) / (double)level->cell;
         int64_t columns = td_grid_index(grid->end_x, grid->origin_x, level->inv_cell) + 3;
         int64_t rows = td_grid_index(grid->end_y, grid->origin_y, level->inv_cell) + 3;
-        uint32_t table = power_above(2 * (int64_t)level->count);
-        int64_t most = 2 * (int64_t)table;
-        level->hashed = columns > most || rows > most || columns * rows > most;
+        uint32_t table = table_size_for(2 * (int64_t)level->count);
+        int64_t max = 2 * (int64_t)table;
+        level->hashed = columns > max || rows > max || columns * rows > max;
         if (level->hashed) {
-            /* By the golden ratio: rows fall far from each other, also every second one. */
+            /* table / golden ratio, made odd. */
             level->row = (uint32_t)((double)table * 0.6180339887498949) | 1;
         } else {
-            table = power_above(columns * rows);
+            table = table_size_for(columns * rows);
             level->row = (uint32_t)columns;
         }
         level->mask = table - 1;
@@ -126,28 +136,31 @@ static int lay_out(td_proxy_set *grid, bool quiet) {
     return starts;
 }
 
-/* What scratch.order takes for each shape. */
+/* Bytes of scratch.order for a shape: x and y, extent and cell, and the
+ * level's byte rounded up to 8. */
 enum { MEASURES_BYTES = 2 * (int)sizeof(double) + 2 * (int)sizeof(int32_t) + 8 };
 
-static bool reserve(thud_world *w, td_proxy_set *grid, bool quiet) {
+/* Memory for the shapes in grid->list, and for updates in place where few moved. */
+static bool reserve(thud_world *w, td_proxy_set *grid, bool few_moved) {
     int count = grid->list.count;
     w->scratch.order.stride = MEASURES_BYTES;
     return td_proxy_set_reserve(w, grid) &&
            td_array_reserve(&w->memory, &grid->cells, count + TD_LANES) &&
            td_array_reserve(&w->memory, &w->scratch.order, count + TD_LANES) &&
-           (!quiet || (td_array_reserve(&w->memory, &grid->spot, w->shapes.count) &&
-                       td_array_reserve(&w->memory, &grid->anchor_x, count) &&
-                       td_array_reserve(&w->memory, &grid->anchor_y, count)));
+           (!few_moved || (td_array_reserve(&w->memory, &grid->spot, w->shapes.count) &&
+                           td_array_reserve(&w->memory, &grid->anchor_x, count) &&
+                           td_array_reserve(&w->memory, &grid->anchor_y, count)));
 }
 
-/* Counting sort of ids and cells. */
+/* Counting sort of `ids` and `cells` by level and cell. Stable. */
 static void sort(td_proxy_set *grid, const td_grid_measures *m, int starts_count) {
     int *starts = grid->starts.data, *ids = grid->ids.data, *cells = grid->cells.data;
     memset(starts, 0, (size_t)starts_count * sizeof(int));
     for (int i = 0; i < m->count; i++) {
         starts[grid->levels[m->level[i]].starts + m->cell[i]]++;
     }
-    /* Where each cell ends; what is then put in, from the last shape on, brings it to its start. */
+    /* Prefix sums: the end of each cell. Filling cells from the last shape down lowers each to its
+     * start. */
     for (int l = 0; l < TD_LEVELS; l++) {
         const td_level *level = &grid->levels[l];
         int sum = level->first, *of_level = starts + level->starts;
@@ -163,8 +176,8 @@ static void sort(td_proxy_set *grid, const td_grid_measures *m, int starts_count
     }
 }
 
-/* Notes where each shape went, for td_grid_follow. */
-static void note_spots(td_proxy_set *grid) {
+/* Stores each shape's index in `ids` and its centre, from which `follow` measures its motion. */
+static void store_anchors(td_proxy_set *grid) {
     int32_t *spot = grid->spot.data, *anchor_x = grid->anchor_x.data;
     int32_t *anchor_y = grid->anchor_y.data;
     const int32_t *ids = grid->ids.data, *min_x = grid->min_x.data, *min_y = grid->min_y.data;
@@ -176,6 +189,7 @@ static void note_spots(td_proxy_set *grid) {
     }
 }
 
+/* The arrays of td_grid_measures within the scratch memory. */
 static td_grid_measures measures_in(const td_array *scratch, const td_array *list) {
     size_t room = (size_t)scratch->capacity;
     double *x = scratch->data, *y = x + room;
@@ -189,11 +203,12 @@ static td_grid_measures measures_in(const td_array *scratch, const td_array *lis
                               .level = (uint8_t *)(cell + room)};
 }
 
-static bool build(thud_world *w, td_proxy_set *grid, bool quiet) {
+/* thud_broadphase.build: measures, chooses levels and tables, sorts. */
+static bool build(thud_world *w, td_proxy_set *grid, bool few_moved) {
     grid->valid = grid->loose = false;
     grid->moved_count = 0;
     memset(grid->levels, 0, sizeof grid->levels);
-    if (!reserve(w, grid, quiet)) {
+    if (!reserve(w, grid, few_moved)) {
         return false;
     }
     if (grid->list.count == 0) {
@@ -202,26 +217,29 @@ static bool build(thud_world *w, td_proxy_set *grid, bool quiet) {
     }
     td_grid_measures m = measures_in(&w->scratch.order, &grid->list);
     measure(w, grid, &m);
-    int starts_count = lay_out(grid, quiet);
+    int starts_count = choose_tables(grid, few_moved);
     if (!td_array_reserve(&w->memory, &grid->starts, starts_count)) {
         return false;
     }
     TD_PICK_WIDE(w, td_grid_cells)(grid->levels, &m);
     sort(grid, &m, starts_count);
     grid->moved_count = TD_PICK_WIDE(w, td_proxy_set_fill)(grid, w->proxy.data, w->marks.data);
-    if (quiet) {
-        note_spots(grid);
+    if (few_moved) {
+        store_anchors(grid);
     }
-    grid->loose = quiet;
+    grid->loose = few_moved;
     grid->valid = true;
     return true;
 }
 
-static bool near_anchor(int32_t anchor, int32_t low, int32_t high, int32_t slack) {
+/* Whether the middle of a moved shape's bounds, along one axis, is within the slack of its anchor.
+ */
+static bool is_near_anchor(int32_t anchor, int32_t low, int32_t high, int32_t slack) {
     int32_t drift = td_wrap_sub(td_middle(low, high), anchor);
     return drift <= slack && drift >= -slack;
 }
 
+/* The level of the shape at an index of `ids`. */
 static const td_level *level_at(const td_proxy_set *grid, int at) {
     const td_level *level = grid->levels;
     while (at >= level->first + level->count) {
@@ -230,6 +248,8 @@ static const td_level *level_at(const td_proxy_set *grid, int at) {
     return level;
 }
 
+/* thud_broadphase.follow: writes the bounds of moved shapes in place, and flags them as moved.
+ * False where the grid was not built for it, or a shape no longer fits its cell. */
 static bool follow(thud_world *w, td_proxy_set *grid, const int *moved, int count) {
     if (!grid->loose) {
         return false;
@@ -245,8 +265,8 @@ static bool follow(thud_world *w, td_proxy_set *grid, const int *moved, int coun
         int at = spot[moved[i]];
         const td_level *level = level_at(grid, at);
         if (extent_of(b) + 2 + 2 * (int64_t)level->slack > level->cell ||
-            !near_anchor(anchor_x[at], b->min_x, b->max_x, level->slack) ||
-            !near_anchor(anchor_y[at], b->min_y, b->max_y, level->slack)) {
+            !is_near_anchor(anchor_x[at], b->min_x, b->max_x, level->slack) ||
+            !is_near_anchor(anchor_y[at], b->min_y, b->max_y, level->slack)) {
             return false;
         }
         ((int32_t *)grid->min_x.data)[at] = b->min_x;

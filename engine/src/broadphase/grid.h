@@ -1,69 +1,91 @@
-/* grid.h: bounds sorted into the cells of a grid, one level for about every eightfold of size.
+/* grid.h: a hierarchical grid (C. Ericson, "Real-Time Collision Detection", 2005, 7.1 and 7.2):
+ * shapes sorted into square cells by the centres of their fat bounds, with a level of the grid for
+ * each eightfold range of sizes that occurs.
  *
- * A level's cell is as large as its largest shape, so that two shapes of a level that overlap lie
- * in the same or in neighbouring cells, by their centres. Where the proxy set's rectangle is dense,
- * the cells are laid out row by row; where it is sparse, rows start at hashed places of a table of
- * about twice the proxy set, so that memory and time depend on the number of shapes alone, never
- * on the size of the world.
+ * Main invariant: a level's cells are at least as wide as its largest shape, so that two shapes of
+ * one level that overlap lie in the same or in neighbouring cells. The shapes of a cell stand side
+ * by side in td_proxy_set.ids; td_proxy_set.starts says where each cell begins.
  *
- * While little moves, cells are made a little larger than that, and a shape keeps its cell until it
- * has used the difference up: a few changed bounds are then written where they stand, and nothing
- * is sorted. */
+ * The cell at (column, row), both counted from 0, has the index
+ *     (column + 1 + (row + 1) * level.row) & level.mask
+ * (td_grid_cell). Where the rectangle of all centres has few cells for the number of shapes,
+ * level.row is the number of columns with one empty column on each side, and the index is unique.
+ * Where it has many, the level is hashed: level.row is the table's length over the golden ratio, so
+ * that rows begin far from each other (Fibonacci hashing; D. Knuth, "The Art of Computer
+ * Programming", vol. 3, 6.4), and different cells may share an index. Either way, memory and time
+ * depend on the number of shapes, never on the size of the world.
+ *
+ * While few shapes move, cells are made wider by 2 * slack, and a shape keeps its cell until its
+ * centre has moved by more than slack: new bounds are then written in place, and nothing is sorted.
+ */
 #ifndef TD_GRID_H
 #define TD_GRID_H
 
 #include "constraint/block.h"
 
+/* Levels of a grid. Derived: sizes span 2^31 bounds quanta and a level 2^3, so that 11 are enough;
+ * snapshots and drawings hold an array of this length. */
 enum { TD_LEVELS = 16 };
 
 typedef struct td_level {
-    int32_t first, count; /* in the proxy set's order */
-    int32_t starts;       /* where its cells begin in td_proxy_set.starts; one more than cells */
-    uint32_t mask;        /* cells - 1 */
-    uint32_t row;         /* cells from one row to the next, modulo the table */
-    bool hashed;
-    int32_t slack; /* a centre may be so far from where it was when its cell was chosen */
-    int64_t cell;  /* bounds quanta */
-    double inv_cell;
-    int64_t least_x, least_y, most_x, most_y; /* of its shapes' centres when they were sorted */
+    int32_t first, count; /* its shapes, in the order of td_proxy_set.ids */
+    int32_t starts; /* index of its part of td_proxy_set.starts, which has one element a cell and an
+                       end */
+    uint32_t mask;  /* number of cells - 1; that is a power of two */
+    uint32_t row;   /* cells from one row to the next, modulo the number of cells */
+    bool hashed;    /* several cells of the plane may share a cell of the table */
+    int32_t slack;  /* by which a centre may leave its anchor along an axis, bounds quanta */
+    int64_t cell;   /* width of a cell, bounds quanta */
+    double inv_cell; /* a little less than 1 / cell: choose_tables in grid.c */
+    /* Range of its shapes' centres when they were sorted, bounds quanta. */
+    int64_t min_x, min_y, max_x, max_y;
 } td_level;
 
-/* Sizes are told apart to a quarter of an octave, by the leading bits of a float. */
-enum { TD_SIZES = 128, TD_SIZE_SHIFT = 21, TD_SIZE_ZERO = 127 << 2 };
+/* The size class 4 e + m, with m in 0..3, holds the extents from 2^e (4 + m) / 4 up to
+ * 2^e (5 + m) / 4 bounds quanta. It is read from the extent as a float, whose bits above
+ * TD_SIZE_SHIFT are the exponent and two bits of the mantissa; those of 1.0f are TD_SIZE_OF_ONE.
+ * Extents are below 2^31, and classes below 4 * 31. */
+enum { TD_SIZE_CLASSES = 128, TD_SIZE_SHIFT = 21, TD_SIZE_OF_ONE = 127 << 2 };
 
-/* A proxy set that reaches no further than this from its first shape, in length scales, is measured
- * with 32 bits. */
-enum { TD_NEAR = 1 << 15 };
+/* A proxy set whose centres all lie within this distance of that of its first shape, in whole
+ * length scales, is measured with 32-bit differences: that is an eighth of the 2^18 length scales
+ * after which bounds wrap around. Chosen: 32 bits would reach to 2^17, less the
+ * shapes' extents. */
+enum { TD_GRID_NEAR = 1 << 15 };
 
-/* What sorting needs to know of the shapes listed. All arrays have room for a multiple of eight. */
+/* What sorting needs to know of each listed shape. The arrays have room for a multiple of eight
+ * elements, and lie in td_scratch.order. */
 typedef struct td_grid_measures {
-    const int32_t *list;
+    const int32_t *list; /* indices of the shapes */
     int count;
-    double *x, *y;   /* centres of the fat bounds, bounds quanta from the
-                        first shape's place */
-    int32_t *extent; /* the larger of width and height */
-    int32_t *cell;   /* within its level */
+    double *x, *y;   /* centres of the fat bounds, bounds quanta from the first shape's centre */
+    int32_t *extent; /* the larger of width and height, bounds quanta */
+    int32_t *cell;   /* index of the cell within its level */
     uint8_t *level;
-    int set[TD_SIZES];                       /* which sizes there are; cleared before */
-    double least_x, least_y, most_x, most_y; /* of the centres */
+    int has_size[TD_SIZE_CLASSES];     /* 1 for the size classes that occur; zeroed by the caller */
+    double min_x, min_y, max_x, max_y; /* range of x and y */
 } td_grid_measures;
 
-/* False where the proxy set reaches too far; what it wrote is then void. */
+/* Fills x, y, extent, has_size and the range. False where a centre is beyond TD_GRID_NEAR; what it
+ * wrote is then void. */
 typedef bool td_grid_measure_fn(const td_shape_proxy *proxy, td_grid_measures *measures);
-/* The cells of the shapes in their levels. */
+/* Fills `cell` from x, y and level. */
 typedef void td_grid_cells_fn(const td_level *levels, td_grid_measures *measures);
 
+/* floor((coarse - origin) * inv_cell): the column or row of a coordinate in bounds quanta. */
 static inline int64_t td_grid_index(int64_t coarse, int64_t origin, double inv_cell) {
     double x = (double)(coarse - origin) * inv_cell;
     int64_t i = (int64_t)x;
     return (double)i > x ? i - 1 : i;
 }
 
+/* The index of a cell in its level's table: see above. */
 static inline uint32_t td_grid_cell(const td_level *level, int64_t column, int64_t row) {
     return ((uint32_t)(uint64_t)(column + 1) + (uint32_t)(uint64_t)(row + 1) * level->row) &
            level->mask;
 }
 
+/* The middle of two bounds coordinates, which may wrap around; halves round down. */
 static inline int32_t td_middle(int32_t low, int32_t high) {
     return td_wrap_add(low, (int32_t)((uint32_t)td_wrap_sub(high, low) / 2));
 }

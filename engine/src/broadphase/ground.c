@@ -1,19 +1,27 @@
-/* ground.c: what the stages of a step ask of lines; plugged into a world with its first one. */
+/* ground.c: the table td_ground (td_ground_ops in shape.h): what the stages of a step need to know
+ * of terrain shapes, here called lines. A world gets the table with its first line, so that a
+ * program without terrain does not link it. Shapes are given relative to the line's origin, in the
+ * caller's unit, unless said otherwise. */
 #include "broadphase/pairs.h"
 #include "state/shape.h"
 
+/* Whether the shape overlaps the solid below the line. */
 static bool overlap(const thud_world *w, int line, const thud_shape_instance *shape) {
     thud_terrain terrain = td_terrain_view(w, line);
     return thud_terrain_overlap(&terrain, shape);
 }
 
+/* The time, in [0, 1] of the motion, at which the shape meets the line: see
+ * thud_terrain_time_of_impact. */
 static void time_of_impact(const thud_world *w, int line, const thud_shape_instance *shape,
                            thud_motion motion, bool *hit, double *time) {
     thud_terrain terrain = td_terrain_view(w, line);
     thud_terrain_time_of_impact(&terrain, shape, motion, 0.0, hit, time);
 }
 
-static thud_closest below(const thud_world *w, int line, const thud_shape_instance *shape) {
+/* Contact geometry for a shape on the ground: both closest points are the point of the line above
+ * or below the shape's centre, and the normal is that of the line there. */
+static thud_closest closest_below(const thud_world *w, int line, const thud_shape_instance *shape) {
     thud_terrain terrain = td_terrain_view(w, line);
     thud_terrain_sample ground = {.height = shape->y, .ny = 1.0};
     thud_terrain_sample_at(&terrain, shape->x, &ground);
@@ -25,6 +33,8 @@ static thud_closest below(const thud_world *w, int line, const thud_shape_instan
                           .by = ground.height};
 }
 
+/* Whether the bounds of a sweep reach down to a segment of the line; true for one without bounds.
+ */
 static bool near_sweep(const thud_world *w, int line, const td_swept *swept) {
     int first, last;
     if (swept->far) {
@@ -42,6 +52,8 @@ static bool near_sweep(const thud_world *w, int line, const td_swept *swept) {
     return first <= last;
 }
 
+/* Moves a swept shape against the line. A shape that overlaps the line at the start (hit->inside)
+ * is replaced by its core, which does not rotate. */
 static void sweep(const thud_world *w, int line, const td_swept *swept, td_swept_hit *hit) {
     if (!near_sweep(w, line, swept)) {
         return;
@@ -62,14 +74,17 @@ static void sweep(const thud_world *w, int line, const td_swept *swept, td_swept
     thud_terrain_time_of_impact(&terrain, &placed, motion, 0.0, &hit->hit, &hit->time);
 }
 
-static bool reaches(const thud_world *w, int line, int shape, int segment) {
+/* Whether the fat bounds of a shape of the world reach down to a segment. */
+static bool reaches_segment(const thud_world *w, int line, int shape, int segment) {
     thud_terrain terrain = td_terrain_view(w, line);
     const td_shape_proxy *proxy = td_shape_proxy_at(w, shape);
     return td_terrain_reaches(w, line, &terrain, proxy->center, &proxy->fat, segment);
 }
 
-static bool each(thud_world *w, int line, int shape,
-                 bool (*visit)(thud_world *w, int shape, int line, int segment)) {
+/* Visits each segment that the fat bounds of a shape of the world reach down to, until `visit`
+ * returns false; returns what it returned last. */
+static bool each_segment(thud_world *w, int line, int shape,
+                         bool (*visit)(thud_world *w, int shape, int line, int segment)) {
     thud_terrain terrain = td_terrain_view(w, line);
     td_position at = td_shape_proxy_at(w, shape)->center;
     const td_bounds *fat = td_fat_at(w, shape);
@@ -82,5 +97,5 @@ static bool each(thud_world *w, int line, int shape,
     return done;
 }
 
-const td_ground_ops td_ground = {overlap, time_of_impact, below, near_sweep,
-                                 sweep,   reaches,        each,  td_pairs_add_ground};
+const td_ground_ops td_ground = {overlap, time_of_impact,  closest_below, near_sweep,
+                                 sweep,   reaches_segment, each_segment,  td_pairs_add_ground};

@@ -1,10 +1,14 @@
-/* ground_pairs.c: new pairs of lines and what is awake, or a sensor. Each segment is a shape of its
- * own, found by its index. */
+/* ground_pairs.c: adds the new pairs of the segments of terrain lines with awake shapes, and with
+ * resting ones where either is a sensor. Each segment has a contact of its own, whose `child` is
+ * the segment's index; a pair exists while the shape's fat bounds reach down to the segment. */
 #include "contact/contact.h"
 #include "broadphase/pairs.h"
 #include "state/shape.h"
 
-static bool pair_terrain(thud_world *w, int terrain_shape, int shape) {
+/* Adds the pairs of one shape with those segments of a line that its fat bounds reach and did not
+ * reach before (or, where bounds tell nothing, with all that it reaches). False when memory is
+ * short. */
+static bool add_pairs_of_shape(thud_world *w, int terrain_shape, int shape) {
     const td_shape_proxy *proxy = td_shape_proxy_at(w, shape);
     if (td_terrain_below(w, terrain_shape, proxy->center, &proxy->fat)) {
         return true;
@@ -31,25 +35,29 @@ static bool pair_terrain(thud_world *w, int terrain_shape, int shape) {
     return true;
 }
 
-/* With those that are awake; sleepers matter to sensors alone. */
-static bool pair_line(thud_world *w, int line, const td_array *shapes) {
+/* Adds the new pairs of a line with a list of shapes, leaving out resting ones unless one of the
+ * two is a sensor. False when memory is short. */
+static bool add_pairs_of_line(thud_world *w, int line, const td_array *shapes) {
     for (int i = 0; i < shapes->count; i++) {
         int shape = td_int_at(shapes, i);
         bool awake = td_body_at(w, td_shape_at(w, shape)->body)->awake.at > 0;
-        if ((awake || td_senses(w, line) || td_senses(w, shape)) && !pair_terrain(w, line, shape)) {
+        if ((awake || td_senses(w, line) || td_senses(w, shape)) &&
+            !add_pairs_of_shape(w, line, shape)) {
             return false;
         }
     }
     return true;
 }
 
+/* Adds the new pairs of every line: of a new line with all shapes, of another one with those that
+ * moved. */
 bool td_pairs_add_ground(thud_world *w) {
     for (int t = 0; t < w->terrains.count; t++) {
         int line = td_terrain_record_at(w, t)->shape;
-        bool came = line != TD_NONE && *td_marks_at(w, line) & TD_MARK_FRESH;
-        if (line != TD_NONE && !(came ? pair_line(w, line, &w->awake_shapes.ids) &&
-                                            pair_line(w, line, &w->rest_shapes.ids)
-                                      : pair_line(w, line, &w->moved))) {
+        bool is_new = line != TD_NONE && *td_marks_at(w, line) & TD_MARK_FRESH;
+        if (line != TD_NONE && !(is_new ? add_pairs_of_line(w, line, &w->awake_shapes.ids) &&
+                                              add_pairs_of_line(w, line, &w->rest_shapes.ids)
+                                        : add_pairs_of_line(w, line, &w->moved))) {
             return false;
         }
     }

@@ -1,4 +1,5 @@
-/* pairs.c: see pairs.h. */
+/* pairs.c: the list scratch.pairs on its way from found overlaps to contacts: filtered, sorted by
+ * shapes (radix sort), and made into contacts; see pairs.h. */
 #include "broadphase/pairs.h"
 
 #include "contact/contact.h"
@@ -15,7 +16,8 @@ bool td_pairs_add(thud_world *w, int a, int b, int child) {
     return true;
 }
 
-/* Records lie all over memory, hence are asked for early. */
+/* Shape and body records lie anywhere in memory, so the loop prefetches the shapes of the pair 16
+ * ahead and the bodies of that 8 ahead. Distances chosen; not tuned. */
 void td_pairs_filter(thud_world *w, int first) {
     td_array *pairs = &w->scratch.pairs;
     td_new_pair *pair = pairs->data;
@@ -36,9 +38,11 @@ void td_pairs_filter(thud_world *w, int first) {
     pairs->count = kept;
 }
 
-enum { DIGIT = 8, BUCKETS = 1 << DIGIT };
+/* The radix sort goes by digits of 8 bits: its table of 256 counts fits the first cache. */
+enum { DIGIT_BITS = 8, BUCKETS = 1 << DIGIT_BITS };
 
-/* One pass of a radix sort, by `shift` of the first or the second shape. */
+/* One stable pass of a radix sort, by the digit at bit `shift` of shape a, or of shape b where
+ * `second`. */
 static void sort_pass(const td_new_pair *from, td_new_pair *to, int count, bool second, int shift) {
     int starts[BUCKETS] = {0}, sum = 0;
     for (int i = 0; i < count; i++) {
@@ -60,27 +64,28 @@ bool td_pairs_sort(thud_world *w) {
     if (!td_array_reserve(&w->memory, pairs, 2 * count)) {
         return false;
     }
-    td_new_pair *at = pairs->data, *other = count ? at + count : at;
+    td_new_pair *from = pairs->data, *to = count ? from + count : from;
     for (int i = 0; i < count; i++) {
-        if (at[i].a > at[i].b) {
-            at[i] = (td_new_pair){at[i].b, at[i].a, at[i].child};
+        if (from[i].a > from[i].b) {
+            from[i] = (td_new_pair){from[i].b, from[i].a, from[i].child};
         }
     }
     for (int second = 1; second >= 0; second--) {
-        for (int shift = 0; w->shapes.count >> shift > 0; shift += DIGIT) {
-            sort_pass(at, other, count, second, shift);
-            td_new_pair *t = at;
-            at = other;
-            other = t;
+        for (int shift = 0; w->shapes.count >> shift > 0; shift += DIGIT_BITS) {
+            sort_pass(from, to, count, second, shift);
+            td_new_pair *t = from;
+            from = to;
+            to = t;
         }
     }
-    if (at != pairs->data) {
-        memcpy(pairs->data, at, (size_t)count * sizeof *at);
+    if (from != pairs->data) {
+        memcpy(pairs->data, from, (size_t)count * sizeof *from);
     }
     return true;
 }
 
-/* Both bodies' contacts are walked in turns: the shorter list decides. In a crowd both are long. */
+/* Walks the constraint lists of both bodies in alternation, so that the shorter list ends the
+ * search. In a crowd both are long. */
 bool td_pair_has_contact(const thud_world *w, const td_new_pair *p) {
     const td_shape *a = td_shape_at(w, p->a), *b = td_shape_at(w, p->b);
     int e = td_body_at(w, a->body)->first_constraint;
@@ -97,12 +102,12 @@ bool td_pair_has_contact(const thud_world *w, const td_new_pair *p) {
     return false;
 }
 
-/* Two that touch keep their contact when their fat bounds part: those reach less far than a
- * manifold that is kept, or than the speculative margin about small shapes. Once the bounds meet
- * again the pair seems to be new; likewise one with a line where bounds tell nothing. Where they
- * tell nothing of two other shapes, the search for pairs has looked through the contacts of one of
- * them already. */
-static bool seems_new(const thud_world *w, const td_new_pair *p) {
+/* Whether a pair may have a contact although its bounds did not overlap before, so that the bodies'
+ * contacts must be searched. Touching shapes keep their contact when their fat bounds part: the
+ * cached manifold, and the speculative margin of small shapes, reach further. When the bounds
+ * overlap again, the pair seems new. So does one with a line where bounds tell nothing; for other
+ * shapes where bounds tell nothing, the search for pairs has gone through the partners already. */
+static bool may_have_contact(const thud_world *w, const td_new_pair *p) {
     bool line =
         td_kind_is_line(td_shape_at(w, p->a)->kind) || td_kind_is_line(td_shape_at(w, p->b)->kind);
     int marks = *td_marks_at(w, p->a) | *td_marks_at(w, p->b);
@@ -126,7 +131,7 @@ bool td_pairs_create(thud_world *w) {
     for (int i = 0; i < pairs->count; i++) {
         td_new_pair *pair = TD_AT(td_new_pair, pairs, i);
         td_pair_kind kind = td_pair_of(w, &pair->a, &pair->b);
-        if (!(seems_new(w, pair) && td_pair_has_contact(w, pair))) {
+        if (!(may_have_contact(w, pair) && td_pair_has_contact(w, pair))) {
             td_contact_create(w, kind, pair->a, pair->b, pair->child);
         }
     }

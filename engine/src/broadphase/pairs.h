@@ -1,43 +1,47 @@
-/* pairs.h: new pairs on their way from the broadphase to becoming contacts. */
+/* pairs.h: new pairs of shapes, collected in scratch.pairs by the broadphase until they become
+ * contacts. */
 #ifndef TD_PAIRS_H
 #define TD_PAIRS_H
 
 #include "state/world.h"
 
+/* Two shapes, and the terrain segment that the contact is with, or 0. */
 typedef struct td_new_pair {
     int32_t a, b, child;
 } td_new_pair;
 
-/* Adds to scratch.pairs; `child` is a terrain segment or 0. False when memory is short. */
+/* Appends a pair to scratch.pairs. False when memory is short. */
 bool td_pairs_add(thud_world *w, int a, int b, int child);
 
-/* Adds those of lines and awake shapes, or sensors, of which one moved. False when memory is short.
- */
+/* Adds the new pairs of lines with awake shapes or sensors. False when memory is short. */
 bool td_pairs_add_ground(thud_world *w); /* ground_pairs.c */
 
-/* Drops the pairs that may not touch, from the one at `first` on. */
+/* Drops the pairs, from index `first` on, that filters, rules or joints keep from colliding
+ * (td_pair_allowed) or whose bounds only seem to overlap (td_pair_meets). */
 void td_pairs_filter(thud_world *w, int first);
 
-/* Puts the pairs into the order of their shapes, whichever broadphase found them. */
+/* Sorts the pairs by their lower, then their higher shape index, so that their order does not
+ * depend on the broadphase; swaps a and b where a is higher. False when memory is short. */
 bool td_pairs_sort(thud_world *w);
 
-/* Whether there is a contact of the pair, whose shapes stand as td_pair_of has them. */
+/* Whether there is a contact of the pair, whose shapes are in the order of td_pair_of. */
 bool td_pair_has_contact(const thud_world *w, const td_new_pair *pair);
 
-/* Makes a contact of each that has none, or, when memory is short, of none. */
+/* Makes a contact of each pair that has none. False when memory is short: then it has made none. */
 bool td_pairs_create(thud_world *w);
 
+/* Whether the shape is a sensor. */
 static inline bool td_senses(const thud_world *w, int shape) {
     return td_shape_at(w, shape)->flags & TD_SHAPE_SENSOR;
 }
 
-/* Whether a pair of shapes with these marks, together, may have a contact or none whatever bounds
- * they had before: their contacts are to be looked through. */
+/* Whether the bounds before do not tell if a pair has a contact, so that the lists of contacts must
+ * be searched. `marks`: the union of both shapes' marks. */
 static inline bool td_bounds_tell_nothing(const thud_world *w, int marks) {
     return marks & TD_MARK_WOKEN || w->vast;
 }
 
-/* The bounds that the shape had when pairs were last made. */
+/* The fat bounds that the shape had at the last broadphase. */
 static inline const td_bounds *td_bounds_before(const thud_world *w, int shape) {
     return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_was_at(w, shape) : td_fat_at(w, shape);
 }

@@ -1,59 +1,67 @@
-/* plane_sweep.c: the broadphase that keeps its shapes sorted by where they begin along x.
+/* plane_sweep.c: sort and sweep (sweep and prune) along x: shapes are kept sorted by the min_x of
+ * their fat bounds, so that a shape can only overlap those that begin before it ends.
  *
- * While little moves the order hardly changes from step to step, and insertion sort, which moves
- * each shape past those that it overtook, costs little more than a look at each (D. Baraff,
- * "Dynamic Simulation of Non-penetrating Rigid Bodies", 1992). Where the order tells nothing, at
- * the start or after great changes, it is preceded by passes over every 701st, 301st ... shape,
- * which is Shell's sort with Ciura's gaps: the work stays bounded. */
+ * Motion is coherent: the order hardly changes from step to step, and insertion sort, which moves
+ * each key past those that it has overtaken, takes little more than one comparison a shape
+ * (D. Baraff, "Dynamic Simulation of Non-penetrating Rigid Bodies", 1992). Where the keys are far
+ * from sorted, at the start or after great changes, passes of insertion sort over every 701st,
+ * 301st ... key come first: Shell's sort with the gaps of M. Ciura ("Best Increments for the
+ * Average Case of Shellsort", 2001), which bounds the work. */
 #include "state/kinds.h"
 #include "broadphase/sorted_axis.h"
 
 #include <string.h>
 
-static bool reserve(thud_world *w, td_proxy_set *row) {
+/* Memory for the shapes in set->list. False when memory is short. */
+static bool reserve(thud_world *w, td_proxy_set *set) {
     w->scratch.order.stride = (int)sizeof(uint8_t);
-    return td_proxy_set_reserve(w, row) &&
-           td_array_reserve(&w->memory, &row->keys, td_max_int(row->list.count, 1)) &&
+    return td_proxy_set_reserve(w, set) &&
+           td_array_reserve(&w->memory, &set->keys, td_max_int(set->list.count, 1)) &&
            td_array_reserve(&w->memory, &w->scratch.order, td_max_int(w->shapes.count, 1));
 }
 
-/* Shapes that are still there keep their order, new ones come last. */
-static void follow_list(thud_world *w, td_proxy_set *row) {
+/* Makes the keys those of the shapes in set->list: shapes that had a key keep their order, and new
+ * ones are appended. */
+static void update_keys(thud_world *w, td_proxy_set *set) {
     uint8_t *present = w->scratch.order.data;
-    const int32_t *list = row->list.data;
-    td_sweep_key *keys = row->keys.data;
+    const int32_t *list = set->list.data;
+    td_sweep_key *keys = set->keys.data;
     int kept = 0;
     memset(present, 0, (size_t)w->shapes.count);
-    for (int i = 0; i < row->list.count; i++) {
+    for (int i = 0; i < set->list.count; i++) {
         present[list[i]] = 1;
     }
-    for (int i = 0; i < row->keys.count; i++) {
+    for (int i = 0; i < set->keys.count; i++) {
         if (keys[i].shape < w->shapes.count && present[keys[i].shape]) {
             present[keys[i].shape] = 0;
             keys[kept++] = keys[i];
         }
     }
-    for (int i = 0; i < row->list.count; i++) {
+    for (int i = 0; i < set->list.count; i++) {
         if (present[list[i]]) {
             keys[kept++].shape = list[i];
         }
     }
-    row->keys.count = kept;
+    set->keys.count = kept;
 }
 
-static void measure(const thud_world *w, td_proxy_set *row) {
-    td_sweep_key *keys = row->keys.data;
-    row->widest = 0.0;
-    row->reference =
-        row->keys.count ? td_shape_proxy_at(w, keys[0].shape)->center.x >> TD_COARSE_SHIFT : 0;
-    for (int i = 0; i < row->keys.count; i++) {
+/* Sets each key to the shape's min_x relative to that of the first key's place, and set->widest to
+ * the greatest width; both in bounds quanta. */
+static void update_key_values(const thud_world *w, td_proxy_set *set) {
+    td_sweep_key *keys = set->keys.data;
+    set->widest = 0.0;
+    set->reference =
+        set->keys.count ? td_shape_proxy_at(w, keys[0].shape)->center.x >> TD_COARSE_SHIFT : 0;
+    for (int i = 0; i < set->keys.count; i++) {
         const td_shape_proxy *proxy = td_shape_proxy_at(w, keys[i].shape);
         double width = (double)td_wrap_sub(proxy->fat.max_x, proxy->fat.min_x);
-        keys[i].least = (double)(td_unwrap(proxy->fat.min_x, proxy->center.x) - row->reference);
-        row->widest = td_max_double(row->widest, width);
+        keys[i].least = (double)(td_unwrap(proxy->fat.min_x, proxy->center.x) - set->reference);
+        set->widest = td_max_double(set->widest, width);
     }
 }
 
+/* Whether more than an eighth of the neighbouring keys (and 8 more) are in the wrong order, so that
+ * insertion sort alone may take time of count^2. Chosen; not tuned. */
 static bool is_disordered(const td_sweep_key *keys, int count) {
     int descents = 0;
     for (int i = 1; i < count; i++) {
@@ -62,8 +70,8 @@ static bool is_disordered(const td_sweep_key *keys, int count) {
     return descents > count / 8 + 8;
 }
 
-/* Insertion sort of every `gap`-th. */
-static void insert(td_sweep_key *keys, int count, int gap) {
+/* Insertion sort within each sequence of keys that are `gap` apart. */
+static void insertion_sort(td_sweep_key *keys, int count, int gap) {
     for (int i = gap; i < count; i++) {
         td_sweep_key key = keys[i];
         int to = i;
@@ -74,38 +82,40 @@ static void insert(td_sweep_key *keys, int count, int gap) {
     }
 }
 
+/* Sorts the keys. Gaps beyond Ciura's 701 grow by 9/4, as his sequence does on the whole. */
 static void sort(td_sweep_key *keys, int count) {
-    static const int gaps[] = {701, 301, 132, 57, 23, 10, 4};
+    static const int CIURA_GAPS[] = {701, 301, 132, 57, 23, 10, 4};
     if (is_disordered(keys, count)) {
-        int gap = gaps[0];
+        int gap = CIURA_GAPS[0];
         while (gap < count / 2) {
             gap = gap * 9 / 4;
         }
-        for (; gap > gaps[0]; gap = gap * 4 / 9) {
-            insert(keys, count, gap);
+        for (; gap > CIURA_GAPS[0]; gap = gap * 4 / 9) {
+            insertion_sort(keys, count, gap);
         }
-        for (size_t i = 0; i < sizeof gaps / sizeof *gaps; i++) {
-            insert(keys, count, gaps[i]);
+        for (size_t i = 0; i < sizeof CIURA_GAPS / sizeof *CIURA_GAPS; i++) {
+            insertion_sort(keys, count, CIURA_GAPS[i]);
         }
     }
-    insert(keys, count, 1);
+    insertion_sort(keys, count, 1);
 }
 
-static bool build(thud_world *w, td_proxy_set *row, bool quiet) {
-    (void)quiet;
-    row->valid = false;
-    if (!reserve(w, row)) {
+/* thud_broadphase.build: sorts the keys and makes `ids` their order. */
+static bool build(thud_world *w, td_proxy_set *set, bool few_moved) {
+    (void)few_moved;
+    set->valid = false;
+    if (!reserve(w, set)) {
         return false;
     }
-    follow_list(w, row);
-    measure(w, row);
-    td_sweep_key *keys = row->keys.data;
-    int32_t *ids = row->ids.data;
-    sort(keys, row->keys.count);
-    for (int i = 0; i < row->keys.count; i++) {
+    update_keys(w, set);
+    update_key_values(w, set);
+    td_sweep_key *keys = set->keys.data;
+    int32_t *ids = set->ids.data;
+    sort(keys, set->keys.count);
+    for (int i = 0; i < set->keys.count; i++) {
         ids[i] = keys[i].shape;
     }
-    td_sorted_axis_fill(w, row);
+    td_sorted_axis_fill(w, set);
     return true;
 }
 

@@ -1,6 +1,7 @@
-/* sensed_pairs.c: at the end of a step, contacts of sensors with what left its fat bounds in it, so
- * that they report by where bodies stand now. All other pairs come with the next broadphase, which
- * looks through the contacts of what has some already. */
+/* sensed_pairs.c: at the end of a step, makes the new contacts between sensors and shapes of which
+ * one has left its fat bounds in the step, so that sensors report overlaps of the poses at the end
+ * of the step (sensor_events.c tests them). All other new pairs are left to the next broadphase; it
+ * also finds these pairs again, and searches the contacts of shapes marked TD_MARK_WOKEN here. */
 #include "api/step.h"
 #include "broadphase/pairs.h"
 #include "constraint/constraint.h"
@@ -8,6 +9,9 @@
 #include "contact/sensors.h"
 #include "state/shape.h"
 
+/* Reserves, before bodies move, the memory of all that follows here. False when memory is short.
+ * The hits of a search, and the room that it asks for ahead of each range of shapes, are at most
+ * all shapes each; the third part is reserve. */
 bool td_sensed_reserve(thud_world *w) {
     int room = w->scratch.sensed_room = td_sensors_expect(w);
     int more[TD_CONSTRAINT_KINDS] = {[TD_PAIR_SENSOR] = room};
@@ -18,6 +22,7 @@ bool td_sensed_reserve(thud_world *w) {
            td_constraints_reserve(w, more);
 }
 
+/* Lists the awake bodies that have a sensor. */
 void td_sensed_list(thud_world *w) {
     td_array *list = &w->scratch.sensing;
     list->count = 0;
@@ -32,17 +37,19 @@ void td_sensed_list(thud_world *w) {
     }
 }
 
+/* Whether the shape has left its fat bounds in this step. */
 static bool moved(const thud_world *w, int shape) {
     return *td_marks_at(w, shape) & TD_MARK_MOVED;
 }
 
-/* Whether bounds are those of a shape that is in the world since the step began. */
-static bool is_here(const thud_world *w, int shape) {
+/* Whether the shape has been in the world since the start of the step. */
+static bool exists_since_start(const thud_world *w, int shape) {
     return (td_shape_at(w, shape)->flags & (TD_SHAPE_LIVE | TD_SHAPE_WAITS)) == TD_SHAPE_LIVE &&
            !(*td_marks_at(w, shape) & TD_MARK_FRESH);
 }
 
-/* The next broadphase finds the pair as well. False where there is no room for another one. */
+/* Adds a pair that has no contact, and marks the shape, because the next broadphase finds the pair
+ * as well. False where there is no room for another pair (td_sensed_reserve). */
 static bool add(thud_world *w, int shape, int other, int child) {
     td_new_pair pair = {td_min_int(shape, other), td_max_int(shape, other), child};
     td_pair_of(w, &pair.a, &pair.b);
@@ -54,22 +61,26 @@ static bool add(thud_world *w, int shape, int other, int child) {
            td_pairs_add(w, pair.a, pair.b, child);
 }
 
+/* Whether the two may have a sensor contact, as far as `other` and the filters say. */
 static bool may_pair(const thud_world *w, int shape, int other) {
-    return (td_senses(w, shape) || td_senses(w, other)) && is_here(w, other) &&
+    return (td_senses(w, shape) || td_senses(w, other)) && exists_since_start(w, other) &&
            td_pair_allowed(w, shape, other);
 }
 
+/* Adds the pair if it may have a contact and the fat bounds overlap. False: no room; so below. */
 static bool try_pair(thud_world *w, int shape, int other) {
     bool may = td_pair_meets(w, shape, other) && may_pair(w, shape, other);
     return !may || add(w, shape, other, 0);
 }
 
+/* Adds the pairs of the shape with the segments of a line. */
 static bool try_line(thud_world *w, int shape, int line) {
     return !may_pair(w, shape, line) || w->ground->each(w, line, shape, add);
 }
 
-/* Sets hold the bounds of what did not move. */
-static bool among(thud_world *w, const td_proxy_set *set, int shape) {
+/* Adds the pairs of a moved shape with the shapes of a set that did not move: of those, and only of
+ * those, the set has the present bounds. */
+static bool pair_with_set(thud_world *w, const td_proxy_set *set, int shape) {
     td_array *hits = &w->scratch.hits;
     hits->count = 0;
     bool done = w->def.broadphase->find[w->wide](set, &w->memory, td_fat_at(w, shape),
@@ -81,8 +92,9 @@ static bool among(thud_world *w, const td_proxy_set *set, int shape) {
     return done;
 }
 
-/* Of two sensors that moved, the lower shape finds the other. */
-static bool among_moved(thud_world *w, int shape) {
+/* Adds the pairs of a moved sensor with other moved shapes; of two sensors that moved, the one of
+ * lower index adds the pair. */
+static bool pair_with_moved_shapes(thud_world *w, int shape) {
     bool done = true;
     for (int i = 0; i < w->moved.count && done; i++) {
         int other = td_int_at(&w->moved, i);
@@ -92,8 +104,8 @@ static bool among_moved(thud_world *w, int shape) {
     return done;
 }
 
-/* A sensor that moved finds the shape by itself. */
-static bool among_sensors(thud_world *w, int shape) {
+/* Adds the pairs of a moved shape with awake sensors that did not move. */
+static bool pair_with_unmoved_sensors(thud_world *w, int shape) {
     bool done = true;
     for (int i = 0; i < w->scratch.sensing.count && done; i++) {
         int other = td_body_at(w, td_body_of(w, td_slot_in(&w->scratch.sensing, i)))->first_shape;
@@ -104,12 +116,13 @@ static bool among_sensors(thud_world *w, int shape) {
     return done;
 }
 
-static bool add_moved(thud_world *w, int shape) {
-    bool done = among(w, &w->rest_shapes, shape);
+/* Adds all new sensor pairs of one moved shape that is no line. */
+static bool add_pairs_of(thud_world *w, int shape) {
+    bool done = pair_with_set(w, &w->rest_shapes, shape);
     if (done && td_senses(w, shape)) {
-        done = among(w, &w->awake_shapes, shape) && among_moved(w, shape);
+        done = pair_with_set(w, &w->awake_shapes, shape) && pair_with_moved_shapes(w, shape);
     } else if (done) {
-        done = among_sensors(w, shape);
+        done = pair_with_unmoved_sensors(w, shape);
     }
     for (int t = 0; t < w->terrains.count && done; t++) {
         int line = td_terrain_record_at(w, t)->shape;
@@ -118,15 +131,15 @@ static bool add_moved(thud_world *w, int shape) {
     return done;
 }
 
-/* Where there are more than there is room for none is made: which of them came first would depend
- * on the broadphase. The next one finds all of them. */
+/* Where there is no room for all pairs, makes none: which pairs came first would depend on the
+ * broadphase. The next broadphase finds them all. */
 bool td_sensed_pairs(thud_world *w) {
     bool done = true;
     w->scratch.pairs.count = 0;
     for (int i = 0; i < w->moved.count && done; i++) {
         int shape = td_int_at(&w->moved, i);
-        done = !is_here(w, shape) || td_kind_is_line(td_shape_at(w, shape)->kind) ||
-               add_moved(w, shape);
+        done = !exists_since_start(w, shape) || td_kind_is_line(td_shape_at(w, shape)->kind) ||
+               add_pairs_of(w, shape);
     }
     return done && td_pairs_sort(w) && td_pairs_create(w);
 }

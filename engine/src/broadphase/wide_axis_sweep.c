@@ -1,25 +1,29 @@
-/* wide_axis_sweep.c: finding the overlapping bounds of a proxy set in one row, eight at a time:
- * among all that follow, or, where the row is sorted, among those that begin before a shape ends.
- */
+/* wide_axis_sweep.c: overlaps within a proxy set that is one list (sorted_axis.h), eight bounds at
+ * a time. Where the set has keys it is sorted by min_x, and a shape is tested against those after
+ * it up to the first that begins beyond its max_x; without keys, against all after it.
+ *
+ * Coordinates of keys are doubles in bounds quanta from set->reference. */
 #include "broadphase/wide_scan.h"
 
-/* Where the row is sorted: none from here on begins at or before `most`. */
-TD_INLINE int end_of(const td_proxy_set *row, int from, double most) {
-    const td_sweep_key *keys = row->keys.data;
-    int count = row->ids.count;
-    while (from < count && (!keys || keys[from].least <= most)) {
+/* The end of the range from index `from` that holds every shape whose min_x is at most max_x, to a
+ * multiple of eight lanes; the end of the set where it is not sorted. */
+TD_INLINE int end_of_overlaps(const td_proxy_set *set, int from, double max_x) {
+    const td_sweep_key *keys = set->keys.data;
+    int count = set->ids.count;
+    while (from < count && (!keys || keys[from].least <= max_x)) {
         from += TD_LANES;
     }
     return from < count ? from : count;
 }
 
-/* The first that may reach `least`: half of what is left is thrown away each time. */
-TD_INLINE int begin_of(const td_proxy_set *row, double least) {
-    const td_sweep_key *keys = row->keys.data;
-    int low = 0, high = keys ? row->ids.count : 0;
+/* The first index whose shape may reach the coordinate `least`: its min_x is not below that by more
+ * than the widest shape. By binary search; 0 where the set is not sorted. */
+TD_INLINE int first_reaching(const td_proxy_set *set, double least) {
+    const td_sweep_key *keys = set->keys.data;
+    int low = 0, high = keys ? set->ids.count : 0;
     while (low < high) {
         int middle = low + (high - low) / 2;
-        if (keys[middle].least < least - row->widest) {
+        if (keys[middle].least < least - set->widest) {
             low = middle + 1;
         } else {
             high = middle;
@@ -28,47 +32,49 @@ TD_INLINE int begin_of(const td_proxy_set *row, double least) {
     return low;
 }
 
-/* Coordinates at which the i-th shape begins and ends, where the row is sorted. */
-TD_INLINE double least_of(const td_proxy_set *row, int i) {
-    const td_sweep_key *keys = row->keys.data;
+/* Coordinates of min_x and max_x of the i-th shape; min_x counts as 0 where the set is not sorted.
+ */
+TD_INLINE double min_x_of(const td_proxy_set *set, int i) {
+    const td_sweep_key *keys = set->keys.data;
     return keys ? keys[i].least : 0.0;
 }
 
-TD_INLINE double most_of(const scan *s, int i) {
-    return least_of(s->set, i) + (double)td_wrap_sub(s->max_x[i], s->min_x[i]);
+TD_INLINE double max_x_of(const scan *s, int i) {
+    return min_x_of(s->set, i) + (double)td_wrap_sub(s->max_x[i], s->min_x[i]);
 }
 
-/* Those before the i-th that have not moved; the others find it themselves. */
-TD_INLINE void scan_before(scan *s, int i) {
-    int first = begin_of(s->set, least_of(s->set, i));
+/* Tests the shapes before the i-th that have not moved; those that moved find the pair
+ * themselves. */
+TD_INLINE void scan_unmoved_before(scan *s, int i) {
+    int first = first_reaching(s->set, min_x_of(s->set, i));
     if (first < i) {
-        scan_span(s, first, i, HEED_UNMOVED);
+        scan_span(s, first, i, SCAN_UNMOVED);
     }
 }
 
 td_sweep_fn TD_WIDE(td_sorted_axis_sweep);
-bool TD_WIDE(td_sorted_axis_sweep)(const td_proxy_set *row, td_memory *memory,
+bool TD_WIDE(td_sorted_axis_sweep)(const td_proxy_set *set, td_memory *memory,
                                    const td_shape_proxy *proxy, bool every, td_array *hits,
-                                   td_hits_fn *tell, void *context) {
+                                   td_hits_fn *report, void *context) {
     (void)proxy;
-    scan s = begin_scan(row, memory, hits);
-    for (int i = 0; i < row->ids.count; i++) {
+    scan s = begin_scan(set, memory, hits);
+    for (int i = 0; i < set->ids.count; i++) {
         if (!every && !s.moved[i]) {
             continue;
         }
         td_bounds b = bounds_at(&s, i);
-        set_box(&s, &b);
-        int end = end_of(row, i + 1, most_of(&s, i));
-        if (!room(&s, every ? end - i : end)) {
+        set_query(&s, &b);
+        int end = end_of_overlaps(set, i + 1, max_x_of(&s, i));
+        if (!reserve_hits(&s, every ? end - i : end)) {
             return false;
         }
         if (i + 1 < end) {
-            scan_span(&s, i + 1, end, s.moved[i] ? HEED_ALL : HEED_MOVED);
+            scan_span(&s, i + 1, end, s.moved[i] ? SCAN_ALL : SCAN_MOVED);
         }
         if (!every) {
-            scan_before(&s, i);
+            scan_unmoved_before(&s, i);
         }
-        if (!tell_hits(&s, i, tell, context)) {
+        if (!report_hits(&s, i, report, context)) {
             return false;
         }
     }
@@ -76,18 +82,19 @@ bool TD_WIDE(td_sorted_axis_sweep)(const td_proxy_set *row, td_memory *memory,
 }
 
 td_find_fn TD_WIDE(td_sorted_axis_find);
-bool TD_WIDE(td_sorted_axis_find)(const td_proxy_set *row, td_memory *memory,
+bool TD_WIDE(td_sorted_axis_find)(const td_proxy_set *set, td_memory *memory,
                                   const td_bounds *bounds, td_position near_place, td_array *hits) {
-    scan s = begin_scan(row, memory, hits);
-    set_box(&s, bounds);
-    double least = (double)(td_unwrap(bounds->min_x, near_place.x) - row->reference);
-    int first = begin_of(row, least);
-    int end = end_of(row, first, least + (double)td_wrap_sub(bounds->max_x, bounds->min_x));
-    if (!room(&s, end - first)) {
+    scan s = begin_scan(set, memory, hits);
+    set_query(&s, bounds);
+    double least = (double)(td_unwrap(bounds->min_x, near_place.x) - set->reference);
+    int first = first_reaching(set, least);
+    int end =
+        end_of_overlaps(set, first, least + (double)td_wrap_sub(bounds->max_x, bounds->min_x));
+    if (!reserve_hits(&s, end - first)) {
         return false;
     }
     if (first < end) {
-        scan_span(&s, first, end, HEED_ALL);
+        scan_span(&s, first, end, SCAN_ALL);
     }
     count_hits(&s);
     return true;

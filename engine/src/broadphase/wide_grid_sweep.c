@@ -1,20 +1,28 @@
-/* wide_grid_sweep.c: finding the overlapping bounds of a grid. Hits come in the order of the grid,
- * which is the order of places, not of addresses. */
+/* wide_grid_sweep.c: finds the overlapping bounds of a grid (grid.h). In the shape's own level,
+ * half of the 3 x 3 cells about its cell are searched (the rest of its cell, the next one, and
+ * three of the row above), so that each pair is found once; the other half is searched for shapes
+ * that have not moved where only moved shapes search. Of coarser levels the 3 x 3 cells about the
+ * centre are searched, of finer ones all cells that the bounds overlap, extended by half a cell. */
 #include "broadphase/wide_scan.h"
 
-/* A level of so few is searched whole, which costs less than finding the cells. */
-enum { FEW = 2 * TD_LANES };
+/* A level of at most so many shapes is tested whole, which is two tests of eight: fewer than the
+ * three rows of a search by cells. */
+enum { SCAN_WHOLE_MAX = 2 * TD_LANES };
 
-/* A hashed level is searched whole where more rows are asked for. */
-enum { MOST_ROWS = 16 };
+/* Rows of a hashed level up to which a window is searched by cells, and above which the whole level
+ * is tested. It bounds the time of rows_overlap, which compares each two rows. Chosen; not tuned.
+ */
+enum { HASHED_ROWS_MAX = 16 };
 
-/* Cells cell .. cell + n - 1 of a level, around the end of its table. */
-TD_INLINE bool scan_cells(scan *s, const td_level *level, uint32_t cell, uint32_t n, heed which) {
+/* Tests the shapes in the cells cell .. cell + n - 1 of a level, modulo its table. Like all
+ * functions here that return bool: false when memory is short. */
+TD_INLINE bool scan_cells(scan *s, const td_level *level, uint32_t cell, uint32_t n,
+                          scan_filter which) {
     const int32_t *starts = s->starts + level->starts;
     uint32_t table = level->mask + 1;
     cell &= level->mask;
     bool around = cell + n > table;
-    if (!room(s, around ? level->count : starts[cell + n] - starts[cell])) {
+    if (!reserve_hits(s, around ? level->count : starts[cell + n] - starts[cell])) {
         return false;
     }
     if (!around) {
@@ -26,20 +34,22 @@ TD_INLINE bool scan_cells(scan *s, const td_level *level, uint32_t cell, uint32_
     return true;
 }
 
-TD_INLINE bool scan_level(scan *s, const td_level *level, heed which) {
-    if (!room(s, level->count)) {
+/* Tests all shapes of a level. */
+TD_INLINE bool scan_level(scan *s, const td_level *level, scan_filter which) {
+    if (!reserve_hits(s, level->count)) {
         return false;
     }
     scan_span(s, level->first, level->first + level->count, which);
     return true;
 }
 
-/* The rest of a shape's cell and the next one, and the row above; so that each pair comes once.
- * Where the table's end does not lie between them. */
+/* Tests the forward half of the neighbourhood of the i-th shape: what follows it in its cell, the
+ * next cell, and the three cells from `above` on. Only where these do not wrap around the table's
+ * end. */
 TD_INLINE bool scan_forward(scan *s, const int32_t *starts, int i, uint32_t cell, uint32_t above,
-                            heed which) {
+                            scan_filter which) {
     int end = starts[cell + 2], first = starts[above], last = starts[above + 3];
-    if (!room(s, end - i + last - first)) {
+    if (!reserve_hits(s, end - i + last - first)) {
         return false;
     }
     scan_span(s, i + 1, end, which);
@@ -47,12 +57,13 @@ TD_INLINE bool scan_forward(scan *s, const int32_t *starts, int i, uint32_t cell
     return true;
 }
 
-/* The same anywhere, or the other half of the neighbourhood. */
+/* The same where cells may wrap around, or (`forward` false) the other half: what precedes the
+ * shape in its cell, the cell before, and three cells of the row below. */
 TD_INLINE bool scan_half(scan *s, const td_level *level, int i, uint32_t cell, bool forward,
-                         heed which) {
+                         scan_filter which) {
     const int32_t *starts = s->starts + level->starts + cell;
     int from = forward ? i + 1 : starts[0], to = forward ? starts[1] : i;
-    if (!room(s, to - from)) {
+    if (!reserve_hits(s, to - from)) {
         return false;
     }
     scan_span(s, from, to, which);
@@ -67,10 +78,11 @@ TD_INLINE bool scan_half(scan *s, const td_level *level, int i, uint32_t cell, b
     return true;
 }
 
-/* A level of larger shapes: three rows of three cells each, about a centre, which is given relative
- * to the origin, and not below it. */
-TD_INLINE bool scan_coarser(scan *s, const td_level *level, double x, double y, heed which) {
-    if (level->count <= FEW) {
+/* Tests the shapes of a coarser level in the 3 x 3 cells about a centre, which is given in bounds
+ * quanta from the grid's origin and not negative. */
+TD_INLINE bool scan_neighbourhood(scan *s, const td_level *level, double x, double y,
+                                  scan_filter which) {
+    if (level->count <= SCAN_WHOLE_MAX) {
         return scan_level(s, level, which);
     }
     int64_t column = (int64_t)(x * level->inv_cell), row = (int64_t)(y * level->inv_cell);
@@ -82,17 +94,18 @@ TD_INLINE bool scan_coarser(scan *s, const td_level *level, double x, double y, 
     return true;
 }
 
-/* Whether rows of a hashed level fall onto each other, so that a shape could be found twice. Those
- * of a window of three by three never do. */
-TD_INLINE bool rows_meet(const td_level *level, int64_t column, int64_t row, uint32_t n,
-                         int64_t rows) {
+/* Whether two of the rows of n cells from (column, row) on share cells of a hashed table, so that a
+ * shape could be found twice. The rows of a 3 x 3 window never do: two of three consecutive rows
+ * are at least 0.23 of the table apart, which has 64 cells or more. */
+TD_INLINE bool rows_overlap(const td_level *level, int64_t column, int64_t row, uint32_t n,
+                            int64_t rows) {
     if (n <= 3 && rows <= 3) {
         return false;
     }
-    if (rows > MOST_ROWS || n > (level->mask + 1) / 2) {
+    if (rows > HASHED_ROWS_MAX || n > (level->mask + 1) / 2) {
         return true;
     }
-    uint32_t first[MOST_ROWS];
+    uint32_t first[HASHED_ROWS_MAX];
     for (int i = 0; i < rows; i++) {
         first[i] = td_grid_cell(level, column, row + i);
         for (int k = 0; k < i; k++) {
@@ -105,11 +118,13 @@ TD_INLINE bool rows_meet(const td_level *level, int64_t column, int64_t row, uin
     return false;
 }
 
-/* Any level, by the cells that the bounds reach. */
+/* Tests the shapes of any level whose centres lie within half a cell of the bounds `b`, near
+ * near_position: all that can overlap it. Tests the whole level where that is cheaper, or where
+ * cells would be visited twice. */
 TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b,
-                           td_position near_position, heed which) {
+                           td_position near_position, scan_filter which) {
     const td_proxy_set *grid = s->set;
-    if (level->count <= FEW) {
+    if (level->count <= SCAN_WHOLE_MAX) {
         return scan_level(s, level, which);
     }
     int64_t half = level->cell / 2 + 1;
@@ -117,7 +132,7 @@ TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b,
     int64_t y0 = td_unwrap(b->min_y, near_position.y) - half;
     int64_t x1 = td_unwrap(b->max_x, near_position.x) + half;
     int64_t y1 = td_unwrap(b->max_y, near_position.y) + half;
-    if (x0 > level->most_x || x1 < level->least_x || y0 > level->most_y || y1 < level->least_y) {
+    if (x0 > level->max_x || x1 < level->min_x || y0 > level->max_y || y1 < level->min_y) {
         return true;
     }
     int64_t c0 = td_grid_index(x0, grid->origin_x, level->inv_cell);
@@ -135,7 +150,7 @@ TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b,
         return true;
     }
     if (c1 - c0 + 1 > level->count || r1 - r0 + 1 > level->count ||
-        (level->hashed && rows_meet(level, c0, r0, (uint32_t)(c1 - c0 + 1), r1 - r0 + 1))) {
+        (level->hashed && rows_overlap(level, c0, r0, (uint32_t)(c1 - c0 + 1), r1 - r0 + 1))) {
         return scan_level(s, level, which);
     }
     for (int64_t r = r0; r <= r1; r++) {
@@ -146,8 +161,10 @@ TD_INLINE bool scan_window(scan *s, const td_level *level, const td_bounds *b,
     return true;
 }
 
-/* The levels that are not the shape's own. */
-TD_INLINE bool scan_others(scan *s, int own, int i, td_position near_position, bool every) {
+/* Tests the i-th shape against the levels other than its own. `every`: every shape searches, so
+ * that coarser levels suffice; else only moved ones do, which then also search finer levels for
+ * shapes that have not moved. */
+TD_INLINE bool scan_other_levels(scan *s, int own, int i, td_position near_position, bool every) {
     const td_proxy_set *grid = s->set;
     td_bounds b = bounds_at(s, i);
     double x = (double)(td_unwrap(td_middle(b.min_x, b.max_x), near_position.x) - grid->origin_x);
@@ -157,9 +174,9 @@ TD_INLINE bool scan_others(scan *s, int own, int i, td_position near_position, b
         if (l == own || !level->count) {
             continue;
         }
-        heed which = s->moved[i] ? HEED_ALL : HEED_MOVED;
-        bool done = l < own ? scan_window(s, level, &b, near_position, HEED_UNMOVED)
-                            : scan_coarser(s, level, x, y, which);
+        scan_filter which = s->moved[i] ? SCAN_ALL : SCAN_MOVED;
+        bool done = l < own ? scan_window(s, level, &b, near_position, SCAN_UNMOVED)
+                            : scan_neighbourhood(s, level, x, y, which);
         if (!done) {
             return false;
         }
@@ -167,6 +184,7 @@ TD_INLINE bool scan_others(scan *s, int own, int i, td_position near_position, b
     return true;
 }
 
+/* The number of levels that have shapes. */
 static int levels_in_use(const td_proxy_set *grid) {
     int used = 0;
     for (int l = 0; l < TD_LEVELS; l++) {
@@ -178,7 +196,7 @@ static int levels_in_use(const td_proxy_set *grid) {
 td_sweep_fn TD_WIDE(td_grid_sweep);
 bool TD_WIDE(td_grid_sweep)(const td_proxy_set *grid, td_memory *memory,
                             const td_shape_proxy *proxy, bool every, td_array *hits,
-                            td_hits_fn *tell, void *context) {
+                            td_hits_fn *report, void *context) {
     scan s = begin_scan(grid, memory, hits);
     const int32_t *cells = grid->cells.data;
     bool one_level = levels_in_use(grid) == 1;
@@ -193,19 +211,20 @@ bool TD_WIDE(td_grid_sweep)(const td_proxy_set *grid, td_memory *memory,
                 continue;
             }
             td_bounds b = bounds_at(&s, i);
-            set_box(&s, &b);
+            set_query(&s, &b);
             uint32_t cell = (uint32_t)cells[i], above = (cell + level->row - 1) & level->mask;
             bool whole = cell < level->mask && above + 3 <= level->mask + 1, done = true;
             if (whole) {
-                done = s.moved[i] ? scan_forward(&s, starts, i, cell, above, HEED_ALL)
-                                  : scan_forward(&s, starts, i, cell, above, HEED_MOVED);
+                done = s.moved[i] ? scan_forward(&s, starts, i, cell, above, SCAN_ALL)
+                                  : scan_forward(&s, starts, i, cell, above, SCAN_MOVED);
             }
             for (int back = whole; back <= !every && done; back++) {
-                heed which = back ? HEED_UNMOVED : s.moved[i] ? HEED_ALL : HEED_MOVED;
+                scan_filter which = back ? SCAN_UNMOVED : s.moved[i] ? SCAN_ALL : SCAN_MOVED;
                 done = scan_half(&s, level, i, cell, !back, which);
             }
-            if (!done || (!one_level && !scan_others(&s, l, i, proxy[s.ids[i]].center, every)) ||
-                !tell_hits(&s, i, tell, context)) {
+            if (!done ||
+                (!one_level && !scan_other_levels(&s, l, i, proxy[s.ids[i]].center, every)) ||
+                !report_hits(&s, i, report, context)) {
                 return false;
             }
         }
@@ -217,10 +236,10 @@ td_find_fn TD_WIDE(td_grid_find);
 bool TD_WIDE(td_grid_find)(const td_proxy_set *grid, td_memory *memory, const td_bounds *bounds,
                            td_position near_position, td_array *hits) {
     scan s = begin_scan(grid, memory, hits);
-    set_box(&s, bounds);
+    set_query(&s, bounds);
     /* Levels in use follow each other, the last one first. */
     for (int l = TD_LEVELS - 1; l >= 0 && grid->levels[l].count; l--) {
-        if (!scan_window(&s, &grid->levels[l], bounds, near_position, HEED_ALL)) {
+        if (!scan_window(&s, &grid->levels[l], bounds, near_position, SCAN_ALL)) {
             return false;
         }
     }

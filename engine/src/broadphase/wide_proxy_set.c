@@ -1,4 +1,5 @@
-/* wide_proxy_set.c: the bounds of a proxy set, read from its shapes eight at a time. */
+/* wide_proxy_set.c: copies the fat bounds and the moved marks of the shapes in td_proxy_set.ids
+ * into the set's arrays, eight at a time. */
 #include "broadphase/wide_scan.h"
 
 td_proxy_set_fill_fn TD_WIDE(td_proxy_set_fill);
@@ -7,18 +8,18 @@ int TD_WIDE(td_proxy_set_fill)(td_proxy_set *set, const td_shape_proxy *proxy,
     int32_t *ids = set->ids.data, *moved = set->moved.data;
     int32_t *rows[4] = {set->min_x.data, set->min_y.data, set->max_x.data, set->max_y.data};
     int count = set->ids.count, moved_count = 0;
-    /* The last eight may reach beyond the end, where any shape will do. */
+    /* Eight more ids past the end, for the last eight lanes: any shape will do. */
     for (int i = count; i < count + TD_LANES; i++) {
         ids[i] = ids[count - 1];
     }
     for (int i = 0; i < count; i += TD_LANES) {
         i8 bounds[4];
-        load_words(proxy, ids + i, offsetof(td_shape_proxy, fat), bounds);
+        load_four_words(proxy, ids + i, offsetof(td_shape_proxy, fat), bounds);
         for (int k = 0; k < 4; k++) {
             __builtin_memcpy(rows[k] + i, &bounds[k], sizeof bounds[k]);
         }
     }
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count; i++) { /* bit 0 is TD_MARK_MOVED */
         int32_t flag = -(int32_t)(marks[ids[i]] & 1);
         moved[i] = flag;
         moved_count -= flag;

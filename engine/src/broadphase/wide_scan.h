@@ -1,6 +1,8 @@
-/* wide_scan.h: eight bounds at a time against one, for the files that sweep a proxy set.
+/* wide_scan.h: tests eight bounds at a time against one, for the files that sweep a proxy set.
  *
- * Bounds overlap where none of four differences is negative, so one sign bit a lane decides. */
+ * Bounds a and b overlap where none of the differences a.max - b.min and b.max - a.min, along x and
+ * y, is negative; so the sign bit of their bitwise or decides. Differences wrap around, as bounds
+ * do. */
 #ifndef TD_WIDE_SCAN_H
 #define TD_WIDE_SCAN_H
 
@@ -8,9 +10,9 @@
 
 #include <stddef.h>
 
-/* Four words of each of eight proxies. */
-TD_INLINE void load_words(const td_shape_proxy *proxy, const int32_t *ids, size_t offset,
-                          i8 out[4]) {
+/* Loads four 32-bit words, at an offset, of each of eight proxies: out[k] has the k-th word. */
+TD_INLINE void load_four_words(const td_shape_proxy *proxy, const int32_t *ids, size_t offset,
+                               i8 out[4]) {
     const float *r[TD_LANES];
     for (int i = 0; i < TD_LANES; i++) {
         r[i] = (const float *)(const void *)((const char *)&proxy[ids[i]] + offset);
@@ -20,30 +22,35 @@ TD_INLINE void load_words(const td_shape_proxy *proxy, const int32_t *ids, size_
     out[0] = (i8)rows.x, out[1] = (i8)rows.y, out[2] = (i8)rows.z, out[3] = (i8)rows.w;
 }
 
+/* A search in a proxy set: the bounds that are asked about, and the hits so far. */
 typedef struct scan {
     const td_proxy_set *set;
+    /* The set's arrays. */
     const int32_t *ids, *min_x, *min_y, *max_x, *max_y, *moved, *starts;
     td_memory *memory;
     td_array *hits;
-    int32_t *out, *limit; /* where the next hit goes, and the end of the room */
-    i8 box_min_x, box_min_y, box_max_x, box_max_y;
+    int32_t *out, *limit; /* where the next hit is written, and the end of hits' memory */
+    /* The bounds asked about, in all lanes. */
+    i8 query_min_x, query_min_y, query_max_x, query_max_y;
 } scan;
 
-/* Which of the overlapping shapes count. */
-typedef enum heed { HEED_ALL, HEED_MOVED, HEED_UNMOVED } heed;
+/* Which overlapping shapes are hits: all, those that moved, or those that did not. */
+typedef enum scan_filter { SCAN_ALL, SCAN_MOVED, SCAN_UNMOVED } scan_filter;
 
-TD_INLINE void set_room(scan *s) {
-    int32_t *data = s->hits->data; /* null as long as there is no room */
+/* Sets out and limit from the hits, whose memory may have moved. */
+TD_INLINE void set_output(scan *s) {
+    int32_t *data = s->hits->data; /* null before the first reservation */
     s->out = data ? data + s->hits->count : NULL;
     s->limit = data ? data + s->hits->capacity : NULL;
 }
 
-/* What was found so far, as the hits' count. */
+/* Sets the count of the hits to what was written, and returns it. */
 TD_INLINE int count_hits(scan *s) {
     s->hits->count = (int)(s->out - (int32_t *)s->hits->data);
     return s->hits->count;
 }
 
+/* A scan of a set that appends to `hits`. */
 TD_INLINE scan begin_scan(const td_proxy_set *set, td_memory *memory, td_array *hits) {
     scan s = {.set = set,
               .ids = set->ids.data,
@@ -55,60 +62,65 @@ TD_INLINE scan begin_scan(const td_proxy_set *set, td_memory *memory, td_array *
               .starts = set->starts.data,
               .memory = memory,
               .hits = hits};
-    set_room(&s);
+    set_output(&s);
     return s;
 }
 
-TD_INLINE void set_box(scan *s, const td_bounds *b) {
-    s->box_min_x = i8_all(b->min_x);
-    s->box_min_y = i8_all(b->min_y);
-    s->box_max_x = i8_all(b->max_x);
-    s->box_max_y = i8_all(b->max_y);
+/* Sets the bounds asked about. */
+TD_INLINE void set_query(scan *s, const td_bounds *b) {
+    s->query_min_x = i8_all(b->min_x);
+    s->query_min_y = i8_all(b->min_y);
+    s->query_max_x = i8_all(b->max_x);
+    s->query_max_y = i8_all(b->max_y);
 }
 
+/* The bounds of the i-th shape of the set. */
 TD_INLINE td_bounds bounds_at(const scan *s, int i) {
     return (td_bounds){s->min_x[i], s->min_y[i], s->max_x[i], s->max_y[i]};
 }
 
-/* Overlapping lanes among the eight from `at` on. */
-TD_INLINE unsigned test(const scan *s, int at, heed which) {
-    i8 apart = i8_wrap_sub(s->box_max_x, i8_load(s->min_x + at)) |
-               i8_wrap_sub(i8_load(s->max_x + at), s->box_min_x) |
-               i8_wrap_sub(s->box_max_y, i8_load(s->min_y + at)) |
-               i8_wrap_sub(i8_load(s->max_y + at), s->box_min_y);
+/* A bit for each of the eight shapes from index `at` on that overlaps and passes the filter. */
+TD_INLINE unsigned overlaps(const scan *s, int at, scan_filter which) {
+    i8 apart = i8_wrap_sub(s->query_max_x, i8_load(s->min_x + at)) |
+               i8_wrap_sub(i8_load(s->max_x + at), s->query_min_x) |
+               i8_wrap_sub(s->query_max_y, i8_load(s->min_y + at)) |
+               i8_wrap_sub(i8_load(s->max_y + at), s->query_min_y);
     i8 found = ~apart;
-    if (which != HEED_ALL) {
+    if (which != SCAN_ALL) {
         i8 moved = i8_load(s->moved + at);
-        found &= which == HEED_MOVED ? moved : ~moved;
+        found &= which == SCAN_MOVED ? moved : ~moved;
     }
     return i8_bits(found);
 }
 
-/* Room for `more` hits and what packing writes beyond. */
-TD_INLINE bool room(scan *s, int more) {
+/* Makes room for `more` hits, and eight that i8_pack may write beyond. False when memory is short.
+ */
+TD_INLINE bool reserve_hits(scan *s, int more) {
     if (s->limit - s->out >= more + TD_LANES) {
         return true;
     }
     if (!td_array_reserve(s->memory, s->hits, count_hits(s) + more + TD_LANES)) {
         return false;
     }
-    set_room(s);
+    set_output(s);
     return true;
 }
 
-/* Tells what was found of the i-th shape, and begins anew. */
-TD_INLINE bool tell_hits(scan *s, int i, td_hits_fn *tell, void *context) {
+/* Reports the hits of the i-th shape, if any, and clears them. False where `report` ends the sweep.
+ */
+TD_INLINE bool report_hits(scan *s, int i, td_hits_fn *report, void *context) {
     int found = count_hits(s);
     s->out = s->hits->data;
-    return found == 0 || tell(context, s->ids[i], s->hits->data, found);
+    return found == 0 || report(context, s->ids[i], s->hits->data, found);
 }
 
-/* Most ranges hold no more than eight, many of them none: the first eight are always tested, since
- * a branch that nobody can foretell costs more. */
-TD_INLINE void scan_span(scan *s, int from, int to, heed which) {
+/* Appends the hits among the shapes from .. to - 1, for which there is room. Most ranges hold at
+ * most eight shapes, many none: the first eight are tested in any case, since a branch that cannot
+ * be predicted costs more than a test. */
+TD_INLINE void scan_span(scan *s, int from, int to, scan_filter which) {
     int at = from;
     do {
-        unsigned bits = test(s, at, which);
+        unsigned bits = overlaps(s, at, which);
         int left = to - at;
         bits &= left < TD_LANES ? (1u << left) - 1u : 0xffu;
         s->out += i8_pack(s->out, s->ids + at, bits);

@@ -1,4 +1,12 @@
-/* buoyancy.c: what floats, and how water brakes it. */
+/* buoyancy.c: thud_body_apply_buoyancy: the forces of water below a line on a body.
+ *
+ * With A the area and c the centroid of the part of a shape below the line (submerged.h), and
+ * m = density * A the mass of the displaced water, each shape gets
+ *     lift at c:    -m * gravity                      (Archimedes)
+ *     drag at c:    -m * linear_drag * u(c)           (u: velocity relative to the water)
+ *     drag torque:  -m * A / (2 pi) * angular_drag * turn,
+ * of which m A / (2 pi) is the moment of inertia of a disc of mass m and area A. Of the sum of the
+ * drags, td_push_dissipative applies no more than takes energy. */
 #include "fields/submerged.h"
 
 #include "state/body.h"
@@ -12,6 +20,7 @@ thud_water thud_default_water(void) {
                         .cookie = TD_COOKIE};
 }
 
+/* Refuses water whose point, density or drag is out of range. */
 static thud_result check(const thud_world *w, const thud_water *water) {
     thud_result result =
         td_check_place(w, "water: x or y of point", water->point.x, water->point.y);
@@ -26,27 +35,29 @@ static thud_result check(const thud_world *w, const thud_water *water) {
                : td_check_field(w, "water: angular_drag", water->angular_drag, THUD_DRAG_MAX);
 }
 
-/* How high above the line the centre of mass is. */
-static double height_of(const thud_world *w, const td_adrift *a, const thud_water *water,
+/* The height of the centre of mass above the line, along its normal `up`. */
+static double height_of(const thud_world *w, const td_field_body *a, const thud_water *water,
                         thud_pos up) {
     td_position line = td_place_from(w, water->point), center = td_pose_at(w, a->index)->center;
     return up.x * ((double)(center.x - line.x) / w->to_fixed) +
            up.y * ((double)(center.y - line.y) / w->to_fixed);
 }
 
-/* Steps move by a force that was found before them, through which what bobs would gain energy: by
- * the place of half a step later it does not, whatever the substeps. */
-static void float_shape(const thud_world *w, const td_adrift *a, const thud_water *water,
-                        double height, thud_pos up, const td_shape *shape, td_push *lift,
-                        td_push *drag) {
-    double later = 0.5 * w->def.time_step;
-    thud_shape_instance placed = td_field_shape(w, a, shape, later * a->turn);
+/* Adds the lift and drag of one shape. `height` is that of the centre of mass, half a time step
+ * later; the shape is rotated as far. A force of the place at the start of a step acts through all
+ * of it, which would add energy to a bobbing body; that of the place in the middle of the step does
+ * not, for any number of substeps. */
+static void add_shape_forces(const thud_world *w, const td_field_body *a, const thud_water *water,
+                             double height, thud_pos up, const td_shape *shape, td_push *lift,
+                             td_push *drag) {
+    double half_step = 0.5 * w->def.time_step;
+    thud_shape_instance placed = td_field_shape(w, a, shape, half_step * a->turn);
     double above = height + up.x * placed.x + up.y * placed.y;
-    td_part part = td_part_below(&placed, above, up);
+    td_submerged_part part = td_submerged_part_of(&placed, above, up);
     double mass = (double)water->density * part.area;
     td_push_add(lift, part.x, part.y, -mass * (double)w->def.gravity.x,
                 -mass * (double)w->def.gravity.y);
-    thud_pos u = td_adrift_at(a, part.x, part.y);
+    thud_pos u = td_field_velocity_at(a, part.x, part.y);
     double rate = mass * (double)water->linear_drag;
     td_push_add(drag, part.x, part.y, -rate * u.x, -rate * u.y);
     drag->turn -= mass * part.area / (2.0 * TD_PI) * (double)water->angular_drag * a->turn;
@@ -54,9 +65,9 @@ static void float_shape(const thud_world *w, const td_adrift *a, const thud_wate
 
 thud_result thud_body_apply_buoyancy(thud_world *w, thud_body_id id, const thud_water *water) {
     TD_IN_OWN_MODE;
-    td_adrift a;
+    td_field_body a;
     thud_pos up;
-    thud_result result = td_adrift_find(w, id, &a);
+    thud_result result = td_field_body_find(w, id, &a);
     if (result != THUD_OK) {
         return result;
     }
@@ -70,7 +81,7 @@ thud_result thud_body_apply_buoyancy(thud_world *w, thud_body_id id, const thud_
     double fall_x = a.x, fall_y = a.y;
     result = check(w, water);
     if (result == THUD_OK) {
-        result = td_adrift_in_flow(w, "water: x or y of flow", water->flow, &a);
+        result = td_field_body_in_flow(w, "water: x or y of flow", water->flow, &a);
     }
     if (result != THUD_OK) {
         return result;
@@ -78,18 +89,18 @@ thud_result thud_body_apply_buoyancy(thud_world *w, thud_body_id id, const thud_
     if (!td_line_normal((double)water->normal.x, (double)water->normal.y, &up)) {
         return td_refuse(w, THUD_ERROR_INVALID, "water: normal is not of length 1");
     }
-    if (!a.heeds) {
+    if (!a.takes_force) {
         return THUD_OK;
     }
-    double later = 0.5 * w->def.time_step;
-    double height = height_of(w, &a, water, up) + later * (up.x * fall_x + up.y * fall_y);
+    double half_step = 0.5 * w->def.time_step;
+    double height = height_of(w, &a, water, up) + half_step * (up.x * fall_x + up.y * fall_y);
     td_push lift = {0}, drag = {0};
     for (int i = td_body_at(w, a.index)->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         const td_shape *shape = td_shape_at(w, i);
         if (td_field_meets(shape)) {
-            float_shape(w, &a, water, height, up, shape, &lift, &drag);
+            add_shape_forces(w, &a, water, height, up, shape, &lift, &drag);
         }
     }
-    drag = td_push_braking(w, &a, drag);
+    drag = td_push_dissipative(w, &a, drag);
     return td_field_push(w, &a, (td_push){lift.x + drag.x, lift.y + drag.y, lift.turn + drag.turn});
 }

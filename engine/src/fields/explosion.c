@@ -1,4 +1,11 @@
-/* explosion.c: pushing away from a place whatever is not hidden from it. */
+/* explosion.c: thud_world_explode: an impulse away from a centre on all shapes within reach that
+ * are not covered.
+ *
+ * The side of a shape that faces the centre is cut into `rays` segments of equal width, measured
+ * across the direction from the centre to the shape's nearest point. A ray to the middle of each
+ * segment finds the place where it meets the shape; unless another body covers that place, the
+ * segment gets impulse = def.impulse * width * falloff_factor(distance) away from the centre.
+ * Places are relative to the centre of the explosion, in the caller's unit. */
 #include "fields/fields.h"
 
 #include "casts/walk.h"
@@ -6,14 +13,15 @@
 #include "state/handles.h"
 #include "state/shape.h"
 
+/* One call. */
 typedef struct blast {
     thud_world *world;
     const thud_explosion *def;
-    td_position at;
-    double reach;
-    thud_query_filter cover;
-    td_array push; /* td_push, by body */
-    td_array room; /* int, for walks */
+    td_position at;          /* the centre */
+    double reach;            /* radius + falloff */
+    thud_query_filter cover; /* of what may cover: everything but the ignored body */
+    td_array push;           /* td_push, by body: the sum of its impulses */
+    td_array room;           /* int: memory of casts (td_walk_room) */
 } blast;
 
 thud_explosion thud_default_explosion(void) {
@@ -26,17 +34,20 @@ thud_explosion thud_default_explosion(void) {
 
 /* ---- cover ---- */
 
-static bool stops(const blast *b, const thud_ray_hit *hit, td_body_index target) {
+/* Whether a hit of a ray to a shape of `target` is cover, by the def's setting. */
+static bool is_cover(const blast *b, const thud_ray_hit *hit, td_body_index target) {
     td_body_index body = td_shape_at(b->world, (int)hit->shape.index1 - 1)->body;
     return !td_same_body(body, target) &&
            (b->def->cover == THUD_COVER_ALL || td_body_at(b->world, body)->kind != THUD_DYNAMIC);
 }
 
+/* Whether a body covers the place from the centre. The ray ends 1e-9 of its length before the
+ * place, so that what touches the shape there does not count. */
 static bool covered(const blast *b, td_body_index target, thud_pos place) {
     if (b->def->cover == THUD_COVER_NONE) {
         return false;
     }
-    enum { BATCH = 8 };
+    enum { BATCH = 8 }; /* hits a call of td_walk_next. Chosen; changes no result. */
     td_path way = {td_point_meets, b->def->center, b->at, place.x, place.y, .filter = &b->cover};
     td_walk walk = td_walk_begin(b->world, &way, b->room.data, b->room.capacity);
     thud_ray_hit hits[BATCH];
@@ -44,7 +55,7 @@ static bool covered(const blast *b, td_body_index target, thud_pos place) {
     do {
         td_walk_next(&walk, 1.0 - 1e-9, &k);
         for (int i = 0; i < k.count; i++) {
-            if (stops(b, &hits[i], target)) {
+            if (is_cover(b, &hits[i], target)) {
                 return true;
             }
         }
@@ -52,8 +63,9 @@ static bool covered(const blast *b, td_body_index target, thud_pos place) {
     return false;
 }
 
-/* ---- one shape; places are relative to the centre of the explosion ---- */
+/* ---- one shape ---- */
 
+/* Adds an impulse (x, y) at a place of a body. */
 static void push_at(const blast *b, td_body_index body, thud_pos place, double x, double y) {
     const thud_world *w = b->world;
     td_position center = td_pose_at(w, body)->center;
@@ -62,18 +74,19 @@ static void push_at(const blast *b, td_body_index body, thud_pos place, double x
     td_push_add(TD_AT(td_push, &b->push, body.at), place.x - from_x, place.y - from_y, x, y);
 }
 
-/* How much of it arrives. */
-static double arrives(const blast *b, double distance) {
+/* The share of the impulse at a distance: 1 up to the radius, and from there linearly to 0. */
+static double falloff_factor(const blast *b, double distance) {
     if (distance <= b->def->radius) {
         return 1.0;
     }
     return distance < b->reach ? (b->reach - distance) / b->def->falloff : 0.0;
 }
 
-/* A piece of the side that faces the centre; `dx, dy` is the way to the nearest point, of length 1,
- * and `across` where the piece's middle is. */
-static void push_piece(const blast *b, td_body_index body, const thud_shape_instance *shape,
-                       double dx, double dy, double across, double length) {
+/* Pushes at one segment of the side that faces the centre. (dx, dy) is the unit vector to the
+ * shape's nearest point, `across` the middle of the segment perpendicular to it, and `length` its
+ * width. The place is found by a ray along (dx, dy) from in front of the shape. */
+static void push_segment(const blast *b, td_body_index body, const thud_shape_instance *shape,
+                         double dx, double dy, double across, double length) {
     double back = 2.0 * td_reach(shape), along = dx * shape->x + dy * shape->y - back;
     double x = dx * along - dy * across, y = dy * along + dx * across, fraction, nx, ny;
     if (!thud_shape_cast_ray(shape, x, y, 2.0 * back * dx, 2.0 * back * dy, &fraction, &nx, &ny)) {
@@ -81,13 +94,14 @@ static void push_piece(const blast *b, td_body_index body, const thud_shape_inst
     }
     thud_pos place = {x + fraction * 2.0 * back * dx, y + fraction * 2.0 * back * dy};
     double distance = __builtin_sqrt(place.x * place.x + place.y * place.y);
-    double impulse = (double)b->def->impulse * length * arrives(b, distance);
+    double impulse = (double)b->def->impulse * length * falloff_factor(b, distance);
     if (impulse != 0.0 && distance > 0.0 && !covered(b, body, place)) {
         impulse /= distance;
         push_at(b, body, place, impulse * place.x, impulse * place.y);
     }
 }
 
+/* Pushes a shape that contains the centre: all of the impulse at the shape's own centre. */
 static void push_from_within(const blast *b, td_body_index body, const thud_shape_instance *shape) {
     double x = shape->x, y = shape->y, length = __builtin_sqrt(x * x + y * y);
     double dx = length > 0.0 ? x / length : 0.0, dy = length > 0.0 ? y / length : 1.0;
@@ -95,6 +109,7 @@ static void push_from_within(const blast *b, td_body_index body, const thud_shap
     push_at(b, body, (thud_pos){x, y}, impulse * dx, impulse * dy);
 }
 
+/* Pushes one shape. What is across by more than the reach gets no segment. */
 static void push_shape(const blast *b, int index) {
     const thud_world *w = b->world;
     td_body_index body = td_shape_at(w, index)->body;
@@ -115,12 +130,13 @@ static void push_shape(const blast *b, int index) {
     double to = td_min_double(middle + half, b->reach);
     double length = (to - from) / b->def->rays;
     for (int i = 0; i < b->def->rays; i++) {
-        push_piece(b, body, &shape, dx, dy, from + (i + 0.5) * length, length);
+        push_segment(b, body, &shape, dx, dy, from + (i + 0.5) * length, length);
     }
 }
 
-/* ---- all of them ---- */
+/* ---- all shapes ---- */
 
+/* Whether the explosion acts on the shape. */
 static bool may_push(const blast *b, int index) {
     const td_shape *shape = td_shape_at(b->world, index);
     const td_body *body = td_body_at(b->world, shape->body);
@@ -132,8 +148,9 @@ static bool is_pushed(const td_push *push) {
     return push->x != 0.0 || push->y != 0.0 || push->turn != 0.0;
 }
 
-/* Whether the calls of thud_forces.h take it. */
-static bool acceptable(const thud_world *w, int body, const td_push *p) {
+/* Whether thud_body_apply_center_impulse and _angular_impulse accept the sum of a body's impulses,
+ * and the velocities that follow. */
+static bool is_push_in_range(const thud_world *w, int body, const td_push *p) {
     const td_body *at = td_body_at(w, (td_body_index){body});
     double inverse = w->locked ? 1.0 / w->def.time_step : 1.0;
     double inv_mass = (double)at->inv_mass, inv_inertia = (double)at->inv_inertia;
@@ -141,14 +158,15 @@ static bool acceptable(const thud_world *w, int body, const td_push *p) {
            td_push_valid((td_push){inv_mass * p->x, inv_mass * p->y, inv_inertia * p->turn});
 }
 
-/* All or none: there is room for what a callback defers, and nothing can be refused any more. */
+/* Applies the impulses to all bodies, or, where one is out of range or memory is short, to none:
+ * all of that is checked first. Each body takes two deferred edits inside a callback. */
 static thud_result apply(blast *b, int *pushed) {
     thud_world *w = b->world;
     int count = 0;
     for (int i = 0; i < w->bodies.count; i++) {
         const td_push *push = TD_AT(td_push, &b->push, i);
         count += is_pushed(push);
-        if (!acceptable(w, i, push)) {
+        if (!is_push_in_range(w, i, push)) {
             return td_refuse(w, THUD_ERROR_INVALID, "explode: an impulse is out of range");
         }
     }
@@ -170,6 +188,7 @@ static thud_result apply(blast *b, int *pushed) {
     return THUD_OK;
 }
 
+/* Finds the shapes within reach, in the order of their indices, and pushes them. */
 static thud_result explode(blast *b, int *pushed) {
     thud_world *w = b->world;
     thud_pos at = b->def->center;
@@ -189,13 +208,14 @@ static thud_result explode(blast *b, int *pushed) {
     return apply(b, pushed);
 }
 
+/* Refuses a def with a value out of range. */
 static thud_result check(const thud_world *w, const thud_explosion *def) {
-    double most = THUD_PLACE_MAX * (double)w->unit, strongest = (double)THUD_EXPLOSION_MAX;
+    double max_length = THUD_PLACE_MAX * (double)w->unit, max_impulse = (double)THUD_EXPLOSION_MAX;
     td_reason why;
     if (!td_in_world(w, &why, "explode: x or y of center", def->center.x, def->center.y) ||
-        !td_in(&why, "explode: radius", def->radius, 0.0, most) ||
-        !td_in(&why, "explode: falloff", def->falloff, 0.0, most) ||
-        !td_in(&why, "explode: impulse", (double)def->impulse, -strongest, strongest) ||
+        !td_in(&why, "explode: radius", def->radius, 0.0, max_length) ||
+        !td_in(&why, "explode: falloff", def->falloff, 0.0, max_length) ||
+        !td_in(&why, "explode: impulse", (double)def->impulse, -max_impulse, max_impulse) ||
         !td_in(&why, "explode: rays", def->rays, 1.0, THUD_EXPLOSION_RAYS_MAX)) {
         return td_refuse(w, THUD_ERROR_INVALID, why.text);
     }

@@ -1,11 +1,12 @@
-/* fields.c: see fields.h. */
+/* fields.c: bodies in fields, the places of their shapes, and the dissipative part of a force; see
+ * fields.h. */
 #include "fields/fields.h"
 
 #include "base/trig.h"
 #include "state/body.h"
 #include "state/handles.h"
 
-thud_result td_adrift_find(const thud_world *w, thud_body_id id, td_adrift *out) {
+thud_result td_field_body_find(const thud_world *w, thud_body_id id, td_field_body *out) {
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
@@ -19,26 +20,27 @@ thud_result td_adrift_find(const thud_world *w, thud_body_id id, td_adrift *out)
         return td_refuse(w, THUD_ERROR_INVALID, "field: the body is not dynamic");
     }
     const float *velocity = td_body_velocity(w, body);
-    *out = (td_adrift){
+    *out = (td_field_body){
         .index = index,
         .x = (double)velocity[0],
         .y = (double)velocity[1],
         .turn = body->inv_inertia > 0.0f ? (double)velocity[2] : 0.0,
-        .heeds = td_body_is_awake(body) && !(body->flags & TD_BODY_QUARANTINED),
+        .takes_force = td_body_is_awake(body) && !(body->flags & TD_BODY_QUARANTINED),
     };
     return THUD_OK;
 }
 
-thud_result td_adrift_in_flow(const thud_world *w, const char *name, thud_vec2 flow, td_adrift *a) {
-    double most = (double)THUD_FLOW_MAX * (double)w->unit;
+thud_result td_field_body_in_flow(const thud_world *w, const char *name, thud_vec2 flow,
+                                  td_field_body *a) {
+    double max = (double)THUD_FLOW_MAX * (double)w->unit;
     a->x -= (double)flow.x;
     a->y -= (double)flow.y;
-    thud_result result = td_check(w, name, (double)flow.x, -most, most);
-    return result != THUD_OK ? result : td_check(w, name, (double)flow.y, -most, most);
+    thud_result result = td_check(w, name, (double)flow.x, -max, max);
+    return result != THUD_OK ? result : td_check(w, name, (double)flow.y, -max, max);
 }
 
-thud_shape_instance td_field_shape(const thud_world *w, const td_adrift *a, const td_shape *shape,
-                                   double turn) {
+thud_shape_instance td_field_shape(const thud_world *w, const td_field_body *a,
+                                   const td_shape *shape, double turn) {
     const td_body *body = td_body_at(w, a->index);
     const td_pose *pose = td_pose_at(w, a->index);
     thud_shape_instance at = {(thud_shape_kind)shape->kind,
@@ -48,7 +50,8 @@ thud_shape_instance td_field_shape(const thud_world *w, const td_adrift *a, cons
                               (double)pose->s,
                               (double)shape->half_x,
                               (double)shape->half_y};
-    /* Newton's, for 1 / sqrt: single precision leaves a length that is not quite 1. */
+    /* One Newton step for 1 / sqrt(c^2 + s^2) from 1: cosine and sine in single precision are not
+     * exactly of length 1. */
     double scale = 1.5 - 0.5 * (at.c * at.c + at.s * at.s), c, s;
     td_sincos(td_clamp(turn, -THUD_ANGLE_MAX, THUD_ANGLE_MAX), &s, &c);
     double turned_c = scale * (at.c * c - at.s * s), turned_s = scale * (at.s * c + at.c * s);
@@ -63,23 +66,28 @@ thud_shape_instance td_field_shape(const thud_world *w, const td_adrift *a, cons
     return at;
 }
 
-td_push td_push_braking(const thud_world *w, const td_adrift *a, td_push force) {
+/* The part p of a force, in [0, 1], that takes the most energy from the motion relative to the
+ * flow. */
+td_push td_push_dissipative(const thud_world *w, const td_field_body *a, td_push force) {
     const td_body *body = td_body_at(w, a->index);
     double inv_mass = (double)body->inv_mass, inv_inertia = (double)body->inv_inertia;
     double power = -(force.x * a->x + force.y * a->y + force.turn * a->turn);
-    double gives =
+    double response =
         inv_mass * (force.x * force.x + force.y * force.y) + inv_inertia * force.turn * force.turn;
-    /* Of a part of the force the step takes part * time * power, and gives back half of
-     * part^2 * time^2 * gives. */
-    double most = w->def.time_step * gives;
-    if (power >= most) {
+    /* With force f, velocity u, M the masses and h the time step, a part p of the force changes the
+     * kinetic energy by
+     *     -p h power + p^2 h^2 response / 2,   power = -f u,   response = f M^-1 f,
+     * which is least at p = power / (h response). */
+    double max = w->def.time_step * response;
+    if (power >= max) {
         return force;
     }
-    double part = power > 0.0 ? power / most : 0.0;
+    double part = power > 0.0 ? power / max : 0.0;
     return (td_push){part * force.x, part * force.y, part * force.turn};
 }
 
-thud_result td_field_push(thud_world *w, const td_adrift *a, td_push force) {
+/* Adds a force to those that act through the next step. */
+thud_result td_field_push(thud_world *w, const td_field_body *a, td_push force) {
     if (!td_push_valid(force)) {
         return td_refuse(w, THUD_ERROR_INVALID, "field: its force is out of range");
     }

@@ -1,5 +1,8 @@
-/* fields.h: what forces from a body's surroundings share: whom they push, where its shapes are, and
- * how far a push may go. */
+/* fields.h: what the force fields of thud_fields.h share: which bodies they act on, where the
+ * shapes of a body are, and a bound on braking forces so that they add no energy.
+ *
+ * Here lengths, masses and times are the caller's units, and places are relative to the body's
+ * centre of mass, along the axes of the world. */
 #ifndef TD_FIELDS_H
 #define TD_FIELDS_H
 
@@ -8,62 +11,65 @@
 #include "state/world.h"
 #include "thud/thud_fields.h"
 
-/* A force and its torque about the centre of mass; or impulses. */
+/* A force and its torque about the centre of mass; or an impulse and its angular impulse. */
 typedef struct td_push {
     double x, y, turn;
 } td_push;
 
-/* A body, and how it moves against what flows about it. */
-typedef struct td_adrift {
+/* A body in a field. */
+typedef struct td_field_body {
     td_body_index index;
-    double x, y, turn; /* velocity, against the flow */
-    bool heeds;        /* false: the body is to be left alone */
-} td_adrift;
+    double x, y, turn; /* velocity, relative to the flow of the medium */
+    bool takes_force;  /* false: asleep, disabled or quarantined: no force acts */
+} td_field_body;
 
-/* A force at a place, from the centre of mass. */
+/* Adds a force (fx, fy) that acts at the place (x, y). */
 static inline void td_push_add(td_push *push, double x, double y, double fx, double fy) {
     push->x += fx;
     push->y += fy;
     push->turn += x * fy - y * fx;
 }
 
+/* Whether all components are within THUD_PUSH_MAX. False where one is not a number. */
 static inline bool td_push_valid(td_push push) {
-    double most = (double)THUD_PUSH_MAX;
-    return td_abs(push.x) <= most && td_abs(push.y) <= most && td_abs(push.turn) <= most;
+    double max = (double)THUD_PUSH_MAX;
+    return td_abs(push.x) <= max && td_abs(push.y) <= max && td_abs(push.turn) <= max;
 }
 
-/* Refuses what cannot be pushed, and any call inside a callback. */
-thud_result td_adrift_find(const thud_world *w, thud_body_id id, td_adrift *out);
+/* Looks up a body. Refuses one that is not dynamic, and any call inside a callback. */
+thud_result td_field_body_find(const thud_world *w, thud_body_id id, td_field_body *out);
 
-/* Refuses what no air or water may flow at; otherwise the body's velocity is against it. */
-thud_result td_adrift_in_flow(const thud_world *w, const char *name, thud_vec2 flow, td_adrift *a);
+/* Makes the body's velocity relative to a flow. Refuses a flow out of range; `name` is for the log.
+ */
+thud_result td_field_body_in_flow(const thud_world *w, const char *name, thud_vec2 flow,
+                                  td_field_body *a);
 
-/* What the log hears of density or drag: td_check from 0 on. */
+/* Refuses a density or drag that is not in [0, max]. */
 static inline thud_result td_check_field(const thud_world *w, const char *name, float x,
-                                         float most) {
-    return td_check(w, name, (double)x, 0.0, (double)most);
+                                         float max) {
+    return td_check(w, name, (double)x, 0.0, (double)max);
 }
 
-/* Velocity of a place, from the centre of mass, against the flow. */
-static inline thud_pos td_adrift_at(const td_adrift *a, double x, double y) {
+/* Velocity of a place of the body relative to the flow. */
+static inline thud_pos td_field_velocity_at(const td_field_body *a, double x, double y) {
     return (thud_pos){a->x - a->turn * y, a->y + a->turn * x};
 }
 
-/* The body's shape from its centre of mass, when it has turned by `turn` more; edits that have just
- * been made included. */
-thud_shape_instance td_field_shape(const thud_world *w, const td_adrift *a, const td_shape *shape,
-                                   double turn);
+/* A shape of the body as it is placed after the body has rotated by `turn` more radians. It follows
+ * from the present pose, pending edits included, and not from the proxies. */
+thud_shape_instance td_field_shape(const thud_world *w, const td_field_body *a,
+                                   const td_shape *shape, double turn);
 
-/* Whether a shape of a body feels anything. */
+/* Whether fields act on the shape: it is no sensor, and was not made inside a callback. */
 static inline bool td_field_meets(const td_shape *shape) {
     return !(shape->flags & TD_SHAPE_HOLLOW);
 }
 
-/* So much of a force as takes energy from the motion against the flow in one step: the most that
- * the force's direction can take, and no more than all of the force. */
-td_push td_push_braking(const thud_world *w, const td_adrift *a, td_push force);
+/* The part of a braking force, in [0, 1] of it, that takes the most energy from the motion relative
+ * to the flow in one step. */
+td_push td_push_dissipative(const thud_world *w, const td_field_body *a, td_push force);
 
-/* Through the next step; wakes nobody. */
-thud_result td_field_push(thud_world *w, const td_adrift *a, td_push force);
+/* Adds a force that acts through the next step; wakes no body. Refuses one that is out of range. */
+thud_result td_field_push(thud_world *w, const td_field_body *a, td_push force);
 
 #endif

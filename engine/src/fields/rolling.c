@@ -1,4 +1,6 @@
-/* rolling.c: what slows a ball that rolls. */
+/* rolling.c: thud_body_apply_rolling_resistance: a torque against the rotation of a body relative
+ * to what its circles touch, of coefficient * radius * normal force, and at most what stops it in
+ * the step. */
 #include "fields/fields.h"
 
 #include "constraint/constraint.h"
@@ -7,13 +9,14 @@
 #include "state/body.h"
 #include "state/handles.h"
 
-/* Over the contacts of a body's circles. */
-typedef struct rolling {
-    double grip;   /* radius times the step's normal impulse */
-    double turned; /* that times the angular velocity of what is touched */
-} rolling;
+/* Sums over the touching contacts of a body's circles. */
+typedef struct rolling_sum {
+    double grip;          /* sum of radius * normal impulse of the last step */
+    double weighted_turn; /* the same, each times the angular velocity of the other body */
+} rolling_sum;
 
-static void add_contact(const thud_world *w, td_body_index body, int edge, rolling *sum) {
+/* Adds the contact of an edge to the sums, if it touches a circle of the body. */
+static void add_contact(const thud_world *w, td_body_index body, int edge, rolling_sum *sum) {
     const td_constraint *contact = td_constraint_at(w, edge / 2);
     if (!td_is_contact(contact) || contact->state != TD_TOUCHING ||
         td_contact_is_ending(w, contact)) {
@@ -31,13 +34,13 @@ static void add_contact(const thud_world *w, td_body_index body, int edge, rolli
     }
     const float *other = td_body_velocity(w, td_body_at(w, td_other_body(w, edge)));
     sum->grip += grip;
-    sum->turned += grip * (double)other[2];
+    sum->weighted_turn += grip * (double)other[2];
 }
 
 thud_result thud_body_apply_rolling_resistance(thud_world *w, thud_body_id id, float coefficient) {
     TD_IN_OWN_MODE;
-    td_adrift a;
-    thud_result result = td_adrift_find(w, id, &a);
+    td_field_body a;
+    thud_result result = td_field_body_find(w, id, &a);
     if (result != THUD_OK) {
         return result;
     }
@@ -46,15 +49,17 @@ thud_result thud_body_apply_rolling_resistance(thud_world *w, thud_body_id id, f
         return result;
     }
     const td_body *body = td_body_at(w, a.index);
-    rolling sum = {0};
+    rolling_sum sum = {0};
     for (int e = body->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         add_contact(w, a.index, e, &sum);
     }
-    if (!a.heeds || !(sum.grip > 0.0) || !(body->inv_inertia > 0.0f)) {
+    if (!a.takes_force || !(sum.grip > 0.0) || !(body->inv_inertia > 0.0f)) {
         return THUD_OK;
     }
-    double turn = a.turn - sum.turned / sum.grip; /* against what is touched */
-    double stops = td_abs(turn) / (double)body->inv_inertia;
-    double brakes = td_min_double((double)coefficient * sum.grip, stops) / w->def.time_step;
-    return td_field_push(w, &a, (td_push){.turn = turn > 0.0 ? -brakes : brakes});
+    double turn =
+        a.turn - sum.weighted_turn / sum.grip; /* relative to the mean of what is touched */
+    double stopping_impulse = td_abs(turn) / (double)body->inv_inertia;
+    double torque =
+        td_min_double((double)coefficient * sum.grip, stopping_impulse) / w->def.time_step;
+    return td_field_push(w, &a, (td_push){.turn = turn > 0.0 ? -torque : torque});
 }

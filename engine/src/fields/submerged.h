@@ -1,17 +1,19 @@
-/* submerged.h: the part of a shape below a line. */
+/* submerged.h: area and centroid of the part of a circle or box below a line. */
 #ifndef TD_SUBMERGED_H
 #define TD_SUBMERGED_H
 
 #include "fields/fields.h"
 
-typedef struct td_part {
-    double area, x, y; /* x, y: the centroid */
-} td_part;
+typedef struct td_submerged_part {
+    double area, x, y; /* x, y: the centroid; the shape's centre where the area is 0 */
+} td_submerged_part;
 
-/* `height` is that of the shape's centre above the line, along `up`, which has length 1. */
-td_part td_part_below(const thud_shape_instance *shape, double height, thud_pos up);
+/* The part of a shape below a line. `height`: of the shape's centre above the line, along `up`, the
+ * line's normal, of length 1. */
+td_submerged_part td_submerged_part_of(const thud_shape_instance *shape, double height,
+                                       thud_pos up);
 
-/* False for what is no direction. */
+/* Scales a vector to length 1. False where its length is not 1 within THUD_NORMAL_ERROR. */
 bool td_line_normal(double x, double y, thud_pos *up);
 
 #endif

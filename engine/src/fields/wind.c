@@ -1,16 +1,24 @@
-/* wind.c: drag and lift of air on circles and boxes. */
+/* wind.c: thud_body_apply_wind: drag and lift of air on the circles and boxes of a body.
+ *
+ * With u the velocity of a place relative to the air, and n the outward normal of an edge of which
+ * n u > 0 (it faces the wind), a length L of the edge gets at that place
+ *     drag:  -density / 2 * drag * L (n u) u
+ *     lift:  -density / 2 * lift * L (n u) (|u| n - (n u) u / |u|),
+ * so lift is perpendicular to u and takes no energy. A circle of radius r counts as an edge of its
+ * diameter at its centre; its lift is that of its rotation (Magnus effect). */
 #include "fields/fields.h"
 
 #include "state/handles.h"
 
-/* Half the density times either coefficient. */
+/* Half the density times the coefficients of drag and of lift. */
 typedef struct wind {
     double drag, lift;
 } wind;
 
-/* Of a length of an edge, at a place in its wind: n is its outward normal, across = n . u >= 0. */
-static void blow(const wind *air, thud_pos place, thud_pos u, thud_pos n, double length,
-                 td_push *push) {
+/* Adds the force on a length of an edge with outward normal n, at a place with velocity u; n u >=
+ * 0. */
+static void add_wind_force(const wind *air, thud_pos place, thud_pos u, thud_pos n, double length,
+                           td_push *push) {
     double across = n.x * u.x + n.y * u.y, speed = __builtin_sqrt(u.x * u.x + u.y * u.y);
     if (!(speed > 0.0)) {
         return;
@@ -21,13 +29,14 @@ static void blow(const wind *air, thud_pos place, thud_pos u, thud_pos n, double
     td_push_add(push, place.x, place.y, -drag * u.x - lift * slant_x, -drag * u.y - lift * slant_y);
 }
 
-/* The part of an edge that goes into the wind, by two points after Gauss, which are exact up to the
- * third power of the way along the edge: drag has the second, its torque the third. */
-static void blow_at_edge(const td_adrift *a, const wind *air, thud_pos from, thud_pos to,
-                         td_push *push) {
+/* Adds the force on the part of an edge that faces the wind, n u > 0, by Gauss quadrature with two
+ * points. That is exact for polynomials of third degree along the edge: each component of drag is
+ * of the second, and its torque of the third. */
+static void add_edge_force(const td_field_body *a, const wind *air, thud_pos from, thud_pos to,
+                           td_push *push) {
     double x = to.x - from.x, y = to.y - from.y, length = __builtin_sqrt(x * x + y * y);
     thud_pos n = {y / length, -x / length};
-    thud_pos u = td_adrift_at(a, from.x, from.y), v = td_adrift_at(a, to.x, to.y);
+    thud_pos u = td_field_velocity_at(a, from.x, from.y), v = td_field_velocity_at(a, to.x, to.y);
     double first = n.x * u.x + n.y * u.y, last = n.x * v.x + n.y * v.y;
     if (!(first > 0.0) && !(last > 0.0)) {
         return;
@@ -38,25 +47,28 @@ static void blow_at_edge(const td_adrift *a, const wind *air, thud_pos from, thu
     for (int i = -1; i <= 1; i += 2) {
         double t = middle + i * half * 0.57735026918962576451; /* 1 / sqrt(3) */
         thud_pos place = {from.x + t * x, from.y + t * y};
-        blow(air, place, td_adrift_at(a, place.x, place.y), n, half * length, push);
+        add_wind_force(air, place, td_field_velocity_at(a, place.x, place.y), n, half * length,
+                       push);
     }
 }
 
-static void blow_at_circle(const td_adrift *a, const wind *air, const thud_shape_instance *circle,
-                           td_push *push) {
-    thud_pos u = td_adrift_at(a, circle->x, circle->y);
+/* Adds the force on a circle. */
+static void add_circle_force(const td_field_body *a, const wind *air,
+                             const thud_shape_instance *circle, td_push *push) {
+    thud_pos u = td_field_velocity_at(a, circle->x, circle->y);
     double drag = 2.0 * circle->hx * air->drag * __builtin_sqrt(u.x * u.x + u.y * u.y);
     double lift = 2.0 * circle->hx * air->lift * circle->hx * a->turn;
     td_push_add(push, circle->x, circle->y, -drag * u.x - lift * u.y, -drag * u.y + lift * u.x);
 }
 
-static void blow_at_box(const td_adrift *a, const wind *air, const thud_shape_instance *box,
-                        td_push *push) {
+/* Adds the forces on the edges of a box. */
+static void add_box_force(const td_field_body *a, const wind *air, const thud_shape_instance *box,
+                          td_push *push) {
     thud_pos from, to;
     td_corner(box, 3, &from.x, &from.y);
     for (int i = 0; i < 4; i++) {
         td_corner(box, i, &to.x, &to.y);
-        blow_at_edge(a, air, from, to, push);
+        add_edge_force(a, air, from, to, push);
         from = to;
     }
 }
@@ -64,12 +76,12 @@ static void blow_at_box(const td_adrift *a, const wind *air, const thud_shape_in
 thud_result thud_body_apply_wind(thud_world *w, thud_body_id id, thud_vec2 velocity, float density,
                                  float drag, float lift) {
     TD_IN_OWN_MODE;
-    td_adrift a;
-    thud_result result = td_adrift_find(w, id, &a);
+    td_field_body a;
+    thud_result result = td_field_body_find(w, id, &a);
     if (result != THUD_OK) {
         return result;
     }
-    result = td_adrift_in_flow(w, "apply wind: x or y of wind", velocity, &a);
+    result = td_field_body_in_flow(w, "apply wind: x or y of wind", velocity, &a);
     if (result == THUD_OK) {
         result = td_check_field(w, "apply wind: density", density, THUD_FLUID_DENSITY_MAX);
     }
@@ -82,7 +94,7 @@ thud_result thud_body_apply_wind(thud_world *w, thud_body_id id, thud_vec2 veloc
     if (result != THUD_OK) {
         return result;
     }
-    if (!a.heeds) {
+    if (!a.takes_force) {
         return THUD_OK;
     }
     wind air = {0.5 * (double)density * (double)drag, 0.5 * (double)density * (double)lift};
@@ -91,8 +103,9 @@ thud_result thud_body_apply_wind(thud_world *w, thud_body_id id, thud_vec2 veloc
         const td_shape *shape = td_shape_at(w, i);
         if (td_field_meets(shape)) {
             thud_shape_instance placed = td_field_shape(w, &a, shape, 0.0);
-            (placed.kind == THUD_CIRCLE ? blow_at_circle : blow_at_box)(&a, &air, &placed, &push);
+            (placed.kind == THUD_CIRCLE ? add_circle_force : add_box_force)(&a, &air, &placed,
+                                                                            &push);
         }
     }
-    return td_field_push(w, &a, td_push_braking(w, &a, push));
+    return td_field_push(w, &a, td_push_dissipative(w, &a, push));
 }

@@ -1,21 +1,23 @@
-/* listener_hooks.h: what a step has to do for listeners. A world has it from its first ones on, so
- * that a program without does not link it. */
+/* listener_hooks.h: the calls by which a step runs the caller's listeners: prologues (pre-solve
+ * callbacks) and epilogues (post-solve). A world gets this table with its first listeners
+ * (thud_world_set_listeners), so that a program without does not link them. */
 #ifndef TD_LISTENER_HOOKS_H
 #define TD_LISTENER_HOOKS_H
 
 #include "state/world.h"
 
 typedef struct td_listener_hooks {
-    /* Room for what is asked and told at once. False when memory is short. */
+    /* Makes room for the lists of prologue_all and epilogue_all. False when memory is short. */
     bool (*reserve)(thud_world *w);
-    /* Asks about everything that touches. */
+    /* Calls the prologue for every contact that touches, and applies its answers for this step. */
     void (*ask)(thud_world *w);
-    /* Asks about two that meet on the way; false where the answer is no. Settings out of range are
-     * refused, and stay as they were. */
+    /* Calls the prologue for an impact that detection has found within the step, and updates its
+     * settings; those out of range are refused and stay as they were. False: it vetoes the impact.
+     */
     bool (*ask_one)(thud_world *w, const thud_contact *seen, thud_contact_settings *settings);
-    /* Tells what was solved. */
+    /* Calls the epilogue for every solved contact and every impact of the step. */
     void (*tell)(thud_world *w);
-    void (*end)(thud_world *w); /* with the world */
+    void (*end)(thud_world *w); /* frees the listeners, as the world is destroyed */
 } td_listener_hooks;
 
 #endif

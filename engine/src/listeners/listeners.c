@@ -1,7 +1,9 @@
-/* listeners.c: asks prologues and tells epilogues; see thud_listeners.h.
+/* listeners.c: runs the prologues and epilogues (pre-solve and post-solve callbacks) of
+ * thud_listeners.h, for one contact at a time or for all in one call.
  *
- * A lane's settings are its pair's own until a prologue wants others, and then again from the next
- * step on: the marks of lanes say which. */
+ * A prologue's answer holds for one step. A lane whose settings are not its pair's own is marked
+ * TD_LANE_ALTERED, and one that the prologue has vetoed TD_LANE_REFUSED (td_lane_marks.rule); the
+ * next step starts from the pair's own settings again. */
 #include "thud/thud_listeners.h"
 
 #include "constraint/lanes.h"
@@ -15,61 +17,63 @@
 
 #include <string.h>
 
-/* The listeners of a world, and what they are asked and told at once. */
+/* The listeners of a world, and the lists for those that are called once for all contacts. */
 typedef struct td_listeners {
-    thud_listeners told;
-    td_array contacts; /* thud_contact */
-    td_array answers;  /* thud_contact_answer */
+    thud_listeners calls;
+    td_array contacts; /* thud_contact: of prologue_all and epilogue_all */
+    td_array answers;  /* thud_contact_answer: of prologue_all, in the same order */
 } td_listeners;
 
-static bool same(const thud_contact_settings *a, const thud_contact_settings *b) {
+static bool settings_equal(const thud_contact_settings *a, const thud_contact_settings *b) {
     return a->friction == b->friction && a->restitution == b->restitution &&
            a->surface_speed == b->surface_speed;
 }
 
-static bool valid(const thud_world *w, td_reason *why, const thud_contact_settings *s) {
-    double fastest = (double)(THUD_SURFACE_SPEED_MAX * w->unit);
+/* Whether the settings are in range; the reason is in *why where not. */
+static bool settings_valid(const thud_world *w, td_reason *why, const thud_contact_settings *s) {
+    double max_speed = (double)(THUD_SURFACE_SPEED_MAX * w->unit);
     return td_in(why, "prologue: friction", (double)s->friction, 0.0, (double)THUD_FRICTION_MAX) &&
            td_in(why, "prologue: restitution", (double)s->restitution, 0.0,
                  (double)THUD_BOUNCE_MAX) &&
-           td_in(why, "prologue: surface_speed", (double)s->surface_speed, -fastest, fastest);
+           td_in(why, "prologue: surface_speed", (double)s->surface_speed, -max_speed, max_speed);
 }
 
-/* What is out of range is refused, and the pair keeps what it had. */
-static void accept(const thud_world *w, const thud_contact_settings *wanted,
+/* Copies the settings of an answer; refuses those out of range, and leaves *settings unchanged. */
+static void accept(const thud_world *w, const thud_contact_settings *answer,
                    thud_contact_settings *settings) {
-    if (same(wanted, settings)) {
+    if (settings_equal(answer, settings)) {
         return;
     }
     td_reason why;
-    if (valid(w, &why, wanted)) {
-        *settings = *wanted;
+    if (settings_valid(w, &why, answer)) {
+        *settings = *answer;
     } else {
         td_refuse(w, THUD_ERROR_INVALID, why.text);
     }
 }
 
-/* Asks about one by itself. */
-static bool ask_one(thud_world *w, const thud_contact *seen, thud_contact_settings *settings) {
-    const thud_listeners *told = &w->listeners->told;
-    thud_contact_answer wanted = {*settings, true};
-    if (told->prologue) {
-        wanted.collide = told->prologue(w, seen, &wanted.settings, told->context);
+/* td_listener_hooks.ask_one. */
+static bool run_prologue_for_impact(thud_world *w, const thud_contact *seen,
+                                    thud_contact_settings *settings) {
+    const thud_listeners *calls = &w->listeners->calls;
+    thud_contact_answer answer = {*settings, true};
+    if (calls->prologue) {
+        answer.collide = calls->prologue(w, seen, &answer.settings, calls->context);
     } else {
-        told->prologue_all(w, seen, &wanted, 1, told->context);
+        calls->prologue_all(w, seen, &answer, 1, calls->context);
     }
-    accept(w, &wanted.settings, settings);
-    return wanted.collide;
+    accept(w, &answer.settings, settings);
+    return answer.collide;
 }
 
-/* ---- all that touch ---- */
+/* ---- all contacts that touch ---- */
 
-/* One that is asked about or told of. */
+/* A lane whose contact a listener is called for. */
 typedef struct lane {
     td_block *block;
-    int points, index;         /* points: that the block has */
-    const td_seen_block *seen; /* the block */
-    uint32_t tag, without;     /* of thud_contact_part */
+    int points, index;         /* points of the block's kind; index of the lane */
+    const td_seen_block *seen; /* what listeners see of the block's lanes */
+    uint32_t tag, without;     /* td_tag(w, 0); bits of thud_contact_part not to fill in */
     double from_fixed;
 } lane;
 
@@ -77,10 +81,10 @@ TD_INLINE thud_body_id body_handle(const thud_world *w, td_body_index body, uint
     return (thud_body_id){(uint32_t)body.at + 1, td_body_at(w, body)->generation + tag};
 }
 
-/* Of td_position a caller's unit is a power of two: products with its inverse are exact. What
- * listeners do without stays zero, and so do the impulses of who is asked: those that a lane has
- * are of a step before, whichever it was that added them up. */
-TD_INLINE void view(const thud_world *w, const lane *l, bool solved, thud_contact *c) {
+/* Fills in the public view of a lane's contact. Parts that listeners do without stay zero, and so
+ * do the impulses before the solve: those in the lane are of an earlier step. `from_fixed` times a
+ * position is exact, since to_fixed is a power of two. */
+TD_INLINE void fill_contact(const thud_world *w, const lane *l, bool solved, thud_contact *c) {
     const td_block *block = l->block;
     int k = l->index, a = block->shape_a[k], b = block->shape_b[k];
     const td_shape *shape_a = td_shape_at(w, a), *shape_b = td_shape_at(w, b);
@@ -104,31 +108,34 @@ TD_INLINE void view(const thud_world *w, const lane *l, bool solved, thud_contac
     }
 }
 
-TD_INLINE thud_contact_settings own_of(const thud_world *w, const lane *l) {
+/* The settings of the lane's pair, without the answer of the last step. */
+TD_INLINE thud_contact_settings pair_settings(const thud_world *w, const lane *l) {
     return l->block->mark[l->index].rule & TD_LANE_ALTERED
                ? td_surface_of_pair(w, l->block->shape_a[l->index], l->block->shape_b[l->index])
                : td_surface_get(l->block, l->points, l->index);
 }
 
-/* Lanes that did not bounce before may not know how fast they close in. */
-static void note_approach(const thud_world *w, const lane *l) {
+/* Stores the approach velocity of the lane's points, which the restitution pass needs and which is
+ * only kept in lanes that had restitution before. */
+static void store_approach(const thud_world *w, const lane *l) {
     for (int k = 0; k < l->points; k++) {
         td_history_of(l->block, l->points)[k].approach[l->index] =
             -td_contact_closing(w, l->block, &l->block->point[k], l->index);
     }
 }
 
-/* Where this answer or the last one was not just yes. It has a lane of its own: that of the loop,
- * whose address nobody else is given, then stands in registers. */
-static void heed(thud_world *w, lane one, const thud_contact_settings *own,
-                 const thud_contact_settings *settings, bool yes) {
+/* Applies an answer where it, or that of the last step, changes something: sets the lane's marks,
+ * settings and veto. The lane is passed by value: the loop's own, whose address then does not
+ * escape, stays in registers. */
+static void apply_answer(thud_world *w, lane one, const thud_contact_settings *own,
+                         const thud_contact_settings *settings, bool yes) {
     const lane *l = &one;
     unsigned mark = l->block->mark[l->index].rule & ~(unsigned)(TD_LANE_ALTERED | TD_LANE_REFUSED);
-    mark |= (same(settings, own) ? 0u : TD_LANE_ALTERED) | (yes ? 0u : TD_LANE_REFUSED);
+    mark |= (settings_equal(settings, own) ? 0u : TD_LANE_ALTERED) | (yes ? 0u : TD_LANE_REFUSED);
     l->block->mark[l->index].rule = (uint16_t)mark;
     td_surface_set(w, l->block, l->points, l->index, settings);
     if (settings->restitution != own->restitution) {
-        note_approach(w, l);
+        store_approach(w, l);
     }
     td_contact *contact = td_contact_at(w, l->block->constraint[l->index]);
     contact->vetoed = (uint8_t)((contact->vetoed & TD_HELD) | (yes ? 0 : TD_VETOED));
@@ -137,35 +144,44 @@ static void heed(thud_world *w, lane one, const thud_contact_settings *own,
     }
 }
 
-TD_INLINE void take_answer(thud_world *w, const lane *l, const thud_contact_settings *own,
-                           const thud_contact_settings *wanted, bool yes) {
+/* Applies an answer. The common case, that the pair's own settings were confirmed in this step and
+ * the last one, needs nothing. */
+TD_INLINE void apply_if_changed(thud_world *w, const lane *l, const thud_contact_settings *own,
+                                const thud_contact_settings *answer, bool yes) {
     bool was_yes = !(l->block->mark[l->index].rule & (TD_LANE_ALTERED | TD_LANE_REFUSED));
-    if (!(was_yes && yes && memcmp(own, wanted, sizeof *own) == 0)) {
+    if (!(was_yes && yes && memcmp(own, answer, sizeof *own) == 0)) {
         thud_contact_settings settings = *own;
-        accept(w, wanted, &settings);
-        heed(w, *l, own, &settings, yes);
+        accept(w, answer, &settings);
+        apply_answer(w, *l, own, &settings, yes);
     }
 }
 
-/* What is done with each lane. */
-typedef enum visit_purpose { ASK, LIST_QUESTIONS, TAKE_ANSWERS, TELL, LIST_SOLVED } visit_purpose;
+/* What `visit` does with each contact. The order matters: from TELL on the step has been solved. */
+typedef enum visit_purpose {
+    ASK,            /* calls the prologue, and applies its answer */
+    LIST_QUESTIONS, /* lists the contact and a default answer for prologue_all */
+    TAKE_ANSWERS,   /* applies the answers of prologue_all */
+    TELL,           /* calls the epilogue */
+    LIST_SOLVED     /* lists the contact for epilogue_all */
+} visit_purpose;
 
+/* Does that with one lane; `number` counts the visited ones, and `seen` is memory for the view. */
 TD_INLINE void visit_lane(thud_world *w, const lane *l, int number, visit_purpose purpose,
                           thud_contact *seen) {
     td_listeners *listeners = w->listeners;
-    const thud_listeners *told = &listeners->told;
+    const thud_listeners *calls = &listeners->calls;
     thud_contact_settings own = {0};
     if (purpose <= TAKE_ANSWERS) {
-        own = own_of(w, l);
+        own = pair_settings(w, l);
     }
     if (purpose != TAKE_ANSWERS) {
-        view(w, l, purpose > TAKE_ANSWERS, seen);
+        fill_contact(w, l, purpose > TAKE_ANSWERS, seen);
     }
     switch (purpose) {
     case ASK: {
-        thud_contact_settings wanted = own;
-        bool yes = told->prologue(w, seen, &wanted, told->context);
-        take_answer(w, l, &own, &wanted, yes);
+        thud_contact_settings answer = own;
+        bool yes = calls->prologue(w, seen, &answer, calls->context);
+        apply_if_changed(w, l, &own, &answer, yes);
         break;
     }
     case LIST_QUESTIONS:
@@ -174,26 +190,27 @@ TD_INLINE void visit_lane(thud_world *w, const lane *l, int number, visit_purpos
         break;
     case TAKE_ANSWERS: {
         const thud_contact_answer *answer = TD_AT(thud_contact_answer, &listeners->answers, number);
-        take_answer(w, l, &own, &answer->settings, answer->collide);
+        apply_if_changed(w, l, &own, &answer->settings, answer->collide);
         break;
     }
     case TELL:
-        told->epilogue(w, seen, told->context);
+        calls->epilogue(w, seen, calls->context);
         break;
     case LIST_SOLVED:
         *TD_AT(thud_contact, &listeners->contacts, number) = *seen;
     }
 }
 
+/* Whether a one-way rule lets the lane's pair pass through each other. */
 static bool is_passing(const thud_world *w, const td_block *block, int index) {
     return td_contact_at(w, block->constraint[index])->vetoed & TD_PASSING;
 }
 
-/* Visits the lanes to ask about, or, where they have been solved, to tell of; returns how many. A
- * callback may make bodies: arrays of them may move. */
+/* Visits the lanes of all touching contacts; returns how many. Callbacks may create bodies and
+ * shapes, so that no pointer into their arrays is kept across calls. */
 TD_INLINE int visit(thud_world *w, visit_purpose purpose) {
     td_see_fn *see = &TD_PICK_WIDE(w, td_see_block);
-    unsigned without = w->listeners->told.without;
+    unsigned without = w->listeners->calls.without;
     td_seeing how = {.solved = purpose >= TELL,
                      .places = purpose != TAKE_ANSWERS && !(without & THUD_CONTACT_POINT),
                      .skin = w->skin,
@@ -212,7 +229,9 @@ TD_INLINE int visit(thud_world *w, visit_purpose purpose) {
             l.block = *TD_AT(td_block *, &w->scratch.blocks, run.first + i);
             see(l.block, l.points, &how, &seen);
             for (l.index = 0; l.index < l.block->used; l.index++) {
-                /* A rule that lets a pair through leaves it no points. */
+                /* After the solve, a lane without points (vetoed, or passing) is not told of.
+                 * Before it, a vetoed lane is asked about again, but not one that a rule lets pass.
+                 */
                 if (seen.points[l.index] || (purpose < TELL && !is_passing(w, l.block, l.index))) {
                     visit_lane(w, &l, number++, purpose, &contact);
                 }
@@ -222,56 +241,63 @@ TD_INLINE int visit(thud_world *w, visit_purpose purpose) {
     return number;
 }
 
-static void ask(thud_world *w) {
+/* td_listener_hooks.ask. */
+static void run_prologue(thud_world *w) {
     td_listeners *l = w->listeners;
-    if (l->told.prologue) {
+    if (l->calls.prologue) {
         visit(w, ASK);
     } else {
         int count = visit(w, LIST_QUESTIONS);
-        l->told.prologue_all(w, l->contacts.data, l->answers.data, count, l->told.context);
+        l->calls.prologue_all(w, l->contacts.data, l->answers.data, count, l->calls.context);
         visit(w, TAKE_ANSWERS);
     }
 }
 
-static void tell(thud_world *w) {
+/* td_listener_hooks.tell: contacts first, then the impacts that detection has resolved. */
+static void run_epilogue(thud_world *w) {
     td_listeners *l = w->listeners;
-    bool each = l->told.epilogue != NULL;
+    bool each = l->calls.epilogue != NULL;
     int count = each ? visit(w, TELL) : visit(w, LIST_SOLVED);
     for (int i = 0; i < w->scratch.impacts.count; i++) {
         const thud_contact *seen = &TD_AT(td_impact, &w->scratch.impacts, i)->seen;
         if (each) {
-            l->told.epilogue(w, seen, l->told.context);
+            l->calls.epilogue(w, seen, l->calls.context);
         } else {
             *TD_AT(thud_contact, &l->contacts, count++) = *seen;
         }
     }
     if (!each) {
-        l->told.epilogue_all(w, l->contacts.data, count, l->told.context);
+        l->calls.epilogue_all(w, l->contacts.data, count, l->calls.context);
     }
 }
 
-/* Impacts of the step are listed where its detection has reserved room for them. */
+/* td_listener_hooks.reserve. Impacts are at most as many as the step's detection has reserved room
+ * for. */
 static bool reserve(thud_world *w) {
     td_listeners *l = w->listeners;
     int touching = w->touching, impacts = w->scratch.impacts.capacity;
-    int most = l->told.epilogue_all ? touching + impacts : l->told.prologue_all ? touching : 0;
-    return td_array_reserve(&w->memory, &l->contacts, most) &&
-           td_array_reserve(&w->memory, &l->answers, l->told.prologue_all ? touching : 0);
+    int max = l->calls.epilogue_all ? touching + impacts : l->calls.prologue_all ? touching : 0;
+    return td_array_reserve(&w->memory, &l->contacts, max) &&
+           td_array_reserve(&w->memory, &l->answers, l->calls.prologue_all ? touching : 0);
 }
 
+/* td_listener_hooks.end. */
 static void end(thud_world *w) {
     td_array_free(&w->memory, &w->listeners->contacts);
     td_array_free(&w->memory, &w->listeners->answers);
     td_memory_put(&w->memory, w->listeners, sizeof *w->listeners);
 }
 
-static const td_listener_hooks LISTENING = {
-    .reserve = reserve, .ask = ask, .ask_one = ask_one, .tell = tell, .end = end};
+static const td_listener_hooks HOOKS = {.reserve = reserve,
+                                        .ask = run_prologue,
+                                        .ask_one = run_prologue_for_impact,
+                                        .tell = run_epilogue,
+                                        .end = end};
 
-/* ---- who listens ---- */
+/* ---- setting the listeners ---- */
 
-/* What the last prologue wanted holds no longer. */
-static void restore(thud_world *w) {
+/* Gives every lane that an answer had changed its pair's own settings back. */
+static void reset_answers(thud_world *w) {
     for (int i = 0; i < w->constraints.count; i++) {
         td_constraint *contact = td_constraint_at(w, i);
         if (contact->live && td_is_contact(contact) && contact->state == TD_TOUCHING) {
@@ -288,17 +314,17 @@ static void restore(thud_world *w) {
 
 thud_result thud_world_set_listeners(thud_world *w, const thud_listeners *listeners) {
     TD_IN_OWN_MODE;
-    const thud_listeners none = {0}, *told = listeners ? listeners : &none;
+    const thud_listeners none = {0}, *calls = listeners ? listeners : &none;
     if (!w) {
         return THUD_ERROR_NULL;
     }
     if (w->locked) {
         return td_refuse(w, THUD_ERROR_LOCKED, "listeners: not inside a callback");
     }
-    if ((told->prologue && told->prologue_all) || (told->epilogue && told->epilogue_all)) {
+    if ((calls->prologue && calls->prologue_all) || (calls->epilogue && calls->epilogue_all)) {
         return td_refuse(w, THUD_ERROR_INVALID, "listeners: a prologue or epilogue of both forms");
     }
-    if (told->without & ~(uint32_t)(THUD_CONTACT_BODIES | THUD_CONTACT_POINT)) {
+    if (calls->without & ~(uint32_t)(THUD_CONTACT_BODIES | THUD_CONTACT_POINT)) {
         return td_refuse(w, THUD_ERROR_INVALID, "listeners: without is of thud_contact_part");
     }
     if (!w->listeners) {
@@ -308,14 +334,14 @@ thud_result thud_world_set_listeners(thud_world *w, const thud_listeners *listen
         }
         w->listeners->contacts.stride = (int)sizeof(thud_contact);
         w->listeners->answers.stride = (int)sizeof(thud_contact_answer);
-        w->listener_hooks = &LISTENING;
+        w->listener_hooks = &HOOKS;
     }
-    bool asked = w->asks;
-    restore(w);
-    w->listeners->told = *told;
-    w->asks = told->prologue || told->prologue_all;
-    w->tells = told->epilogue || told->epilogue_all;
-    if (asked || w->asks) {
+    bool had_prologue = w->asks;
+    reset_answers(w);
+    w->listeners->calls = *calls;
+    w->asks = calls->prologue || calls->prologue_all;
+    w->tells = calls->epilogue || calls->epilogue_all;
+    if (had_prologue || w->asks) {
         td_wake_all(w);
     }
     return THUD_OK;

@@ -1,42 +1,47 @@
-/* impulses.c: contacts that gave more than their rule's most_impulse; see thud_rules.h. */
+/* impulses.c: events of contacts whose normal impulse, summed over the step, exceeds most_impulse
+ * of their rule; see thud_world_impulses in thud_rules.h. */
 #include "detection/collide.h"
 #include "constraint/lanes.h"
 #include "contact/contact.h"
 #include "rules/rules.h"
 
-/* Impacts of the step are listed where its detection has reserved room for them. */
+/* Makes room for an event of each touching lane and of each impact, of which there are at most as
+ * many as the step's detection has reserved room for. False when memory is short. */
 bool td_rules_reserve(thud_world *w) {
     return !w->adds_impulses || td_array_reserve(&w->memory, &w->rules->impulses,
                                                  w->touching + w->scratch.impacts.capacity);
 }
 
-static void push(thud_world *w, const thud_contact *seen) {
+/* Adds the event of a contact; there is room. */
+static void add_event(thud_world *w, const thud_contact *seen) {
     TD_PUSH(thud_impulse_event, &w->rules->impulses) =
         (thud_impulse_event){seen->shape_a, seen->shape_b, seen->point, seen->normal,
                              seen->normal_impulse};
 }
 
-/* Lanes that a rule counts, and that gave more than the least that any rule allows: mostly none. */
-static void tell_block(thud_world *w, td_block *block, int points) {
+/* Adds the events of a block's lanes. The least bound of all rules is compared first: few lanes
+ * exceed it. */
+static void add_events_of_block(thud_world *w, td_block *block, int points) {
     const td_point_history *history = td_history_of(block, points);
     for (int lane = 0; lane < block->used; lane++) {
         float impulse = history[0].total[lane] + (points == 2 ? history[1].total[lane] : 0.0f);
-        if (impulse > w->rules->least_impulse) {
+        if (impulse > w->rules->min_bound) {
             const td_rule *rule = td_rule_of_lane(w, block, lane, TD_RULE_IMPULSE);
             if (rule && impulse > rule->rule.most_impulse) {
                 thud_contact seen = td_contact_view(w, block, lane);
-                push(w, &seen);
+                add_event(w, &seen);
             }
         }
     }
 }
 
+/* Adds the events of the step: of solved lanes, then of impacts within the step. */
 void td_rules_tell(thud_world *w) {
     for (int r = 0; r < w->scratch.runs.count && w->adds_impulses; r++) {
         const td_run *run = TD_AT(td_run, &w->scratch.runs, r);
         int points = td_form_points(w->kinds[run->kind]->form);
         for (int i = 0; i < run->count && run->kind < TD_PAIR_COUNT; i++) {
-            tell_block(w, *TD_AT(td_block *, &w->scratch.blocks, run->first + i), points);
+            add_events_of_block(w, *TD_AT(td_block *, &w->scratch.blocks, run->first + i), points);
         }
     }
     for (int i = 0; i < w->scratch.impacts.count && w->adds_impulses; i++) {
@@ -44,17 +49,17 @@ void td_rules_tell(thud_world *w) {
         const td_rule *rule =
             td_rule_of_pair(w, (int)seen->shape_a.index1 - 1, (int)seen->shape_b.index1 - 1);
         if (rule && seen->normal_impulse > rule->rule.most_impulse) {
-            push(w, seen);
+            add_event(w, seen);
         }
     }
 }
 
 const thud_impulse_event *thud_world_impulses(const thud_world *w, int *count) {
-    const td_array *told = !w || !w->rules ? NULL
-                           : w->gathers    ? &w->gathered.impulses
-                                           : &w->rules->impulses;
+    const td_array *events = !w || !w->rules ? NULL
+                             : w->gathers    ? &w->gathered.impulses
+                                             : &w->rules->impulses;
     if (count) {
-        *count = told ? told->count : 0;
+        *count = events ? events->count : 0;
     }
-    return told ? told->data : NULL;
+    return events ? events->data : NULL;
 }

@@ -1,27 +1,30 @@
-/* kept.c: rules in snapshots: those that are set, row by row and once for each two kinds, then the
- * impulses of the last step. The caller's filter is a function, and stays as the world has it. */
+/* kept.c: rules in snapshots. The bytes are the rules that are set, by rising index in the table
+ * and once for each two kinds, and then the impulse events of the last step. The caller's filter is
+ * a function, and not part of them: it stays as the world has it. */
 #include "rules/rules.h"
 
 #include <string.h>
 
-/* In the way in which it was set. */
-static bool is_kept(const td_rule *rule) {
+/* Whether the cell has a rule, in the order of kinds in which it was set. */
+static bool is_stored(const td_rule *rule) {
     return rule->is_set && !rule->reversed;
 }
 
+/* How many rules and events there are to store. */
 td_ruled td_rules_ruled(const thud_world *w) {
     td_ruled ruled = {.impulses = w->rules->impulses.count};
     for (int cell = 0; cell < TD_RULE_CELLS; cell++) {
-        ruled.rules += is_kept(td_rule_at(w, cell));
+        ruled.rules += is_stored(td_rule_at(w, cell));
     }
     return ruled;
 }
 
+/* Writes both to `to`, td_ruled_bytes long. */
 void td_rules_keep(const thud_world *w, char *to) {
     const td_array *impulses = &w->rules->impulses;
     for (int32_t cell = 0; cell < TD_RULE_CELLS; cell++) {
         const td_rule *rule = td_rule_at(w, cell);
-        if (is_kept(rule)) {
+        if (is_stored(rule)) {
             td_kept_rule kept = {rule->rule, cell};
             memcpy(to, &kept, sizeof kept);
             to += sizeof kept;
@@ -32,12 +35,14 @@ void td_rules_keep(const thud_world *w, char *to) {
     }
 }
 
+/* The i-th rule of the bytes, which need not be aligned. */
 static td_kept_rule kept_at(const char *from, int i) {
     td_kept_rule kept;
     memcpy(&kept, from + (size_t)i * sizeof kept, sizeof kept);
     return kept;
 }
 
+/* The kinds of the rule's row and column, as bits. */
 static uint32_t row_of(td_kept_rule kept) {
     return 1u << kept.cell / TD_RULE_KINDS;
 }
@@ -46,6 +51,7 @@ static uint32_t column_of(td_kept_rule kept) {
     return 1u << kept.cell % TD_RULE_KINDS;
 }
 
+/* Whether the bytes hold valid rules, by rising cells: they may come from anywhere. */
 bool td_rules_kept(const thud_world *w, td_ruled ruled, const char *from) {
     int last = -1;
     for (int i = 0; i < ruled.rules; i++) {
@@ -63,6 +69,7 @@ bool td_rules_make_room(thud_world *w, td_ruled ruled) {
     return td_array_reserve(&w->memory, &w->rules->impulses, ruled.impulses);
 }
 
+/* Replaces the world's rules and events by those of the bytes, which are valid. */
 void td_rules_bring_back(thud_world *w, td_ruled ruled, const char *from) {
     memset(w->rules->table, 0, sizeof w->rules->table);
     for (int i = 0; i < ruled.rules; i++) {

@@ -1,28 +1,35 @@
-/* one_way.c: shapes that hold others on one of their sides only.
+/* one_way.c: one-way rules: a shape, such as a plank that is jumped through from below, holds
+ * others on its solid side only.
  *
- * What has come to the solid side is held until the two part, wherever it slides to; what has come
- * from elsewhere passes until they part or it stands clear of that side. Whoever begins to touch is
- * on the solid side if it was before this step's motion began: a step may carry it in. */
+ * Each one-way contact is in one of two states (td_constraint.vetoed). TD_HELD: it acts, and stays
+ * so until the shapes part, wherever the body slides to. TD_PASSING: it does not act, until the
+ * shapes part or are found apart on the solid side. A contact that begins is held if its normal is
+ * within the solid side's cone and the shapes did not overlap before the motion that brought them
+ * together: separation + closing speed * time step >= -TD_SLOP. */
 #include "constraint/lanes.h"
 #include "contact/contact.h"
 #include "rules/rules.h"
 #include "state/handles.h"
 #include "state/surface.h"
 
-/* A side is that of normals within some 78 degrees of it: whoever slides down a wall is not on top.
- */
-#define LEAST_COSINE 0.2f
+/* The least cosine between a contact's normal and the solid side, at which the contact is on that
+ * side: normals within 78.5 degrees of it. It leaves out normals of the walls beside it, which
+ * rounding may tilt. Chosen; not tuned. */
+#define SOLID_COSINE_MIN 0.2f
 
-/* How far the normal, from a to b, goes along the solid side: the cosine between them. */
-static float along_side(const thud_world *w, const td_rule *rule, const td_body_index body[2],
-                        float nx, float ny) {
+/* The cosine between the solid side, in the world, and the normal as it points away from the
+ * one-way shape. (nx, ny) points from a to b; the one-way shape is a, or b where the rule is
+ * reversed. */
+static float solid_side_cosine(const thud_world *w, const td_rule *rule,
+                               const td_body_index body[2], float nx, float ny) {
     const td_pose *pose = td_pose_at(w, body[rule->reversed]);
     float x = rule->rule.solid_side.x, y = rule->rule.solid_side.y;
     float along = (pose->c * x - pose->s * y) * nx + (pose->s * x + pose->c * y) * ny;
     return (rule->reversed ? -along : along) / __builtin_sqrtf(x * x + y * y);
 }
 
-static void consider(thud_world *w, td_block *block, int lane, const td_rule *rule) {
+/* Decides the state of one lane's contact, and removes its points where it passes. */
+static void decide_lane(thud_world *w, td_block *block, int lane, const td_rule *rule) {
     td_contact *contact = td_contact_at(w, block->constraint[lane]);
     int points = td_form_points(w->kinds[contact->kind]->form);
     if (!(contact->vetoed & TD_HELD)) {
@@ -37,8 +44,9 @@ static void consider(thud_world *w, td_block *block, int lane, const td_rule *ru
         if (!(contact->vetoed & TD_PASSING) && closing > 0.0f) {
             separation += closing * (float)w->def.time_step;
         }
-        bool held = separation >= -slack && along_side(w, rule, contact->body, block->nx[lane],
-                                                       block->ny[lane]) > LEAST_COSINE;
+        bool held = separation >= -slack &&
+                    solid_side_cosine(w, rule, contact->body, block->nx[lane], block->ny[lane]) >
+                        SOLID_COSINE_MIN;
         contact->vetoed = held ? TD_HELD : TD_PASSING | TD_VETOED;
     }
     contact->vetoed &= TD_HELD | TD_PASSING;
@@ -48,6 +56,7 @@ static void consider(thud_world *w, td_block *block, int lane, const td_rule *ru
     }
 }
 
+/* Decides all one-way contacts of the step, before it is solved. */
 void td_rules_decide(thud_world *w) {
     td_lane_marks one_way = {.rule = TD_RULE_ONE_WAY};
     w->rules->impulses.count = 0;
@@ -57,21 +66,24 @@ void td_rules_decide(thud_world *w) {
         for (int lane = 0; lane < lanes; lane++) {
             const td_rule *rule = td_rule_of_lane(w, block, lane, TD_RULE_ONE_WAY);
             if (rule) {
-                consider(w, block, lane, rule);
+                decide_lane(w, block, lane, rule);
             }
         }
     }
 }
 
+/* Whether a one-way rule lets an impact within the step pass: its normal is not on the solid side.
+ */
 bool td_rules_let_through(const thud_world *w, const thud_contact *seen) {
     int a = (int)seen->shape_a.index1 - 1, b = (int)seen->shape_b.index1 - 1;
     const td_rule *rule = td_rule_of_pair(w, a, b);
     td_body_index body[2] = {td_shape_at(w, a)->body, td_shape_at(w, b)->body};
     return rule && rule->rule.meeting == THUD_ONE_WAY &&
-           along_side(w, rule, body, seen->normal.x, seen->normal.y) <= LEAST_COSINE;
+           solid_side_cosine(w, rule, body, seen->normal.x, seen->normal.y) <= SOLID_COSINE_MIN;
 }
 
-/* A plank beside a wall hides nothing of it from whom it lets through. */
+/* td_rule_hooks.hides: without a one-way rule always; with one only while the two are held, because
+ * a plank that lets a body pass must not take away the face of the wall beside it. */
 bool td_rules_hide(const thud_world *w, int shape, int other) {
     const td_rule *rule = td_rule_of_pair(w, shape, other);
     if (!rule || rule->rule.meeting != THUD_ONE_WAY) {

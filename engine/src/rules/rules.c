@@ -1,4 +1,5 @@
-/* rules.c: the table of rules, and whom they let meet; see thud_rules.h. */
+/* rules.c: sets and reads collision rules and the caller's filter, and answers the stages that ask
+ * which pairs may have contacts and with which settings; see thud_rules.h. */
 #include "rules/rules.h"
 
 #include "contact/contact.h"
@@ -7,6 +8,7 @@
 #include "state/handles.h"
 #include "state/surface.h"
 
+/* Not a number: the pair keeps the value of its shapes. */
 #define OF_SHAPES __builtin_nanf("")
 
 thud_rule thud_default_rule(void) {
@@ -18,8 +20,9 @@ thud_rule thud_default_rule(void) {
                        .most_impulse = __builtin_inff()};
 }
 
-/* ---- what stages ask ---- */
+/* ---- the hooks ---- */
 
+/* td_rule_hooks.allows: neither the rule nor the caller's filter forbids the pair. */
 static bool allows(const thud_world *world, int shape_a, int shape_b) {
     const td_rules *rules = world->rules;
     const td_rule *rule = td_rule_of_pair(world, shape_a, shape_b);
@@ -29,7 +32,7 @@ static bool allows(const thud_world *world, int shape_a, int shape_b) {
     if (!rules->filter) {
         return true;
     }
-    thud_world *w = (thud_world *)world; /* who asks may be about to change it; `locked` is why */
+    thud_world *w = (thud_world *)world; /* only `locked` changes, so that the filter cannot edit */
     bool locked = w->locked;
     w->locked = true;
     bool yes = rules->filter(w, td_shape_handle(w, shape_a), td_shape_handle(w, shape_b),
@@ -38,46 +41,49 @@ static bool allows(const thud_world *world, int shape_a, int shape_b) {
     return yes;
 }
 
-static void take(float *value, float own) {
-    *value = own == own ? own : *value;
+/* Replaces a value, unless the rule's is not a number. */
+static void override(float *value, float rule_value) {
+    *value = rule_value == rule_value ? rule_value : *value;
 }
 
+/* td_rule_hooks.settle. */
 static uint16_t settle(const thud_world *w, int shape_a, int shape_b,
                        thud_contact_settings *settings) {
     const td_rule *rule = td_rule_of_pair(w, shape_a, shape_b);
     if (!rule) {
         return 0;
     }
-    take(&settings->friction, rule->rule.friction);
-    take(&settings->restitution, rule->rule.restitution);
-    take(&settings->surface_speed, rule->rule.surface_speed);
-    unsigned watched = (rule->rule.meeting == THUD_ONE_WAY ? TD_RULE_ONE_WAY : 0u) |
-                       (td_rule_counts_impulses(rule) ? TD_RULE_IMPULSE : 0u);
-    return (uint16_t)(watched ? watched | (unsigned)(rule - w->rules->table[0]) : 0u);
+    override(&settings->friction, rule->rule.friction);
+    override(&settings->restitution, rule->rule.restitution);
+    override(&settings->surface_speed, rule->rule.surface_speed);
+    unsigned marks = (rule->rule.meeting == THUD_ONE_WAY ? TD_RULE_ONE_WAY : 0u) |
+                     (td_rule_counts_impulses(rule) ? TD_RULE_IMPULSE : 0u);
+    return (uint16_t)(marks ? marks | (unsigned)(rule - w->rules->table[0]) : 0u);
 }
 
+/* td_rule_hooks.end. */
 static void end(thud_world *w) {
     td_array_free(&w->memory, &w->rules->impulses);
     td_memory_put(&w->memory, w->rules, sizeof *w->rules);
 }
 
-static const td_rule_hooks RULING = {.allows = allows,
-                                     .settle = settle,
-                                     .hides = td_rules_hide,
-                                     .lets_through = td_rules_let_through,
-                                     .decide = td_rules_decide,
-                                     .reserve = td_rules_reserve,
-                                     .tell = td_rules_tell,
-                                     .ruled = td_rules_ruled,
-                                     .write = td_rules_keep,
-                                     .valid = td_rules_kept,
-                                     .make_room = td_rules_make_room,
-                                     .read = td_rules_bring_back,
-                                     .end = end};
+static const td_rule_hooks HOOKS = {.allows = allows,
+                                    .settle = settle,
+                                    .hides = td_rules_hide,
+                                    .lets_through = td_rules_let_through,
+                                    .decide = td_rules_decide,
+                                    .reserve = td_rules_reserve,
+                                    .tell = td_rules_tell,
+                                    .ruled = td_rules_ruled,
+                                    .write = td_rules_keep,
+                                    .valid = td_rules_kept,
+                                    .make_room = td_rules_make_room,
+                                    .read = td_rules_bring_back,
+                                    .end = end};
 
-/* ---- changing them ---- */
+/* ---- setting rules and filter ---- */
 
-static thud_result check(thud_world *w) {
+static thud_result check_unlocked(thud_world *w) {
     if (!w) {
         return THUD_ERROR_NULL;
     }
@@ -85,29 +91,31 @@ static thud_result check(thud_world *w) {
                      : THUD_OK;
 }
 
-/* The world's first. */
-static bool have_rules(thud_world *w) {
+/* Makes the world's rules, and plugs in the hooks, if it has none. False when memory is short. */
+static bool make_rules(thud_world *w) {
     if (!w->rules) {
         w->rules = td_memory_get(&w->memory, sizeof *w->rules);
         if (w->rules) {
             w->rules->impulses.stride = (int)sizeof(thud_impulse_event);
-            w->rule_hooks = &RULING;
+            w->rule_hooks = &HOOKS;
         }
     }
     return w->rules != NULL;
 }
 
-static bool concerns(const thud_world *w, int shape, uint32_t kinds) {
+/* Whether the shape lives and its kind is among `kinds`, or all kinds are. */
+static bool is_affected(const thud_world *w, int shape, uint32_t kinds) {
     const td_shape *s = td_shape_at(w, shape);
     uint32_t category = s->filter.category;
     return (s->flags & TD_SHAPE_LIVE) && (kinds == UINT32_MAX || (category & -category & kinds));
 }
 
-/* Shapes of these kinds end what may not be any more, look for what they may meet now, and take the
- * settings of the rest anew. There is room for the events. */
-static void renew(thud_world *w, uint32_t kinds) {
+/* Applies changed rules to all shapes of these kinds: wakes their bodies, ends the contacts that
+ * are no longer allowed, updates the settings of the others, and has new pairs searched. Room for
+ * the end events must be reserved. */
+static void update_shapes_of(thud_world *w, uint32_t kinds) {
     for (int i = 0; i < w->shapes.count; i++) {
-        if (concerns(w, i, kinds)) {
+        if (is_affected(w, i, kinds)) {
             td_body_index body = td_shape_at(w, i)->body;
             td_edit_wake(w, body, i);
             td_edit_end_contacts(w, body, i, false);
@@ -121,7 +129,7 @@ static void renew(thud_world *w, uint32_t kinds) {
 thud_result thud_world_set_rule(thud_world *w, uint32_t first, uint32_t second,
                                 const thud_rule *rule) {
     TD_IN_OWN_MODE;
-    thud_result result = check(w);
+    thud_result result = check_unlocked(w);
     if (result != THUD_OK) {
         return result;
     }
@@ -130,22 +138,22 @@ thud_result thud_world_set_rule(thud_world *w, uint32_t first, uint32_t second,
     if (error) {
         return td_refuse(w, THUD_ERROR_INVALID, error);
     }
-    if (!have_rules(w) || !td_contact_end_reserve(w, w->constraints.live)) {
+    if (!make_rules(w) || !td_contact_end_reserve(w, w->constraints.live)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "rule: out of memory");
     }
     td_rule made = {.rule = rule ? *rule : thud_default_rule(), .is_set = rule != NULL};
     td_rules_write(w->rules, first, second, &made);
     td_rules_look_through(w);
-    renew(w, first | second);
+    update_shapes_of(w, first | second);
     return THUD_OK;
 }
 
 thud_result thud_world_use_rules(thud_world *w) {
-    thud_result result = check(w);
+    thud_result result = check_unlocked(w);
     if (result != THUD_OK) {
         return result;
     }
-    return have_rules(w) ? THUD_OK : td_refuse(w, THUD_ERROR_MEMORY, "use rules: out of memory");
+    return make_rules(w) ? THUD_OK : td_refuse(w, THUD_ERROR_MEMORY, "use rules: out of memory");
 }
 
 thud_result thud_world_rule(const thud_world *w, uint32_t first, uint32_t second, thud_rule *out,
@@ -177,15 +185,15 @@ thud_result thud_world_rule(const thud_world *w, uint32_t first, uint32_t second
 
 thud_result thud_world_set_filter(thud_world *w, thud_filter_fn *filter, void *context) {
     TD_IN_OWN_MODE;
-    thud_result result = check(w);
+    thud_result result = check_unlocked(w);
     if (result != THUD_OK) {
         return result;
     }
-    if (!have_rules(w) || !td_contact_end_reserve(w, w->constraints.live)) {
+    if (!make_rules(w) || !td_contact_end_reserve(w, w->constraints.live)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "filter: out of memory");
     }
     w->rules->filter = filter;
     w->rules->filter_context = context;
-    renew(w, UINT32_MAX);
+    update_shapes_of(w, UINT32_MAX);
     return THUD_OK;
 }

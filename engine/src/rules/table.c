@@ -1,13 +1,14 @@
-/* table.c: what a rule may say, and where it stands. */
+/* table.c: checks rules, and writes them into the table. */
 #include "rules/rules.h"
 
-static bool in_range(float value, float least, float most) {
-    return value != value || (value >= least && value <= most);
+/* Whether the value is not a number (the shapes' own) or in range. */
+static bool in_range(float value, float min, float max) {
+    return value != value || (value >= min && value <= max);
 }
 
 const char *td_rule_error(const thud_world *w, uint32_t first, uint32_t second,
                           const thud_rule *rule) {
-    float fastest = THUD_SURFACE_SPEED_MAX * w->unit;
+    float max_speed = THUD_SURFACE_SPEED_MAX * w->unit;
     float x = rule->solid_side.x, y = rule->solid_side.y;
     if ((unsigned)rule->meeting >= THUD_MEETING_COUNT) {
         return "rule: meeting is none";
@@ -20,12 +21,14 @@ const char *td_rule_error(const thud_world *w, uint32_t first, uint32_t second,
     }
     if (!in_range(rule->friction, 0.0f, THUD_FRICTION_MAX) ||
         !in_range(rule->restitution, 0.0f, THUD_BOUNCE_MAX) ||
-        !in_range(rule->surface_speed, -fastest, fastest) || !(rule->most_impulse >= 0.0f)) {
+        !in_range(rule->surface_speed, -max_speed, max_speed) || !(rule->most_impulse >= 0.0f)) {
         return "rule: friction, restitution, surface_speed or most_impulse is out of range";
     }
     return NULL;
 }
 
+/* Writes a rule into the cells of each kind of `first` with each of `second`, and, reversed, into
+ * those of the other order. Of a kind with itself the rule as given stays. */
 void td_rules_write(td_rules *rules, uint32_t first, uint32_t second, const td_rule *rule) {
     td_rule reversed = *rule;
     reversed.reversed = true;
@@ -38,18 +41,19 @@ void td_rules_write(td_rules *rules, uint32_t first, uint32_t second, const td_r
     }
 }
 
+/* Recomputes what the stages ask first: whether any rule is one-way or has a bound of the impulse.
+ */
 void td_rules_look_through(thud_world *w) {
     w->rules->one_way = false;
-    w->rules->least_impulse = __builtin_inff();
+    w->rules->min_bound = __builtin_inff();
     for (int a = 0; a < TD_RULE_KINDS; a++) {
         for (int b = a; b < TD_RULE_KINDS; b++) {
             const td_rule *rule = &w->rules->table[a][b];
             if (rule->is_set) {
                 w->rules->one_way |= rule->rule.meeting == THUD_ONE_WAY;
-                w->rules->least_impulse =
-                    td_min_float(w->rules->least_impulse, rule->rule.most_impulse);
+                w->rules->min_bound = td_min_float(w->rules->min_bound, rule->rule.most_impulse);
             }
         }
     }
-    w->adds_impulses = w->rules->least_impulse < __builtin_inff();
+    w->adds_impulses = w->rules->min_bound < __builtin_inff();
 }

@@ -1,5 +1,9 @@
-/* save.c: a world in a file; see thud_snapshot.h. A head, then the snapshot, then the caller's own
- * bytes. A snapshot knows by itself whether it is whole; the head knows of the rest. */
+/* save.c: saves a world to a file and loads it (thud_snapshot.h). The file is, in the byte order of
+ * the machine, save_head | the world's snapshot, world_bytes | the caller's own bytes, own_bytes.
+ * A snapshot has a checksum of its own (snapshot.h); save_head has that of the caller's bytes.
+ *
+ * A save writes PATH~ first and renames it, so that a save that fails leaves the old file whole
+ * (but for Windows, where the old file has to be removed before: rename_over). */
 #include "api/snapshot.h"
 #include "state/handles.h"
 
@@ -8,12 +12,14 @@
 
 static const char MAGIC[8] = {'t', 'h', 'u', 'd', 's', 'a', 'v', 'e'};
 
+/* The head of the file. */
 typedef struct save_head {
     char magic[8];
     uint64_t world_bytes, own_bytes;
-    uint64_t checksum; /* of the caller's own */
+    uint64_t checksum; /* of the caller's own bytes */
 } save_head;
 
+/* Refuses null arguments, and calls inside a callback. */
 static thud_result check(const thud_world *w, const char *path, const void *own, size_t bytes) {
     if (!w || !path || (!own && bytes > 0)) {
         return td_refuse(w, THUD_ERROR_NULL, "save or load: world, path or own is null");
@@ -24,6 +30,7 @@ static thud_result check(const thud_world *w, const char *path, const void *own,
 
 /* ---- saving ---- */
 
+/* Writes a file. False where it could not be written as a whole. */
 static bool write_file(const char *path, const char *from, size_t bytes) {
     FILE *file = fopen(path, "wb");
     if (!file) {
@@ -33,10 +40,10 @@ static bool write_file(const char *path, const char *from, size_t bytes) {
     return fclose(file) == 0 && written;
 }
 
-/* In place of what has that name. */
+/* Renames a file, replacing one that has the new name. */
 static bool rename_over(const char *from, const char *to) {
 #if defined(_WIN32)
-    remove(to); /* its rename does not replace */
+    remove(to); /* rename does not replace a file there */
 #endif
     return rename(from, to) == 0;
 }
@@ -46,36 +53,37 @@ thud_result thud_world_save(thud_world *w, const char *path, const void *own, si
     if (result != THUD_OK) {
         return result;
     }
-    size_t world_bytes = 0, name = strlen(path);
+    size_t world_bytes = 0, path_length = strlen(path);
     thud_world_snapshot_size(w, &world_bytes);
-    size_t size = sizeof(save_head) + world_bytes + bytes, all = size + name + 2;
-    char *image = all > bytes ? td_memory_get(&w->memory, all) : NULL;
+    size_t size = sizeof(save_head) + world_bytes + bytes, total = size + path_length + 2;
+    char *image = total > bytes ? td_memory_get(&w->memory, total) : NULL;
     if (!image) {
         return td_refuse(w, THUD_ERROR_MEMORY, "save: out of memory");
     }
-    char *world = image + sizeof(save_head), *beside = world + world_bytes, *draft = image + size;
+    char *world = image + sizeof(save_head), *own_copy = world + world_bytes, *draft = image + size;
     thud_world_snapshot(w, world, world_bytes, NULL);
     if (bytes > 0) {
-        memcpy(beside, own, bytes);
+        memcpy(own_copy, own, bytes);
     }
     save_head head = {.world_bytes = world_bytes, .own_bytes = bytes};
     memcpy(head.magic, MAGIC, sizeof MAGIC);
-    head.checksum = td_snapshot_checksum(beside, bytes);
+    head.checksum = td_snapshot_checksum(own_copy, bytes);
     memcpy(image, &head, sizeof head);
-    memcpy(draft, path, name);
-    draft[name] = '~';
+    memcpy(draft, path, path_length);
+    draft[path_length] = '~';
     bool saved = write_file(draft, image, size) && rename_over(draft, path);
     if (!saved) {
         remove(draft);
     }
-    td_memory_put(&w->memory, image, all);
+    td_memory_put(&w->memory, image, total);
     return saved ? THUD_OK : td_refuse(w, THUD_ERROR_INVALID, "save: the file cannot be written");
 }
 
 /* ---- loading ---- */
 
-/* How long the file is, from its beginning; false where it has no length. */
-static bool length_of(FILE *file, uint64_t *bytes) {
+/* The length of the file, which is left at its start; false for one that has no length, as a pipe.
+ */
+static bool file_length(FILE *file, uint64_t *bytes) {
     if (fseek(file, 0, SEEK_END) != 0) {
         return false;
     }
@@ -84,47 +92,49 @@ static bool length_of(FILE *file, uint64_t *bytes) {
     return end >= 0 && fseek(file, 0, SEEK_SET) == 0;
 }
 
-/* Why the file cannot be loaded, or null. */
-static const char *fault_of(FILE *file, size_t bytes, save_head *head, size_t *rest) {
+/* Reads the head; *rest is the number of bytes behind it. Returns the reason why the file cannot be
+ * loaded; null: it can. */
+static const char *header_error(FILE *file, size_t bytes, save_head *head, size_t *body_bytes) {
     uint64_t length;
-    if (!length_of(file, &length) || fread(head, sizeof *head, 1, file) != 1 ||
+    if (!file_length(file, &length) || fread(head, sizeof *head, 1, file) != 1 ||
         memcmp(head->magic, MAGIC, sizeof MAGIC) != 0) {
         return "load: this is no file of thud_world_save";
     }
     if (head->own_bytes != bytes) {
         return "load: the file was saved with another number of own bytes";
     }
-    *rest = (size_t)(length - sizeof *head);
+    *body_bytes = (size_t)(length - sizeof *head);
     if (head->world_bytes > length || length - sizeof *head - head->world_bytes != bytes ||
-        *rest != length - sizeof *head) {
+        *body_bytes != length - sizeof *head) {
         return "load: the file is cut short, or has something after it";
     }
     return NULL;
 }
 
+/* Loads the world and the caller's bytes from an open file. */
 static thud_result load(thud_world *w, FILE *file, void *own, size_t bytes) {
     save_head head;
-    size_t rest;
-    const char *fault = fault_of(file, bytes, &head, &rest);
+    size_t body_bytes;
+    const char *fault = header_error(file, bytes, &head, &body_bytes);
     if (fault) {
         return td_refuse(w, THUD_ERROR_INVALID, fault);
     }
-    char *image = td_memory_get(&w->memory, rest);
+    char *image = td_memory_get(&w->memory, body_bytes);
     if (!image) {
         return td_refuse(w, THUD_ERROR_MEMORY, "load: out of memory");
     }
     thud_result result;
-    char *beside = image + head.world_bytes;
-    if (fread(image, 1, rest, file) != rest ||
-        td_snapshot_checksum(beside, bytes) != head.checksum) {
+    char *own_copy = image + head.world_bytes;
+    if (fread(image, 1, body_bytes, file) != body_bytes ||
+        td_snapshot_checksum(own_copy, bytes) != head.checksum) {
         result = td_refuse(w, THUD_ERROR_INVALID, "load: the file cannot be read, or is damaged");
     } else {
         result = thud_world_restore(w, image, (size_t)head.world_bytes);
     }
     if (result == THUD_OK && bytes > 0) {
-        memcpy(own, beside, bytes);
+        memcpy(own, own_copy, bytes);
     }
-    td_memory_put(&w->memory, image, rest);
+    td_memory_put(&w->memory, image, body_bytes);
     return result;
 }
 

@@ -1,4 +1,6 @@
-/* awake.c: see awake.h. The last body fills the hole that a leaving one makes. */
+/* awake.c: gives awake slots to bodies and takes them back; see awake.h. Slots stay dense: when a
+ * body leaves its slot, the body of the last slot moves there, which renumbers the sides of its
+ * lanes. */
 #include "state/awake.h"
 
 #include "constraint/lanes.h"
@@ -22,6 +24,7 @@ bool td_awake_reserve(thud_world *w, int more) {
     return true;
 }
 
+/* Copies what follows from the body's record to its slot, and keeps the count of damped bodies. */
 void td_awake_refresh(thud_world *w, td_body_index index) {
     const td_body *body = td_body_at(w, index);
     if (body->awake.at < 0) {
@@ -63,6 +66,8 @@ void td_awake_add(thud_world *w, td_body_index index) {
     td_awake_refresh(w, index);
 }
 
+/* Moves a body to another slot: its element of every array, its record, and the lanes of its acting
+ * constraints, which hold slots. */
 static void move_slot(thud_world *w, td_awake_slot from, td_awake_slot to) {
     for (int i = 0; i < TD_AWAKE_ARRAY_COUNT; i++) {
         const td_array *array = &w->awake[i];

@@ -1,19 +1,22 @@
-/* awake.h: the dense arrays of bodies that move. Slot 0 is a dummy at rest. */
+/* awake.h: awake slots: the places of awake bodies in the dense arrays of awake_arrays.h. Slot 0 is
+ * a dummy at rest with zero inverse mass, which stands for static sides and empty lanes. */
 #ifndef TD_AWAKE_H
 #define TD_AWAKE_H
 
 #include "state/world.h"
 
-/* Elements that the arrays need for so many bodies, all awake: the dummy and a last eight in full
- * come on top, since the wide kernels work on whole eights. */
+/* The number of elements that the arrays need for so many bodies, all awake: one more for the
+ * dummy, and eight more since the wide kernels work on whole groups of eight. */
 int td_awake_capacity(int bodies);
-/* Room for every live body and `more`, so that waking never needs memory. */
+/* Makes room for every live body and `more`, so that waking a body never needs memory. False when
+ * memory is short. */
 bool td_awake_reserve(thud_world *w, int more);
-/* Gives the body a slot, with the velocity of its record. */
+/* Gives the body, which has none, a slot, with the velocity of its record. */
 void td_awake_add(thud_world *w, td_body_index body);
-/* Takes its slot, and puts the velocity into its record. */
+/* Frees the body's slot, and copies its velocity into its record. */
 void td_awake_remove(thud_world *w, td_body_index body);
-/* Copies mass, damping and reach of the body's record to its slot, if it has one. */
+/* Copies mass, damping, extents and the lone shape from the body's record to its slot, if it has
+ * one; marks the sums that depend on them as stale. */
 void td_awake_refresh(thud_world *w, td_body_index body);
 
 #endif

@@ -1,5 +1,6 @@
-/* body.c: making, destroying, weighing and reading bodies. Nothing here reaches into contacts or
- * the broadphase: the change list does, at the start of the next step. */
+/* body.c: creates, destroys and reads bodies, and computes their mass from their shapes. Contacts,
+ * lanes and the broadphase are not touched here: a body on the change list (td_body_mark) gets what
+ * follows from the change at the start of the next step (changes.c). */
 #include "state/body.h"
 
 #include "state/awake.h"
@@ -14,13 +15,13 @@ thud_body_def thud_default_body_def(void) {
 }
 
 bool td_place_valid(const thud_world *w, double x, double y) {
-    double most = THUD_PLACE_MAX * (double)w->unit;
-    return x >= -most && x <= most && y >= -most && y <= most;
+    double max = THUD_PLACE_MAX * (double)w->unit;
+    return x >= -max && x <= max && y >= -max && y <= max;
 }
 
 bool td_in_world(const thud_world *w, td_reason *why, const char *name, double x, double y) {
-    double most = THUD_PLACE_MAX * (double)w->unit;
-    return td_in(why, name, x, -most, most) && td_in(why, name, y, -most, most);
+    double max = THUD_PLACE_MAX * (double)w->unit;
+    return td_in(why, name, x, -max, max) && td_in(why, name, y, -max, max);
 }
 
 thud_result td_check_place(const thud_world *w, const char *name, double x, double y) {
@@ -51,6 +52,7 @@ const char *td_body_def_error(const thud_world *w, const thud_body_def *def, td_
     return NULL;
 }
 
+/* For edits of settings that sleeping bodies depend on. */
 void td_wake_all(thud_world *w) {
     for (td_body_index i = {0}; i.at < w->bodies.count; i.at++) {
         if (td_body_at(w, i)->flags & TD_BODY_LIVE) {
@@ -106,6 +108,7 @@ thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_
     return THUD_OK;
 }
 
+/* Adds a pending change of the body to the change list, and invalidates what depends on it. */
 void td_body_mark(thud_world *w, td_body_index index, td_change_kind change) {
     td_body *body = td_body_at(w, index);
     if (!body->changes) {
@@ -139,17 +142,19 @@ bool thud_body_is_valid(const thud_world *w, thud_body_id id) {
 
 /* ---- mass ---- */
 
+/* Area of a shape (length^2), and its second moment of area about its centre (length^4). */
 static void area_of(const td_shape *shape, double *area, double *moment) {
     td_kind_area(shape->kind, (double)shape->half_x, (double)shape->half_y, area, moment);
 }
 
-static float reach_of(const td_shape *shape) {
+/* The greatest distance of a point of the shape from the shape's centre. */
+static float radius_of(const td_shape *shape) {
     return td_kind_is_round(shape->kind)
                ? shape->half_x
                : __builtin_sqrtf(shape->half_x * shape->half_x + shape->half_y * shape->half_y);
 }
 
-/* Moves the centre of mass to (x, y) of the body's frame while the origin stays where it is. */
+/* Makes (x, y) of the body's frame its centre of mass; the body's origin stays where it is. */
 static void set_center(thud_world *w, td_body_index index, double x, double y) {
     td_body *body = td_body_at(w, index);
     td_pose *pose = td_pose_at(w, index);
@@ -161,6 +166,8 @@ static void set_center(thud_world *w, td_body_index index, double x, double y) {
     pose->center = (td_position){2 * origin.x - offset.x, 2 * origin.y - offset.y};
 }
 
+/* Mass, inertia and centre of mass as the sums over the body's shapes (the parallel axis theorem);
+ * zero for a body that is not dynamic. */
 static void weigh_shapes(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     double mass = 0.0, mx = 0.0, my = 0.0, inertia = 0.0;
@@ -179,22 +186,23 @@ static void weigh_shapes(thud_world *w, td_body_index index) {
     double cx = mass > 0.0 ? mx / mass : 0.0, cy = mass > 0.0 ? my / mass : 0.0;
     inertia -= mass * (cx * cx + cy * cy);
     if (dynamic && !(mass > 0.0)) {
-        mass = 1.0; /* without shapes or density it still has to fall */
+        mass = 1.0; /* without shapes or density it still falls */
     }
-    bool turns = dynamic && inertia > 0.0 && !(body->flags & TD_BODY_FIXED) && !body->aabbs;
+    bool rotates = dynamic && inertia > 0.0 && !(body->flags & TD_BODY_FIXED) && !body->aabbs;
     body->mass = (float)mass;
-    body->inertia = turns ? (float)inertia : 0.0f;
+    body->inertia = rotates ? (float)inertia : 0.0f;
     body->inv_mass = dynamic ? (float)(1.0 / mass) : 0.0f;
-    body->inv_inertia = turns ? (float)(1.0 / inertia) : 0.0f;
+    body->inv_inertia = rotates ? (float)(1.0 / inertia) : 0.0f;
     if ((float)cx != body->center_x || (float)cy != body->center_y) {
         set_center(w, index, cx, cy);
     }
 }
 
+/* Recomputes mass, inertia, centre of mass and extents from the body's shapes. */
 void td_body_weigh(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     if (body->aabbs) {
-        td_body_velocity(w, body)[2] = body->inv_inertia = 0.0f; /* it keeps its axes */
+        td_body_velocity(w, body)[2] = body->inv_inertia = 0.0f; /* an AABB fixes rotation */
     }
     if (!(body->flags & TD_BODY_MASS_GIVEN)) {
         weigh_shapes(w, index);
@@ -209,7 +217,7 @@ void td_body_weigh(thud_world *w, td_body_index index) {
         float x = shape->x - body->center_x, y = shape->y - body->center_y;
         body->min_extent = td_min_float(body->min_extent, td_half_thickness(shape));
         body->max_extent =
-            td_max_float(body->max_extent, __builtin_sqrtf(x * x + y * y) + reach_of(shape));
+            td_max_float(body->max_extent, __builtin_sqrtf(x * x + y * y) + radius_of(shape));
     }
 }
 

@@ -1,34 +1,37 @@
-/* body.h: what the engine does with bodies from the inside. */
+/* body.h: what other stages of the engine need of bodies: checks of defs and places, the change
+ * list, mass, poses in fixed point, and edits deferred by callbacks. */
 #ifndef TD_BODY_H
 #define TD_BODY_H
 
 #include "base/reason.h"
 #include "state/world.h"
 
-/* Why there can be no such body; null where there can. */
+/* The reason why the def is refused, in `why` or a literal; null where it is valid. */
 const char *td_body_def_error(const thud_world *w, const thud_body_def *def, td_reason *why);
 
-/* Puts the body on the change list; `change` is a td_change_kind. */
+/* Puts the body on the change list, if it is not there, and adds the change to td_body.changes. */
 void td_body_mark(thud_world *w, td_body_index body, td_change_kind change);
 
-/* Finite, and no farther out than a body may be. */
+/* Whether both coordinates, in the caller's unit, are finite and within THUD_PLACE_MAX. */
 bool td_place_valid(const thud_world *w, double x, double y);
-/* The same, with the reason; and refused, with the log told. */
+/* The same, with the reason in *why; and as a result, after the log has got the reason. */
 bool td_in_world(const thud_world *w, td_reason *why, const char *name, double x, double y);
 thud_result td_check_place(const thud_world *w, const char *name, double x, double y);
 
-/* A new setting changes what every resting body would do. */
+/* Wakes every body in the next step: for edits of settings that sleeping bodies depend on. */
 void td_wake_all(thud_world *w);
 
-/* Mass, centre of mass and reach from the shapes that it has now. */
+/* Computes mass, inertia and centre of mass (unless the caller has given them) and both extents
+ * from the body's present shapes. */
 void td_body_weigh(thud_world *w, td_body_index body);
 
-/* Where the body's origin stands. */
+/* The position of the body's origin, computed from its centre of mass. */
 td_position td_body_origin(const thud_world *w, td_body_index body);
 
-/* Puts the body's shapes where its pose says; their bounds move when they leave the fat ones. */
+/* Updates the proxies of the body's shapes from its pose: td_shape_place. */
 void td_body_place_shapes(thud_world *w, td_body_index body);
 
+/* From the caller's unit to position quanta, rounded to nearest, and back. */
 static inline td_position td_place_from(const thud_world *w, thud_pos p) {
     return (td_position){td_round64(p.x * w->to_fixed), td_round64(p.y * w->to_fixed)};
 }
@@ -37,44 +40,51 @@ static inline thud_pos td_place_to(const thud_world *w, td_position p) {
     return (thud_pos){(double)p.x / w->to_fixed, (double)p.y / w->to_fixed};
 }
 
-/* A relative length in position quanta. */
+/* A relative length, in the caller's unit, in position quanta: rounded like the wide kernels do
+ * where it is below 2^51 quanta, and truncated beyond. */
 static inline int64_t td_length_from(const thud_world *w, float length) {
     double quanta = (double)length * w->to_fixed;
     return quanta < 0x1p51 && quanta > -0x1p51 ? td_round_increment(quanta) : (int64_t)quanta;
 }
 
-/* As callers have it: also where it takes its awake slot with the next step. */
+/* Whether the body is awake, as callers see it: it has an awake slot, or gets one as the next step
+ * begins. */
 static inline bool td_body_is_awake(const td_body *body) {
     return body->kind != THUD_STATIC && !(body->flags & TD_BODY_DISABLED) &&
            (body->awake.at > 0 || (body->changes & (TD_CHANGE_ENTER | TD_CHANGE_WAKE)));
 }
 
-/* The velocity as it is now, awake or not. */
+/* The body's present velocity (x, y, turn): its awake slot's, or its record's. */
 static inline float *td_body_velocity(const thud_world *w, const td_body *body) {
     return body->awake.at > 0 ? td_row(&w->velocity, body->awake) : (float *)body->velocity;
 }
 
 /* ---- edits deferred by callbacks ---- */
 
+/* td_deferred_edit.what, and its four values. */
 typedef enum td_deferred_kind {
-    TD_PUT_TRANSFORM,
-    TD_PUT_VELOCITY,
-    TD_PUT_IMPULSE,
-    TD_PUT_FORCE,
-    TD_PUT_AWAKE,
-    TD_PUT_ENABLED,
-    TD_PUT_SHAPE /* value[0]: it has been made, and counts from now on */
+    TD_PUT_TRANSFORM, /* x, y, angle */
+    TD_PUT_VELOCITY,  /* x, y, angular */
+    TD_PUT_IMPULSE,   /* x, y; x, y of the point */
+    TD_PUT_FORCE,     /* x, y, torque */
+    TD_PUT_AWAKE,     /* not 0: wakes; 0: sleeps */
+    TD_PUT_ENABLED,   /* not 0: enabled */
+    TD_PUT_SHAPE /* index of a shape made in a callback: from now on it has mass and contacts */
 } td_deferred_kind;
 
-/* Room for one more, where there are any: inside a callback. */
+/* Inside a callback, makes room for `count` more deferred edits; outside, does nothing. False when
+ * memory is short. */
 bool td_deferred_reserve(thud_world *w, int count);
+/* Appends a deferred edit of the body; room must be reserved. */
 void td_deferred_add(thud_world *w, td_body_index body, td_deferred_kind what,
                      const double value[4]);
 
-/* Does what callbacks asked for during the last step, in the order they asked. */
+/* Applies the deferred edits in the order in which they were made. Those of destroyed bodies are
+ * dropped; forces wait until a step has begun. */
 void td_deferred_apply(thud_world *w);
 
-/* Whether one of them puts the body at an angle, or has one that heeds no force turn. */
+/* Whether a deferred edit gives the body an angle, or gives a kinematic body an angular velocity.
+ */
 bool td_deferred_turns(const thud_world *w, td_body_index body);
 
 #endif

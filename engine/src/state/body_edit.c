@@ -1,11 +1,14 @@
-/* body_edit.c: edits of a body's motion. Outside callbacks they act at once on the body's own
- * record and leave the rest to the change list; inside, they wait for the next step. */
+/* body_edit.c: edits of a body's pose, velocity, forces and state. Outside callbacks an edit
+ * changes the body's own record at once, and the change list (changes.c) does the rest as the next
+ * step begins. Inside a callback the whole edit is deferred to the start of the next step. */
 #include "state/awake.h"
 #include "state/body.h"
 #include "state/handles.h"
 #include "base/rotation.h"
 
-static void transform(thud_world *w, td_body_index index, const double v[4]) {
+/* ---- the edits: each takes the four values of td_deferred_kind ---- */
+
+static void set_transform(thud_world *w, td_body_index index, const double v[4]) {
     td_body *body = td_body_at(w, index);
     td_pose *pose = td_pose_at(w, index);
     pose->angle = td_angle_from(v[2]);
@@ -26,7 +29,8 @@ static void set_velocity(thud_world *w, td_body_index index, const double v[4]) 
     td_body_mark(w, index, TD_CHANGE_WAKE);
 }
 
-static void impulse(thud_world *w, td_body_index index, const double v[4]) {
+/* An impulse (v[0], v[1]) at the point (v[2], v[3]) of the world. */
+static void add_impulse(thud_world *w, td_body_index index, const double v[4]) {
     td_body *body = td_body_at(w, index);
     const td_pose *pose = td_pose_at(w, index);
     float *velocity = td_body_velocity(w, body);
@@ -39,7 +43,7 @@ static void impulse(thud_world *w, td_body_index index, const double v[4]) {
     td_body_mark(w, index, TD_CHANGE_WAKE);
 }
 
-static void force(thud_world *w, td_body_index index, const double v[4]) {
+static void add_force(thud_world *w, td_body_index index, const double v[4]) {
     td_body *body = td_body_at(w, index);
     body->force[0] += (float)v[0];
     body->force[1] += (float)v[1];
@@ -62,22 +66,26 @@ static void set_enabled(thud_world *w, td_body_index index, const double v[4]) {
     }
 }
 
-static void add_shape(thud_world *w, td_body_index index, const double v[4]) {
+static void put_shape(thud_world *w, td_body_index index, const double v[4]) {
     td_shape_at(w, (int)v[0])->flags &= (uint8_t)~TD_SHAPE_WAITS;
     if (td_body_at(w, index)->kind != THUD_STATIC) {
         td_body_weigh(w, index);
     }
 }
 
-static void act(thud_world *w, td_body_index index, td_deferred_kind what, const double v[4]) {
-    static void (*const acts[])(thud_world *, td_body_index,
-                                const double[4]) = {transform, set_velocity, impulse,  force,
-                                                    set_awake, set_enabled,  add_shape};
+/* Applies an edit now. A quarantined body gets none but new shapes. */
+static void apply_edit(thud_world *w, td_body_index index, td_deferred_kind what,
+                       const double v[4]) {
+    static void (*const EDITS[])(thud_world *, td_body_index,
+                                 const double[4]) = {set_transform, set_velocity, add_impulse,
+                                                     add_force,     set_awake,    set_enabled,
+                                                     put_shape};
     if (what == TD_PUT_SHAPE || !(td_body_at(w, index)->flags & TD_BODY_QUARANTINED)) {
-        acts[what](w, index, v);
+        EDITS[what](w, index, v);
     }
 }
 
+/* Applies what callbacks have deferred, in the order of the calls. */
 void td_deferred_apply(thud_world *w) {
     int kept = 0;
     for (int i = 0; i < w->deferred.count; i++) {
@@ -86,13 +94,14 @@ void td_deferred_apply(thud_world *w) {
         if (!(body->flags & TD_BODY_LIVE) || body->generation != edit.generation) {
             continue;
         }
-        /* Outside a step it would count among the forces that are applied between two calls of
-         * thud_world_advance, which act for another time. */
+        /* A force deferred by a callback acts for one whole step. Applied before the step has
+         * begun, it would be taken for one made between two calls of thud_world_advance, which acts
+         * for the elapsed time; so it stays deferred, and only wakes the body. */
         if (edit.what == TD_PUT_FORCE && !w->locked) {
-            act(w, edit.body, TD_PUT_AWAKE, (double[4]){1.0});
+            apply_edit(w, edit.body, TD_PUT_AWAKE, (double[4]){1.0});
             *TD_AT(td_deferred_edit, &w->deferred, kept++) = edit;
         } else {
-            act(w, edit.body, (td_deferred_kind)edit.what, edit.value);
+            apply_edit(w, edit.body, (td_deferred_kind)edit.what, edit.value);
         }
     }
     w->deferred.count = kept;
@@ -110,20 +119,22 @@ void td_deferred_add(thud_world *w, td_body_index index, td_deferred_kind what, 
                            .value = {v[0], v[1], v[2], v[3]}};
 }
 
+/* Whether a deferred edit will rotate the body, so that it cannot get an AABB or a line. */
 bool td_deferred_turns(const thud_world *w, td_body_index index) {
-    bool turns = false, kinematic = td_body_at(w, index)->kind == THUD_KINEMATIC;
+    bool rotates = false, kinematic = td_body_at(w, index)->kind == THUD_KINEMATIC;
     for (int i = 0; i < w->deferred.count; i++) {
         const td_deferred_edit *edit = TD_AT(td_deferred_edit, &w->deferred, i);
-        turns |= td_same_body(edit->body, index) && edit->value[2] != 0.0 &&
-                 (edit->what == TD_PUT_TRANSFORM || (edit->what == TD_PUT_VELOCITY && kinematic));
+        rotates |= td_same_body(edit->body, index) && edit->value[2] != 0.0 &&
+                   (edit->what == TD_PUT_TRANSFORM || (edit->what == TD_PUT_VELOCITY && kinematic));
     }
-    return turns;
+    return rotates;
 }
 
-static thud_result edit(thud_world *w, td_body_index index, td_deferred_kind what,
-                        const double v[4]) {
+/* Applies an edit, or defers it inside a callback. */
+static thud_result apply_or_defer(thud_world *w, td_body_index index, td_deferred_kind what,
+                                  const double v[4]) {
     if (!w->locked) {
-        act(w, index, what, v);
+        apply_edit(w, index, what, v);
         return THUD_OK;
     }
     if (!td_deferred_reserve(w, 1)) {
@@ -133,6 +144,7 @@ static thud_result edit(thud_world *w, td_body_index index, td_deferred_kind wha
     return THUD_OK;
 }
 
+/* Refuses a body that is not dynamic. */
 static thud_result check_dynamic(const thud_world *w, td_body_index index, const char *message) {
     return td_body_at(w, index)->kind == THUD_DYNAMIC ? THUD_OK
                                                       : td_refuse(w, THUD_ERROR_INVALID, message);
@@ -162,7 +174,8 @@ thud_result thud_body_set_transform(thud_world *w, thud_body_id id, thud_pos pos
         return td_refuse(w, THUD_ERROR_INVALID,
                          "set transform: a body with an AABB or terrain keeps angle 0");
     }
-    return edit(w, index, TD_PUT_TRANSFORM, (double[4]){position.x, position.y, angle, 0.0});
+    return apply_or_defer(w, index, TD_PUT_TRANSFORM,
+                          (double[4]){position.x, position.y, angle, 0.0});
 }
 
 thud_result thud_body_set_velocity(thud_world *w, thud_body_id id, thud_vec2 velocity,
@@ -185,8 +198,9 @@ thud_result thud_body_set_velocity(thud_world *w, thud_body_id id, thud_vec2 vel
     if (body->kind == THUD_KINEMATIC && body->aabbs && angular_velocity != 0.0f) {
         return td_refuse(w, THUD_ERROR_INVALID, "set velocity: a body with an AABB cannot turn");
     }
-    return edit(w, index, TD_PUT_VELOCITY,
-                (double[4]){(double)velocity.x, (double)velocity.y, (double)angular_velocity, 0.0});
+    return apply_or_defer(w, index, TD_PUT_VELOCITY,
+                          (double[4]){(double)velocity.x, (double)velocity.y,
+                                      (double)angular_velocity, 0.0});
 }
 
 thud_result thud_body_apply_impulse(thud_world *w, thud_body_id id, thud_vec2 value,
@@ -206,8 +220,8 @@ thud_result thud_body_apply_impulse(thud_world *w, thud_body_id id, thud_vec2 va
     }
     return result != THUD_OK
                ? result
-               : edit(w, index, TD_PUT_IMPULSE,
-                      (double[4]){(double)value.x, (double)value.y, point.x, point.y});
+               : apply_or_defer(w, index, TD_PUT_IMPULSE,
+                                (double[4]){(double)value.x, (double)value.y, point.x, point.y});
 }
 
 thud_result thud_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 value, float torque) {
@@ -223,8 +237,8 @@ thud_result thud_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 valu
     }
     return result != THUD_OK
                ? result
-               : edit(w, index, TD_PUT_FORCE,
-                      (double[4]){(double)value.x, (double)value.y, (double)torque, 0.0});
+               : apply_or_defer(w, index, TD_PUT_FORCE,
+                                (double[4]){(double)value.x, (double)value.y, (double)torque, 0.0});
 }
 
 thud_result thud_body_set_awake(thud_world *w, thud_body_id id, bool awake) {
@@ -234,13 +248,15 @@ thud_result thud_body_set_awake(thud_world *w, thud_body_id id, bool awake) {
         return result;
     }
     result = check_dynamic(w, index, "set awake: the body is not dynamic");
-    return result != THUD_OK ? result
-                             : edit(w, index, TD_PUT_AWAKE, (double[4]){awake ? 1.0 : 0.0});
+    return result != THUD_OK
+               ? result
+               : apply_or_defer(w, index, TD_PUT_AWAKE, (double[4]){awake ? 1.0 : 0.0});
 }
 
 thud_result thud_body_set_enabled(thud_world *w, thud_body_id id, bool enabled) {
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
-    return result != THUD_OK ? result
-                             : edit(w, index, TD_PUT_ENABLED, (double[4]){enabled ? 1.0 : 0.0});
+    return result != THUD_OK
+               ? result
+               : apply_or_defer(w, index, TD_PUT_ENABLED, (double[4]){enabled ? 1.0 : 0.0});
 }

@@ -1,5 +1,7 @@
-/* changes.c: the first stage. Bodies on the change list enter, leave, wake, and get their shapes
- * placed; whatever rested on them wakes. One body is done whole or not at all. */
+/* changes.c: the first stage of a step: applies the change list. For each body on it, according to
+ * td_body.changes: wakes the bodies that touch it, gives or takes its awake slot, adds and frees
+ * shapes, and places shapes anew. All changes of one body are applied, or, when memory is short,
+ * none: the body and those after it then stay on the list for the step that is tried again. */
 #include "state/awake.h"
 #include "state/body.h"
 #include "constraint/joint_hooks.h"
@@ -12,8 +14,8 @@
 
 #include <string.h>
 
-/* Wakes every sleeping body that touches this one or is otherwise tied to it; what is in a sensor
- * sleeps on, and is looked at again. */
+/* Wakes every sleeping body that has an open contact or a joint with this one. Bodies in a sensor
+ * sleep on; their resting sensor contacts wait to be tested again. False when memory is short. */
 static bool wake_touching(thud_world *w, td_body_index body) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, e / 2);
@@ -29,7 +31,7 @@ static bool wake_touching(thud_world *w, td_body_index body) {
     return true;
 }
 
-/* Room for the end events of all its contacts, beyond what there is for a step that ends few. */
+/* Makes room for the end events of all contacts of the body. False when memory is short. */
 static bool reserve_ends(thud_world *w, td_body_index body) {
     int count = 0;
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
@@ -38,7 +40,8 @@ static bool reserve_ends(thud_world *w, td_body_index body) {
     return count == 0 || td_contact_end_reserve(w, count);
 }
 
-/* All contacts of the body, or of one of its shapes; `joints` too: and all else that ties it. */
+/* Destroys the contacts of the body, or only those of one of its shapes (`shape` not TD_NONE); with
+ * `joints` also the constraints of its joints. */
 static void destroy_contacts(thud_world *w, td_body_index body, int shape, bool joints) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE;) {
         int next = td_next_edge(w, e);
@@ -51,6 +54,7 @@ static void destroy_contacts(thud_world *w, td_body_index body, int shape, bool 
     }
 }
 
+/* Frees a shape's slot, its line of terrain, and what the world counts of it. */
 static void free_shape(thud_world *w, int index) {
     td_shape *shape = td_shape_at(w, index);
     if (shape->terrain != TD_NONE) {
@@ -69,7 +73,8 @@ static void free_shape(thud_world *w, int index) {
     td_slots_give(&w->shapes, index);
 }
 
-static void leave(thud_world *w, td_body_index index) {
+/* Frees a destroyed body with its constraints and shapes. */
+static void remove_body(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     destroy_contacts(w, index, TD_NONE, true);
     if (body->awake.at > 0) {
@@ -86,7 +91,8 @@ static void leave(thud_world *w, td_body_index index) {
     td_slots_give(&w->bodies, index.at);
 }
 
-/* Destroyed shapes go, new ones get their place. */
+/* Frees the destroyed shapes of a body, recomputes its mass, settles its shapes, and has its lanes
+ * work out their manifolds anew. */
 static void update_shapes(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     for (int *link = &body->first_shape; *link != TD_NONE;) {
@@ -115,8 +121,9 @@ static void update_shapes(thud_world *w, td_body_index index) {
     }
 }
 
-/* A line that moved or changed has no pair in common with what it was. */
-static void renew_terrain(thud_world *w, td_body_index index) {
+/* Destroys the contacts of a body's terrain lines, and marks the lines as new, so that all their
+ * pairs are searched again. */
+static void restart_terrain_pairs(thud_world *w, td_body_index index) {
     for (int i = td_body_at(w, index)->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         if (td_kind_is_line(td_shape_at(w, i)->kind)) {
             destroy_contacts(w, index, i, false);
@@ -125,9 +132,10 @@ static void renew_terrain(thud_world *w, td_body_index index) {
     }
 }
 
-/* Its shapes stay where the broadphase has them: nothing may pair with those of a disabled body,
- * and all pairs of an enabled one are new. */
-static void change_enabled(thud_world *w, td_body_index index) {
+/* After a body was enabled or disabled: its contacts and forces end, and its awake slot follows.
+ * Its shapes stay in the broadphase: td_pair_allowed rules out those of a disabled body, and the
+ * mark TD_MARK_FRESH makes all pairs of an enabled one new. */
+static void apply_enabled(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     bool enabled = !(body->flags & TD_BODY_DISABLED);
     destroy_contacts(w, index, TD_NONE, false);
@@ -147,8 +155,8 @@ static void change_enabled(thud_world *w, td_body_index index) {
     td_proxy_set_forget(&w->rest_shapes);
 }
 
-/* Contacts with segments that an edit of a line took away. */
-static void destroy_gone(thud_world *w, td_body_index index) {
+/* Destroys the body's contacts with terrain segments that an edit has removed (child TD_NONE). */
+static void destroy_contacts_of_removed_segments(thud_world *w, td_body_index index) {
     for (int e = td_body_at(w, index)->first_constraint; e != TD_NONE;) {
         int next = td_next_edge(w, e);
         if (td_constraint_at(w, e / 2)->child == TD_NONE) {
@@ -158,8 +166,9 @@ static void destroy_gone(thud_world *w, td_body_index index) {
     }
 }
 
-/* What moves on from collision to collision is looked for as far as it goes in this step. */
-static void expect(thud_world *w, td_body_index index) {
+/* For a body whose detection follows it from collision to collision: extends the fat bounds of its
+ * shapes over its expected motion in this step. */
+static void extend_bounds(thud_world *w, td_body_index index) {
     const td_body *body = td_body_at(w, index);
     if (body->awake.at < 0 || !body->detection->meet) {
         return;
@@ -171,12 +180,13 @@ static void expect(thud_world *w, td_body_index index) {
     }
 }
 
-static bool apply(thud_world *w, td_body_index index) {
+/* Applies all changes of a body. False when memory is short: then all of them are still pending. */
+static bool apply_changes(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     int changes = body->changes;
     int edits = TD_CHANGE_LEAVE | TD_CHANGE_SHAPES | TD_CHANGE_PLACE | TD_CHANGE_ENABLE;
     if (!reserve_ends(w, index) ||
-        /* What enters has no neighbours yet. */
+        /* A body that has just been created has no neighbours to tell. */
         ((changes & edits) && !(changes & TD_CHANGE_ENTER) && w->internal_edges &&
          !w->internal_edges->lose(w, index)) ||
         ((changes & edits || body->kind == THUD_KINEMATIC) && !wake_touching(w, index)) ||
@@ -195,32 +205,32 @@ static bool apply(thud_world *w, td_body_index index) {
         w->rest_epoch += rests;
     }
     if (changes & TD_CHANGE_LEAVE) {
-        leave(w, index);
+        remove_body(w, index);
         return true;
     }
     if (changes & TD_CHANGE_ENTER) {
-        /* Not before: a step that a callback interrupts has no room for another kind of detection.
-         */
+        /* Not when it is created: that may be in a callback, in a step that has reserved memory for
+         * other detections only. */
         w->detections[body->detection->rank] = body->detection;
     }
     if (changes & TD_CHANGE_WAKE) {
-        destroy_gone(w, index);
+        destroy_contacts_of_removed_segments(w, index);
     }
     if (changes & TD_CHANGE_SHAPES) {
         update_shapes(w, index);
     }
     if (changes & TD_CHANGE_PLACE) {
-        renew_terrain(w, index);
+        restart_terrain_pairs(w, index);
     }
     if (changes & (TD_CHANGE_SHAPES | TD_CHANGE_PLACE) && w->joint_hooks) {
         w->joint_hooks->follow(w, index);
     }
     if (changes & TD_CHANGE_ENABLE) {
-        change_enabled(w, index);
+        apply_enabled(w, index);
     }
     if (changes & (edits | TD_CHANGE_ENTER)) {
         td_body_place_shapes(w, index);
-        expect(w, index);
+        extend_bounds(w, index);
     }
     if (body->awake.at > 0) {
         *td_row(&w->idle, body->awake) = changes == TD_CHANGE_SLEEP ? TD_SLEEP_TIME : 0.0f;
@@ -229,8 +239,8 @@ static bool apply(thud_world *w, td_body_index index) {
     return true;
 }
 
-/* Shapes that left take their place on the moved list with them. */
-static void clean_moved(thud_world *w) {
+/* Drops freed shapes, whose marks are cleared, from the moved list. */
+static void drop_freed_from_moved(thud_world *w) {
     int *moved = w->moved.data, count = 0;
     for (int i = 0; i < w->moved.count; i++) {
         if (*td_marks_at(w, moved[i]) & TD_MARK_MOVED) {
@@ -240,17 +250,19 @@ static void clean_moved(thud_world *w) {
     w->moved.count = count;
 }
 
-/* Joints take effect once their bodies are there. */
-static bool engage(thud_world *w) {
+/* Gives lanes to joints whose bodies have entered the world. False when memory is short. */
+static bool engage_joints(thud_world *w) {
     return !w->joint_hooks || w->joint_hooks->engage(w);
 }
 
+/* The stage: applies deferred edits, then the change list body by body. False when memory is short:
+ * the rest of the list stays for the step that is tried again. */
 bool td_changes_apply(thud_world *w) {
     td_deferred_apply(w);
     w->preview.shape.count = 0;
     w->preview.stale = true;
     if (w->changed.count == 0) {
-        return engage(w);
+        return engage_joints(w);
     }
     w->paired = false;
     w->narrowed = 0;
@@ -259,7 +271,7 @@ bool td_changes_apply(thud_world *w) {
     }
     int done = 0;
     td_body_index *changed = w->changed.data;
-    while (done < w->changed.count && apply(w, changed[done])) {
+    while (done < w->changed.count && apply_changes(w, changed[done])) {
         done++;
     }
     bool whole = done == w->changed.count;
@@ -267,6 +279,6 @@ bool td_changes_apply(thud_world *w) {
         changed[i - done] = changed[i];
     }
     w->changed.count -= done;
-    clean_moved(w);
-    return whole && engage(w);
+    drop_freed_from_moved(w);
+    return whole && engage_joints(w);
 }

@@ -1,4 +1,5 @@
-/* handles.c: see handles.h. */
+/* handles.c: texts of results, refusals with a reason for the log, and lookup of handles; see
+ * handles.h. */
 #include "state/handles.h"
 
 const char *thud_result_text(thud_result result) {

@@ -1,25 +1,32 @@
-/* handles.h: from handles to slots and back, and the one way to refuse a call. */
+/* handles.h: converts handles to indices of slots and back, and refuses calls: every refusal goes
+ * through td_refuse, so that the world's log gets its reason.
+ *
+ * A handle is an index plus 1, so that zero is none, and the slot's generation plus a tag of the
+ * world. The generation rises when the slot is freed, so that stale handles are recognised. */
 #ifndef TD_HANDLES_H
 #define TD_HANDLES_H
 
 #include "base/reason.h"
 #include "state/world.h"
 
-/* Tells the log hook, and returns `result`. The world may be null. */
+/* Passes result and message to the world's log hook, and returns the result. The world may be null,
+ * which has no log. */
 thud_result td_refuse(const thud_world *w, thud_result result, const char *message);
-/* THUD_OK where low <= x <= high, otherwise THUD_ERROR_INVALID, of which the log hears name, number
- * and range. Likewise where 0 < x <= high, and where three numbers are finite. */
+/* THUD_OK where low <= x <= high; otherwise THUD_ERROR_INVALID, after the log has got name, number
+ * and range. Likewise for 0 < x <= high, and for three numbers that must be finite. */
 thud_result td_check(const thud_world *w, const char *name, double x, double low, double high);
 thud_result td_check_above_0(const thud_world *w, const char *name, double x, double high);
 thud_result td_check_finite(const thud_world *w, const char *name, float x, float y, float z);
 
-/* THUD_ERROR_NULL or THUD_ERROR_STALE through td_refuse; *index is the slot. */
+/* Sets *index to the slot of a live body or shape. THUD_ERROR_NULL for a null world;
+ * THUD_ERROR_STALE, refused, for a handle that names nothing. */
 thud_result td_find_body(const thud_world *w, thud_body_id id, td_body_index *index);
 thud_result td_find_shape(const thud_world *w, thud_shape_id id, int *index);
 
-/* The world's number in the generation keeps another world's handles out. Multiples of 2^32 over
- * the golden ratio stay as far from each other as so many can: of n worlds none is nearer than 2^32
- * / 2.24 n generations to another. */
+/* The generation in handles: the slot's, plus the world's number times 2^32 over the golden ratio,
+ * modulo 2^32, so that handles of another world are stale here. Such multiples spread evenly
+ * (Fibonacci hashing; D. Knuth, "The Art of Computer Programming", vol. 3, 6.4): any two of n
+ * worlds are at least 2^32 / (2.24 n) generations apart (2.24: about the square root of 5). */
 static inline uint32_t td_tag(const thud_world *w, uint32_t generation) {
     return generation + w->number * 0x9e3779b9u;
 }

@@ -1,4 +1,5 @@
-/* kind_aabb.c: what a world needs once it has axis-aligned boxes. */
+/* kind_aabb.c: plugs into a world the pair kinds and hooks that axis-aligned boxes need; called
+ * when the first is made. See kinds.h. */
 #include "state/kinds.h"
 #include "contact/internal_edges.h"
 

@@ -1,4 +1,5 @@
-/* kind_circle.c: what a world needs once it has circles. */
+/* kind_circle.c: plugs into a world the pair kinds and hooks that circles need; called when the
+ * first is made. See kinds.h. */
 #include "state/kinds.h"
 
 void td_kind_circle(thud_world *w) {

@@ -1,4 +1,5 @@
-/* kind_obb.c: what a world needs once it has oriented boxes. */
+/* kind_obb.c: plugs into a world the pair kinds and hooks that oriented boxes need; called when the
+ * first is made. See kinds.h. */
 #include "state/kinds.h"
 #include "contact/internal_edges.h"
 

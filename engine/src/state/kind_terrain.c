@@ -1,4 +1,5 @@
-/* kind_terrain.c: what a world needs once it has terrain. */
+/* kind_terrain.c: plugs into a world the pair kinds and hooks that terrain need; called when the
+ * first is made. See kinds.h. */
 #include "state/kinds.h"
 #include "contact/internal_edges.h"
 #include "state/shape.h"

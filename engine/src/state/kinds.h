@@ -1,14 +1,15 @@
-/* kinds.h: the wide functions of a world; and shape kinds, which plug their pair functions into a
- * world when they are first used, so that a program that never makes a kind does not link its code.
- * A new kind begins in thud_shapes.h; docs/architecture.md has all that follows. */
+/* kinds.h: declares the functions that are compiled once for each instruction set (wide_*.c), and
+ * the kinds of shapes. A kind plugs its pair functions into a world when the world gets its first
+ * shape of the kind, so that a program that never makes one does not link its code. A new kind
+ * begins in thud_shapes.h; docs/architecture.md lists the files that follow. */
 #ifndef TD_KINDS_H
 #define TD_KINDS_H
 
 #include "solver/motion.h"
 #include "state/world.h"
 
-/* ROW(kind of shape, what plugs it in, a pair kind that a world only has with it, by which
- * snapshots see that it is plugged in) */
+/* ROW(shape kind, function that plugs it in, pair kind). Snapshots recognise by the pair kind,
+ * which a world only has with that shape kind, that the kind is plugged in. */
 #define TD_ALL_KINDS(ROW)                                   \
     ROW(THUD_CIRCLE, td_kind_circle, TD_PAIR_CIRCLE_CIRCLE) \
     ROW(THUD_AABB, td_kind_aabb, TD_PAIR_AABB_AABB)         \
@@ -34,7 +35,7 @@ TD_DECLARE_WIDE(td_finalize_bodies_fn, td_finalize_bodies);
 #define TD_DECLARE_PAIR(kind, ops, ...) TD_DECLARE_WIDE(const td_constraint_ops, ops);
 TD_ALL_PAIRS(TD_DECLARE_PAIR)
 
-/* Where there is a world `w`: gives it the operations of a row of pair_kinds.h. */
+/* Sets the operations of one pair kind, a row of pair_kinds.h, in the world `w` of the scope. */
 #define TD_PLUG_PAIR(kind, ops, ...) w->kinds[kind] = &TD_PICK_WIDE(w, ops);
 
 #endif

@@ -1,31 +1,36 @@
-/* preview.c: see preview.h. */
+/* preview.c: copies the proxies that pending edits will give to shapes, and finds shapes by them;
+ * see preview.h. */
 #include "state/preview.h"
 
 #include "state/body.h"
 
-/* Whether edits of the body place its shapes. */
-static bool places(const td_body *body) {
+/* Whether pending changes of the body will place its shapes anew. */
+static bool is_placed_by_edits(const td_body *body) {
     return body->changes & (TD_CHANGE_ENTER | TD_CHANGE_SHAPES | TD_CHANGE_PLACE) &&
            !(body->changes & TD_CHANGE_LEAVE);
 }
 
-static bool is_there(const td_shape *shape) {
+/* Whether the shape is in the world once edits have taken effect: it lives, and was not made inside
+ * a callback. */
+static bool counts(const td_shape *shape) {
     return (shape->flags & (TD_SHAPE_LIVE | TD_SHAPE_WAITS)) == TD_SHAPE_LIVE;
 }
 
-static int count_placed(const thud_world *w) {
+/* The number of shapes that copy_shapes may add in all. */
+static int count_previewed(const thud_world *w) {
     int count = 0;
     for (int i = 0; i < w->changed.count; i++) {
         const td_body *body = td_body_at(w, td_body_in(&w->changed, i));
-        count += places(body) ? body->shape_count : 0;
+        count += is_placed_by_edits(body) ? body->shape_count : 0;
     }
     return count;
 }
 
+/* Adds the proxies of a body's shapes as they will be placed. */
 static void copy_shapes(thud_world *w, const td_body *body) {
     td_preview *p = &w->preview;
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
-        if (is_there(td_shape_at(w, i))) {
+        if (counts(td_shape_at(w, i))) {
             td_int_set(&p->number, i, p->shape.count);
             td_push_int(&p->shape, i);
             TD_PUSH(td_shape_proxy, &p->proxy) = td_shape_placed(w, i);
@@ -38,7 +43,7 @@ bool td_preview_make(thud_world *w) {
     if (!p->stale) {
         return true;
     }
-    int count = count_placed(w);
+    int count = count_previewed(w);
     p->shape.count = p->proxy.count = 0;
     if (count > 0 && (!td_array_reserve(&w->memory, &p->shape, count) ||
                       !td_array_reserve(&w->memory, &p->proxy, count) ||
@@ -47,7 +52,7 @@ bool td_preview_make(thud_world *w) {
     }
     for (int i = 0; i < w->changed.count; i++) {
         const td_body *body = td_body_at(w, td_body_in(&w->changed, i));
-        if (places(body)) {
+        if (is_placed_by_edits(body)) {
             copy_shapes(w, body);
         }
     }
@@ -55,8 +60,8 @@ bool td_preview_make(thud_world *w) {
     return true;
 }
 
-/* Drops the shapes of which there are copies. */
-static void drop_copied(const thud_world *w, td_array *hits) {
+/* Drops from the hits the shapes that have a copy, which is found by its own bounds. */
+static void drop_previewed(const thud_world *w, td_array *hits) {
     int kept = 0, number;
     for (int i = 0; i < hits->count && w->preview.shape.count > 0; i++) {
         int shape = td_int_at(hits, i);
@@ -74,7 +79,7 @@ bool td_preview_find(const thud_world *w, td_memory *memory, const td_bounds *bo
         !find(&w->rest_shapes, memory, bounds, near_place, hits)) {
         return false;
     }
-    drop_copied(w, hits);
+    drop_previewed(w, hits);
     if (!td_array_reserve(memory, hits, hits->count + p->shape.count)) {
         return false;
     }

@@ -1,4 +1,6 @@
-/* shape.c: making, destroying, reading and placing shapes. */
+/* shape.c: creates, destroys and reads shapes, and checks their defs. A new shape is linked into
+ * its body's list at once; its place, bounds and contacts follow in the next step, by the change
+ * TD_CHANGE_SHAPES. */
 #include "state/shape.h"
 
 #include "state/body.h"
@@ -23,26 +25,27 @@ const char *td_shape_def_error(const thud_world *w, const thud_shape_def *def, t
     if (def->cookie != TD_COOKIE) {
         return "shape_create: the def does not start from thud_default_shape_def()";
     }
-    float fastest = THUD_SURFACE_SPEED_MAX * w->unit;
+    float max_speed = THUD_SURFACE_SPEED_MAX * w->unit;
     bool in =
         td_float_in(why, "shape def: density", def->density, 0.0f, THUD_DENSITY_MAX) &&
         td_float_in(why, "shape def: friction", def->friction, 0.0f, THUD_FRICTION_MAX) &&
         td_float_in(why, "shape def: restitution", def->restitution, 0.0f, THUD_RESTITUTION_MAX) &&
-        td_float_in(why, "shape def: surface_speed", def->surface_speed, -fastest, fastest);
+        td_float_in(why, "shape def: surface_speed", def->surface_speed, -max_speed, max_speed);
     return in ? NULL : why->text;
 }
 
 bool td_size_in(const thud_world *w, td_reason *why, const char *name, int body_kind, float size) {
-    float most = body_kind == THUD_STATIC ? THUD_STATIC_SIZE_MAX : THUD_SIZE_MAX;
-    return td_float_in(why, name, size, THUD_SIZE_MIN * w->unit, most * w->unit);
+    float max = body_kind == THUD_STATIC ? THUD_STATIC_SIZE_MAX : THUD_SIZE_MAX;
+    return td_float_in(why, name, size, THUD_SIZE_MIN * w->unit, max * w->unit);
 }
 
 bool td_offset_in(const thud_world *w, td_reason *why, const char *name, thud_vec2 offset) {
-    float most = THUD_SIZE_MAX * w->unit;
-    return td_float_in(why, name, offset.x, -most, most) &&
-           td_float_in(why, name, offset.y, -most, most);
+    float max = THUD_SIZE_MAX * w->unit;
+    return td_float_in(why, name, offset.x, -max, max) &&
+           td_float_in(why, name, offset.y, -max, max);
 }
 
+/* Refuses an offset or half extents out of range for the body. */
 static thud_result check_half(const thud_world *w, td_body_index body, thud_vec2 offset,
                               const char *offset_name, thud_vec2 half, const char *half_name) {
     td_reason why;
@@ -55,6 +58,7 @@ static thud_result check_half(const thud_world *w, td_body_index body, thud_vec2
 
 #define ARRAY(name, element) TD_ARRAY_PLACE(thud_world, name, element)
 
+/* The arrays of the world that have an element for each shape, or room for all. */
 static const td_array_place BY_SHAPE[] = {ARRAY(proxy, td_shape_proxy), ARRAY(was, td_bounds),
                                           ARRAY(marks, uint8_t), ARRAY(moved, int)};
 
@@ -64,9 +68,9 @@ bool td_shape_reserve(thud_world *w, int count) {
                              td_slots_capacity(&w->shapes));
 }
 
-/* The checks that all kinds share. On success *body is the slot, and memory is there. */
-static thud_result begin(thud_world *w, thud_body_id id, const thud_shape_def *def,
-                         td_body_index *body) {
+/* The checks that all kinds share. On success *body is the body's slot, and memory is reserved. */
+static thud_result begin_create(thud_world *w, thud_body_id id, const thud_shape_def *def,
+                                td_body_index *body) {
     thud_result result = td_find_body(w, id, body);
     if (result != THUD_OK) {
         return result;
@@ -83,8 +87,10 @@ static thud_result begin(thud_world *w, thud_body_id id, const thud_shape_def *d
                                   : td_refuse(w, THUD_ERROR_MEMORY, "shape create: out of memory");
 }
 
-static thud_result finish(thud_world *w, td_body_index body_index, const thud_shape_def *def,
-                          td_shape made, thud_shape_id *out) {
+/* Takes a slot for the shape `made`, fills in what follows from the def, and marks the body. Inside
+ * a callback the shape gets TD_SHAPE_WAITS and a deferred edit. Cannot fail. */
+static thud_result finish_create(thud_world *w, td_body_index body_index, const thud_shape_def *def,
+                                 td_shape made, thud_shape_id *out) {
     int index = td_slots_take(&w->shapes);
     td_shape *shape = td_shape_at(w, index);
     td_body *body = td_body_at(w, body_index);
@@ -92,7 +98,7 @@ static thud_result finish(thud_world *w, td_body_index body_index, const thud_sh
     made.flags = (uint8_t)(TD_SHAPE_LIVE | (def->sensor ? TD_SHAPE_SENSOR : 0) |
                            (def->events ? 0 : TD_SHAPE_SILENT) | (w->locked ? TD_SHAPE_WAITS : 0));
     *td_marks_at(w, index) = TD_MARK_FRESH;
-    *td_shape_proxy_at(w, index) = (td_shape_proxy){.margin = 0}; /* it has no place yet */
+    *td_shape_proxy_at(w, index) = (td_shape_proxy){.margin = 0}; /* not placed yet */
     made.body = body_index;
     made.next = body->first_shape;
     made.density = def->density;
@@ -132,7 +138,7 @@ thud_result thud_shape_create_circle(thud_world *w, thud_body_id id, const thud_
                                      thud_vec2 offset, float radius, thud_shape_id *out) {
     TD_IN_OWN_MODE;
     td_body_index body;
-    thud_result result = begin(w, id, def, &body);
+    thud_result result = begin_create(w, id, def, &body);
     if (result != THUD_OK) {
         return result;
     }
@@ -142,21 +148,21 @@ thud_result thud_shape_create_circle(thud_world *w, thud_body_id id, const thud_
         return result;
     }
     td_kind_circle(w);
-    return finish(w, body, def,
-                  (td_shape){.kind = THUD_CIRCLE,
-                             .x = offset.x,
-                             .y = offset.y,
-                             .angle_c = 1.0f,
-                             .half_x = radius,
-                             .half_y = 0.0f},
-                  out);
+    return finish_create(w, body, def,
+                         (td_shape){.kind = THUD_CIRCLE,
+                                    .x = offset.x,
+                                    .y = offset.y,
+                                    .angle_c = 1.0f,
+                                    .half_x = radius,
+                                    .half_y = 0.0f},
+                         out);
 }
 
 thud_result thud_shape_create_aabb(thud_world *w, thud_body_id id, const thud_shape_def *def,
                                    thud_vec2 offset, thud_vec2 half, thud_shape_id *out) {
     TD_IN_OWN_MODE;
     td_body_index body;
-    thud_result result = begin(w, id, def, &body);
+    thud_result result = begin_create(w, id, def, &body);
     if (result != THUD_OK) {
         return result;
     }
@@ -172,14 +178,14 @@ thud_result thud_shape_create_aabb(thud_world *w, thud_body_id id, const thud_sh
         return td_refuse(w, THUD_ERROR_INVALID, "AABB: its body must not turn");
     }
     td_kind_aabb(w);
-    return finish(w, body, def,
-                  (td_shape){.kind = THUD_AABB,
-                             .x = offset.x,
-                             .y = offset.y,
-                             .angle_c = 1.0f,
-                             .half_x = half.x,
-                             .half_y = half.y},
-                  out);
+    return finish_create(w, body, def,
+                         (td_shape){.kind = THUD_AABB,
+                                    .x = offset.x,
+                                    .y = offset.y,
+                                    .angle_c = 1.0f,
+                                    .half_x = half.x,
+                                    .half_y = half.y},
+                         out);
 }
 
 thud_result thud_shape_create_obb(thud_world *w, thud_body_id id, const thud_shape_def *def,
@@ -187,7 +193,7 @@ thud_result thud_shape_create_obb(thud_world *w, thud_body_id id, const thud_sha
                                   thud_shape_id *out) {
     TD_IN_OWN_MODE;
     td_body_index body;
-    thud_result result = begin(w, id, def, &body);
+    thud_result result = begin_create(w, id, def, &body);
     if (result != THUD_OK) {
         return result;
     }
@@ -206,11 +212,13 @@ thud_result thud_shape_create_obb(thud_world *w, thud_body_id id, const thud_sha
                      .half_x = half.x,
                      .half_y = half.y};
     td_angle_turn(made.angle, &made.angle_c, &made.angle_s);
-    return finish(w, body, def, made, out);
+    return finish_create(w, body, def, made, out);
 }
 
 /* ---- terrain ---- */
 
+/* Copies the vertices of a line, those of a uniform one with their x, and finds the highest. A flat
+ * line has none. False when memory is short. */
 static bool copy_points(thud_world *w, td_terrain_record *record, const thud_terrain *terrain) {
     record->highest = -INFINITY;
     if (terrain->kind == THUD_TERRAIN_FLAT) {
@@ -231,7 +239,7 @@ static bool copy_points(thud_world *w, td_terrain_record *record, const thud_ter
     return true;
 }
 
-/* What thud_terrain_check refused. */
+/* The reason why thud_terrain_check has refused the line. */
 static const char *terrain_error(const thud_terrain *t) {
     bool uniform = t->kind == THUD_TERRAIN_UNIFORM;
     if (t->kind == THUD_TERRAIN_FLAT) {
@@ -259,7 +267,7 @@ thud_result thud_shape_create_terrain(thud_world *w, thud_body_id id, const thud
                                       const thud_terrain *terrain, thud_shape_id *out) {
     TD_IN_OWN_MODE;
     td_body_index body;
-    thud_result result = begin(w, id, def, &body);
+    thud_result result = begin_create(w, id, def, &body);
     if (result != THUD_OK) {
         return result;
     }
@@ -289,8 +297,8 @@ thud_result thud_shape_create_terrain(thud_world *w, thud_body_id id, const thud
     int index = td_slots_take(&w->terrains);
     td_terrain_record *record = td_terrain_record_at(w, index);
     *record = made;
-    return finish(w, body, def, (td_shape){.kind = THUD_TERRAIN, .terrain = index, .angle_c = 1.0f},
-                  out);
+    return finish_create(w, body, def,
+                         (td_shape){.kind = THUD_TERRAIN, .terrain = index, .angle_c = 1.0f}, out);
 }
 
 thud_result thud_shape_terrain(const thud_world *w, thud_shape_id id, thud_terrain *out) {

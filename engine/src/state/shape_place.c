@@ -1,17 +1,20 @@
-/* shape_place.c: where shapes and terrain stand, from their body's pose, and the bounds that
- * follow. */
+/* shape_place.c: computes the places of shapes from their bodies' poses, their tight and fat
+ * bounds, and which terrain segments bounds reach. wide_finalize.c does the
+ * same for the awake bodies of a step, eight at a time and with the same rounding. */
 #include "state/body.h"
 #include "state/shape.h"
 
 #include "geometry/shape_instance.h"
 
+/* The distance between tight and fat bounds, TD_MARGIN + min(TD_MARGIN_MORE, extent / 8), in bounds
+ * quanta, rounded up. */
 static int32_t margin_of(const thud_world *w, float half_x, float half_y) {
     float extent = td_max_float(half_x, half_y);
     float more = td_min_float(TD_MARGIN_MORE * w->unit, extent * 0.125f);
     return (int32_t)((double)(TD_MARGIN * w->unit + more) * w->to_coarse) + 1;
 }
 
-/* What of a shape and its proxy follows from the body's centre of mass and the shape's size. */
+/* Sets what follows from the body's centre of mass and the shape's size: see td_shape_settle. */
 static void settle(const thud_world *w, td_shape *shape, td_shape_proxy *proxy) {
     const td_body *body = td_body_at(w, shape->body);
     shape->arm_x = shape->x - body->center_x;
@@ -29,6 +32,7 @@ void td_shape_settle(thud_world *w, int index) {
     settle(w, td_shape_at(w, index), td_shape_proxy_at(w, index));
 }
 
+/* The least thickness of all shapes but lines, cached until shapes change. */
 float td_thinnest(thud_world *w) {
     if (w->thinnest_stale) {
         w->thinnest_stale = false;
@@ -43,6 +47,8 @@ float td_thinnest(thud_world *w) {
     return w->thinnest;
 }
 
+/* Puts a shape onto the moved list, and makes the awake proxy set out of date. (Edits invalidate
+ * the resting one: changes.c.) */
 void td_shape_mark_moved(thud_world *w, int index) {
     uint8_t *marks = td_marks_at(w, index);
     if (!(*marks & TD_MARK_MOVED)) {
@@ -53,12 +59,14 @@ void td_shape_mark_moved(thud_world *w, int index) {
     w->awake_shapes.valid = false;
 }
 
-/* A half extent along an axis in bounds quanta, never too small: single precision may be off by
- * half a quantum, and beyond 512 L by less than the margin. wide_finalize.c has the same. */
+/* A half extent along an axis, in bounds quanta, never less than the exact one. Single precision is
+ * off by at most half a quantum up to 512 length scales (2^23 quanta), and beyond by less than the
+ * margin; hence the 2. wide_finalize.c has the same. */
 static int32_t coarse_extent(const thud_world *w, float length) {
     return (int32_t)(length * (float)w->to_coarse) + 2;
 }
 
+/* The bounds of the shape itself; of a box that turns, those of its rotated corners. */
 static td_bounds tight_bounds(const thud_world *w, const td_shape_proxy *proxy) {
     float hx = proxy->half_x, hy = proxy->half_y;
     if (proxy->turns != 0.0f) {
@@ -71,7 +79,8 @@ static td_bounds tight_bounds(const thud_world *w, const td_shape_proxy *proxy) 
     return td_bounds_about(proxy->center, coarse_extent(w, hx), coarse_extent(w, hy));
 }
 
-static void bound(thud_world *w, int index, td_shape_proxy *proxy) {
+/* Gives the shape new fat bounds where its tight bounds have left them, and lists it as moved. */
+static void update_fat_bounds(thud_world *w, int index, td_shape_proxy *proxy) {
     td_bounds tight = tight_bounds(w, proxy);
     if ((*td_marks_at(w, index) & TD_MARK_FRESH) || !td_bounds_contain(&proxy->fat, &tight)) {
         td_shape_mark_moved(w, index);
@@ -79,7 +88,8 @@ static void bound(thud_world *w, int index, td_shape_proxy *proxy) {
     }
 }
 
-/* Of what goes so far that it may be anywhere, as bounds wrap around. */
+/* A half extent in bounds quanta, cut off at a quarter of the range after which bounds wrap around.
+ */
 static int32_t coarse_reach(const thud_world *w, double length) {
     return (int32_t)td_min_double(length * w->to_coarse, 0x1p30) + 2;
 }
@@ -92,15 +102,18 @@ td_bounds td_placed_bounds(const thud_world *w, const thud_shape_instance *p, td
     return td_bounds_about(center, coarse_reach(w, x + slack), coarse_reach(w, y + slack));
 }
 
-/* Motion beyond this is not looked for so early: bounds wrap around. */
-#define FURTHEST 16384.0f
+/* The greatest motion in a step, along an axis, over which td_shape_expect extends bounds, in
+ * length scales: 1/16 of the 2^18 after which bounds wrap around. Pairs further along the path are
+ * found by the detection itself. Chosen. */
+#define EXPECTED_MOTION_MAX 16384.0f
 
+/* Extends the fat bounds over an expected motion (dx, dy), caller's unit. */
 void td_shape_expect(thud_world *w, int index, float dx, float dy) {
     td_shape_proxy *proxy = td_shape_proxy_at(w, index);
-    float most = FURTHEST * w->unit;
+    float max = EXPECTED_MOTION_MAX * w->unit;
     thud_shape_instance now = td_shape_instance(w, index, proxy->center), then = now;
-    then.x = (double)td_max_float(-most, td_min_float(dx, most));
-    then.y = (double)td_max_float(-most, td_min_float(dy, most));
+    then.x = (double)td_max_float(-max, td_min_float(dx, max));
+    then.y = (double)td_max_float(-max, td_min_float(dy, max));
     td_bounds a = td_placed_bounds(w, &now, proxy->center, 0.0);
     td_bounds b = td_placed_bounds(w, &then, proxy->center, 0.0);
     if (!td_bounds_contain(&proxy->fat, &b)) {
@@ -109,8 +122,8 @@ void td_shape_expect(thud_world *w, int index, float dx, float dy) {
     }
 }
 
-/* Where the pose of its body puts a shape that is settled. */
-static void stand(const thud_world *w, const td_shape *shape, td_shape_proxy *proxy) {
+/* Computes the place of a shape, settled before, from its body's pose. */
+static void compute_place(const thud_world *w, const td_shape *shape, td_shape_proxy *proxy) {
     const td_pose *pose = td_pose_at(w, shape->body);
     proxy->center = pose->center;
     proxy->x = proxy->y = proxy->s = 0.0f;
@@ -127,22 +140,24 @@ static void stand(const thud_world *w, const td_shape *shape, td_shape_proxy *pr
     }
 }
 
+/* Computes the shape's place, and updates its fat bounds. */
 void td_shape_place(thud_world *w, int index) {
     const td_shape *shape = td_shape_at(w, index);
     td_shape_proxy *proxy = td_shape_proxy_at(w, index);
-    stand(w, shape, proxy);
+    compute_place(w, shape, proxy);
     if (td_kind_is_line(shape->kind)) {
         td_shape_mark_moved(w, index);
     } else {
-        bound(w, index, proxy);
+        update_fat_bounds(w, index, proxy);
     }
 }
 
+/* The proxy as it would be after td_shape_settle and td_shape_place. */
 td_shape_proxy td_shape_placed(const thud_world *w, int index) {
     td_shape shape = *td_shape_at(w, index);
     td_shape_proxy proxy = {.margin = 0};
     settle(w, &shape, &proxy);
-    stand(w, &shape, &proxy);
+    compute_place(w, &shape, &proxy);
     proxy.fat = tight_bounds(w, &proxy);
     return proxy;
 }
@@ -179,8 +194,8 @@ thud_terrain td_terrain_view(const thud_world *w, int shape) {
                           record->spacing, record->points.data, record->points.count};
 }
 
-/* Bounds relative to the terrain's origin, in the caller's unit; a quantum wider, so that rounding
- * loses nothing. */
+/* Bounds relative to the terrain's origin, in the caller's unit, one bounds quantum wider on each
+ * side against rounding. */
 static void local_bounds(const thud_world *w, int terrain_shape, td_position at, const td_bounds *b,
                          double *min_x, double *max_x, double *min_y) {
     const td_position *origin = &td_shape_proxy_at(w, terrain_shape)->center;

@@ -1,4 +1,4 @@
-/* surface.c: see surface.h. */
+/* surface.c: combines the surfaces of two shapes, and keeps the result in a lane; see surface.h. */
 #include "state/surface.h"
 
 #include "listeners/listener_hooks.h"
@@ -16,11 +16,13 @@ thud_contact_settings td_surface_of_pair(const thud_world *w, int shape_a, int s
     return s;
 }
 
+/* Whether an impact within the step is resolved, by the rules and then the prologue. */
 bool td_surface_meet(thud_world *w, const thud_contact *seen, thud_contact_settings *settings) {
     return !(w->rule_hooks && w->rule_hooks->lets_through(w, seen)) &&
            (!w->asks || w->listener_hooks->ask_one(w, seen, settings));
 }
 
+/* Stores a lane's settings, and keeps the world's counts of bouncy and driven surfaces. */
 void td_surface_set(thud_world *w, td_block *block, int points, int lane,
                     const thud_contact_settings *s) {
     td_surface *surface = td_surface_at(block, points);
@@ -31,10 +33,11 @@ void td_surface_set(thud_world *w, td_block *block, int points, int lane,
     block->bouncy |= s->restitution > 0.0f;
     surface->speed[lane] = s->surface_speed;
     if (s->friction == 0.0f) {
-        block->tangent_impulse[lane] = 0.0f; /* a block without friction would keep it */
+        block->tangent_impulse[lane] = 0.0f; /* a block without friction would keep and apply it */
     }
 }
 
+/* Removes the points of a lane for this step. */
 void td_surface_mute(td_block *block, int points, int lane) {
     for (int k = 0; k < points; k++) {
         td_point *p = &block->point[k];

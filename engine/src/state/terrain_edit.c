@@ -1,8 +1,10 @@
-/* terrain_edit.c: changing the line of a terrain shape under whatever rests on it.
+/* terrain_edit.c: edits the line of a terrain shape: sets heights, replaces a range, digs, raises.
  *
- * Every edit replaces a run of vertices by another. What it may do to bodies happens in the next
- * step, through the change list: those that touch a changed segment, or would now, wake and look
- * for their segments again. Contacts with segments that stay are told their new numbers at once. */
+ * Every edit is a splice: it replaces consecutive vertices by others. Bodies follow in the next
+ * step, through the change list: those with a contact on a changed segment, or with bounds that
+ * reach a new one, wake and search their segments again. The contacts of unchanged segments, whose
+ * indices may shift, get the new index at once. Coordinates of vertices are relative to the body's
+ * origin, in the caller's unit. */
 #include "terrain/terrain_reshape.h"
 
 #include "state/body.h"
@@ -16,17 +18,18 @@
 
 #include <string.h>
 
-/* `removed` vertices from `first` on give way to `count` others. */
+/* Replaces the `removed` vertices from index `first` on by the `count` vertices at `points`. */
 typedef struct splice {
     int first, removed, count;
     const thud_pos *points;
 } splice;
 
-/* ---- what rests on the line ---- */
+/* ---- contacts with the line ---- */
 
-/* The number of a segment after the splice, TD_NONE if it is gone. The segment up to the first
- * vertex that stays on the right goes with that vertex; one before it keeps its number as long as
- * there is such a segment. */
+/* The index of a segment after the splice; TD_NONE: it no longer exists. Segment i joins the
+ * vertices i and i + 1. The segment that ends at the first unchanged vertex on the right shifts
+ * with that vertex; a changed segment before it keeps its index if the splice makes so many
+ * segments. */
 static int renumbered(const splice *s, int segment) {
     if (segment < s->first - 1) {
         return segment;
@@ -37,47 +40,50 @@ static int renumbered(const splice *s, int segment) {
     return segment < s->first + s->count - 1 ? segment : TD_NONE;
 }
 
-static bool joins(const td_contact *contact, int shape) {
+/* Whether one side of the contact is that shape. */
+static bool has_shape(const td_contact *contact, int shape) {
     return contact->shape_a == shape || contact->shape_b == shape;
 }
 
-/* Wakes a body for its shape's sake, in the next step, which works out anew how and where the shape
- * touches the terrain. */
-static void disturb(thud_world *w, int terrain_shape, int shape) {
+/* Marks a shape and its body so that the next step wakes the body, searches the shape's segments
+ * again, and works out its manifolds with this terrain anew. */
+static void wake_and_renew(thud_world *w, int terrain_shape, int shape) {
     td_body_index body = td_shape_at(w, shape)->body;
     td_body_mark(w, body, TD_CHANGE_WAKE);
     td_shape_mark_moved(w, shape);
     *td_marks_at(w, shape) |= TD_MARK_WOKEN;
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *contact = td_constraint_at(w, e / 2);
-        if (contact->state == TD_TOUCHING && joins(contact, terrain_shape)) {
+        if (contact->state == TD_TOUCHING && has_shape(contact, terrain_shape)) {
             td_lane_renew(w, e / 2);
         }
     }
 }
 
-/* Contacts with the line as it was. */
-static void disturb_contacts(thud_world *w, int terrain_shape, const splice *s) {
+/* Gives each contact of the line the new index of its segment, and wakes the bodies on changed
+ * segments. */
+static void update_contacts(thud_world *w, int terrain_shape, const splice *s) {
     int e = td_body_at(w, td_shape_at(w, terrain_shape)->body)->first_constraint;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
         td_constraint *contact = td_constraint_at(w, e / 2);
-        if (!joins(contact, terrain_shape) || contact->child == TD_NONE) {
+        if (!has_shape(contact, terrain_shape) || contact->child == TD_NONE) {
             continue;
         }
         if (contact->child >= s->first - 1 && contact->child < s->first + s->removed) {
             bool is_a = contact->shape_a == terrain_shape;
-            disturb(w, terrain_shape, is_a ? contact->shape_b : contact->shape_a);
+            wake_and_renew(w, terrain_shape, is_a ? contact->shape_b : contact->shape_a);
         }
         contact->child = renumbered(s, contact->child);
     }
 }
 
-/* Columns of the world in bounds quanta. */
+/* A range of x in the world, in bounds quanta. */
 typedef struct columns {
     int64_t left, right;
 } columns;
 
-/* The columns of the segments that the splice made, and a quantum more on either side. */
+/* The range of x of the segments that the splice has made, extended by 2 quanta against rounding.
+ */
 static columns columns_of(const thud_world *w, int terrain_shape, const thud_terrain *line,
                           const splice *s) {
     int64_t origin = td_shape_proxy_at(w, terrain_shape)->center.x >> TD_COARSE_SHIFT;
@@ -87,13 +93,15 @@ static columns columns_of(const thud_world *w, int terrain_shape, const thud_ter
                      origin + td_round64(right * w->to_coarse) + 2};
 }
 
-static bool stands_in(const columns *c, const td_shape_proxy *proxy) {
+/* Whether the shape's fat bounds overlap the range. */
+static bool overlaps_columns(const columns *c, const td_shape_proxy *proxy) {
     return td_unwrap(proxy->fat.max_x, proxy->center.x) >= c->left &&
            td_unwrap(proxy->fat.min_x, proxy->center.x) <= c->right;
 }
 
-static bool reaches_new(const thud_world *w, int terrain_shape, const thud_terrain *line,
-                        const splice *s, const td_shape_proxy *proxy) {
+/* Whether the shape's fat bounds reach down to a segment that the splice has made. */
+static bool reaches_new_segment(const thud_world *w, int terrain_shape, const thud_terrain *line,
+                                const splice *s, const td_shape_proxy *proxy) {
     int segment, last;
     td_terrain_segments_of(w, terrain_shape, line, proxy->center, &proxy->fat, &segment, &last);
     segment = td_max_int(segment, s->first - 1);
@@ -105,26 +113,26 @@ static bool reaches_new(const thud_world *w, int terrain_shape, const thud_terra
     return segment <= last;
 }
 
-/* Shapes that the new line reaches, but for those that have no place yet: they will look at all of
- * it anyway. */
-static void disturb_reached(thud_world *w, int terrain_shape, const splice *s) {
+/* Wakes the bodies whose shapes reach a new segment. Shapes marked TD_MARK_FRESH are left out: the
+ * broadphase searches the whole line for them anyway. */
+static void wake_reached(thud_world *w, int terrain_shape, const splice *s) {
     thud_terrain line = td_terrain_view(w, terrain_shape);
     columns changed = columns_of(w, terrain_shape, &line, s);
     for (int i = 0; i < w->shapes.count; i++) {
         const td_shape_proxy *proxy = td_shape_proxy_at(w, i);
         const td_shape *shape = td_shape_at(w, i);
-        if (stands_in(&changed, proxy) && (shape->flags & TD_SHAPE_LIVE) &&
+        if (overlaps_columns(&changed, proxy) && (shape->flags & TD_SHAPE_LIVE) &&
             !td_kind_is_line(shape->kind) && !(*td_marks_at(w, i) & TD_MARK_FRESH) &&
             td_pair_allowed(w, terrain_shape, i) &&
-            reaches_new(w, terrain_shape, &line, s, proxy)) {
-            disturb(w, terrain_shape, i);
+            reaches_new_segment(w, terrain_shape, &line, s, proxy)) {
+            wake_and_renew(w, terrain_shape, i);
         }
     }
 }
 
 /* ---- the line ---- */
 
-/* What is the same at both ends stays out of it. */
+/* The splice without equal vertices at its ends, which would wake bodies for nothing. */
 static splice trimmed(const td_terrain_record *record, splice s) {
     const thud_pos *old = record->points.data;
     while (s.removed && s.count && old[s.first].x == s.points->x && old[s.first].y == s.points->y) {
@@ -141,7 +149,8 @@ static splice trimmed(const td_terrain_record *record, splice s) {
     return s;
 }
 
-/* The new vertices are a line by themselves, between the neighbours that they get. */
+/* Whether the line is valid after the splice: the new vertices are in range and rise in x, also
+ * with respect to the neighbours that stay, and at least two vertices remain. */
 static bool splice_valid(const td_terrain_record *record, const splice *s) {
     const thud_pos *old = record->points.data;
     int total = record->points.count;
@@ -158,19 +167,19 @@ static bool splice_valid(const td_terrain_record *record, const splice *s) {
            (right == total || !left || left->x < old[right].x);
 }
 
-static thud_result apply(thud_world *w, int terrain_shape, splice s, const char *wrong,
-                         const char *no_memory) {
+static thud_result apply_splice(thud_world *w, int terrain_shape, splice s, const char *range_error,
+                                const char *memory_error) {
     td_terrain_record *record = td_terrain_record_at(w, td_shape_at(w, terrain_shape)->terrain);
     s = trimmed(record, s);
     if (s.removed == 0 && s.count == 0) {
         return THUD_OK;
     }
     if (!splice_valid(record, &s)) {
-        return td_refuse(w, THUD_ERROR_INVALID, wrong);
+        return td_refuse(w, THUD_ERROR_INVALID, range_error);
     }
     int total = record->points.count, end = s.first + s.removed;
     if (!td_array_reserve(&w->memory, &record->points, total - s.removed + s.count)) {
-        return td_refuse(w, THUD_ERROR_MEMORY, no_memory);
+        return td_refuse(w, THUD_ERROR_MEMORY, memory_error);
     }
     thud_pos *points = record->points.data;
     memmove(points + s.first + s.count, points + end, (size_t)(total - end) * sizeof *points);
@@ -180,15 +189,15 @@ static thud_result apply(thud_world *w, int terrain_shape, splice s, const char 
     }
     record->points.count = total - s.removed + s.count;
     if (!(*td_marks_at(w, terrain_shape) & TD_MARK_FRESH)) {
-        disturb_contacts(w, terrain_shape, &s);
-        disturb_reached(w, terrain_shape, &s);
+        update_contacts(w, terrain_shape, &s);
+        wake_reached(w, terrain_shape, &s);
     }
     return THUD_OK;
 }
 
 /* ---- the calls ---- */
 
-/* The slot of a terrain shape that may be edited now. */
+/* Sets *shape to the slot of a terrain shape; refuses other shapes, and calls inside a callback. */
 static thud_result find_terrain(thud_world *w, thud_shape_id id, int *shape) {
     thud_result result = td_find_shape(w, id, shape);
     if (result != THUD_OK) {
@@ -224,8 +233,8 @@ thud_result thud_shape_set_heights(thud_world *w, thud_shape_id id, int first,
     for (int i = 0; i < count; i++) {
         *TD_AT(thud_pos, &points, i) = (thud_pos){line.points[first + i].x, heights[i]};
     }
-    result = apply(w, shape, (splice){first, count, count, points.data},
-                   "set heights: a height is out of range", "set heights: out of memory");
+    result = apply_splice(w, shape, (splice){first, count, count, points.data},
+                          "set heights: a height is out of range", "set heights: out of memory");
     td_array_free(&w->memory, &points);
     return result;
 }
@@ -253,14 +262,14 @@ thud_result thud_shape_replace_range(thud_world *w, thud_shape_id id, double x0,
     while (s.first + s.removed < line.count && line.points[s.first + s.removed].x <= x1) {
         s.removed++;
     }
-    return apply(w, shape, s,
-                 "replace range: not finite, x does not rise, or fewer than 2 points are left",
-                 "replace range: out of memory");
+    return apply_splice(
+        w, shape, s, "replace range: not finite, x does not rise, or fewer than 2 points are left",
+        "replace range: out of memory");
 }
 
-/* Digs or raises; `tool` is in the world's coordinates. */
-static thud_result reshape(thud_world *w, thud_shape_id id, td_tool tool, const char *wrong,
-                           const char *no_memory) {
+/* Digs or raises with a tool that is given in the world's coordinates (terrain_reshape.h). */
+static thud_result reshape(thud_world *w, thud_shape_id id, td_tool tool, const char *range_error,
+                           const char *memory_error) {
     TD_IN_OWN_MODE;
     int shape;
     thud_result result = find_terrain(w, id, &shape);
@@ -269,14 +278,14 @@ static thud_result reshape(thud_world *w, thud_shape_id id, td_tool tool, const 
     }
     thud_terrain line = td_terrain_view(w, shape);
     if (line.kind == THUD_TERRAIN_FLAT) {
-        return td_refuse(w, THUD_ERROR_INVALID, wrong);
+        return td_refuse(w, THUD_ERROR_INVALID, range_error);
     }
-    double unit = (double)w->unit, most = THUD_PLACE_MAX * unit;
+    double unit = (double)w->unit, max = THUD_PLACE_MAX * unit;
     td_reason why;
     if (!td_in_world(w, &why, "dig or raise: x or y", tool.x, tool.y) ||
         !td_in(&why, "dig or raise: radius", tool.radius, (double)THUD_SIZE_MIN * unit,
                (double)THUD_SIZE_MAX * unit) ||
-        !td_in(&why, "raise: height", tool.rise, -most, most)) {
+        !td_in(&why, "raise: height", tool.rise, -max, max)) {
         return td_refuse(w, THUD_ERROR_INVALID, why.text);
     }
     td_position center = td_place_from(w, (thud_pos){tool.x, tool.y});
@@ -287,11 +296,11 @@ static thud_result reshape(thud_world *w, thud_shape_id id, td_tool tool, const 
     td_tool_vertices(&line, &tool, &s.first, &s.removed);
     td_array points = {.stride = sizeof(thud_pos)};
     if (!td_array_reserve(&w->memory, &points, td_tool_room(s.removed))) {
-        return td_refuse(w, THUD_ERROR_MEMORY, no_memory);
+        return td_refuse(w, THUD_ERROR_MEMORY, memory_error);
     }
     s.points = points.data;
     s.count = td_tool_reshape(&line, &tool, s.first, s.removed, points.data);
-    result = apply(w, shape, s, wrong, no_memory);
+    result = apply_splice(w, shape, s, range_error, memory_error);
     td_array_free(&w->memory, &points);
     return result;
 }

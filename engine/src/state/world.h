@@ -1,8 +1,8 @@
-/* world.h: the state of a world, as plain data in arrays that name each other by index.
+/* world.h: the state of a world: plain data in arrays whose elements refer to each other by index.
  *
- * Hot and cold stand apart: what every substep touches is in the `awake` arrays, dense and 16 bytes
- * a record; what every step touches lies in per-body and per-shape records; definitions, links and
- * user data are elsewhere. */
+ * Data are separated by how often they are used: what every substep reads is in the `awake` arrays,
+ * dense, 16 bytes an element; what every step reads is in `pose` and `proxy`; definitions, links
+ * and user data are in the records of bodies, shapes and constraints. */
 #ifndef TD_WORLD_H
 #define TD_WORLD_H
 
@@ -17,98 +17,102 @@
 #include "state/scratch.h"
 #include "thud/thud.h"
 
-/* Copies of the shapes that edits place which are still to take effect: preview.h. */
+/* Copies of the proxies that pending edits will give to shapes: preview.h. */
 typedef struct td_preview {
-    td_array shape;  /* int */
-    td_array proxy;  /* td_shape_proxy, as `shape`; the fat bounds are tight */
-    td_array number; /* int, by shape: its index in the two, if it is in them */
-    bool stale;      /* edits have been made since */
+    td_array shape; /* int: the shapes that have a copy */
+    td_array proxy; /* td_shape_proxy, in the order of `shape`; `fat` has the tight bounds */
+    td_array
+        number; /* int, by shape: its index in both, if shape[number] is the shape; else anything */
+    bool stale; /* edits have been made since the copies were */
 } td_preview;
 
 struct thud_world {
     /* Configuration: not part of a snapshot. */
     thud_world_def def;
-    td_memory memory;
-    uint32_t number; /* mixed into generations */
-    /* Plugged in by kinds.h, as the next two are, and by what makes joints. */
+    td_memory memory; /* allocator and its counters */
+    uint32_t number;  /* distinguishes the handles of worlds: td_tag in handles.h */
+    /* By constraint kind: its operations, plugged in by kinds.h and by the first joint. */
     const td_constraint_ops *kinds[TD_CONSTRAINT_KINDS];
-    const struct td_internal_edge_ops *internal_edges; /* null: nothing has faces */
-    const struct td_joint_hooks *joint_hooks;          /* null: there never was a joint */
-    const struct td_ground_ops *ground;                /* null: there are no lines */
-    const struct td_rule_hooks *rule_hooks;            /* null: there never was a rule */
-    struct td_rules *rules;                            /* with it; a snapshot has them */
-    bool adds_impulses;                                /* a rule asks what contacts bear */
-    const struct td_listener_hooks *listener_hooks;    /* null: there never was a listener */
-    struct td_listeners *listeners;                    /* with it */
-    bool asks, tells;                                  /* there is a prologue; an epilogue */
-    bool wide;                                         /* AVX2 kernels may run */
-    bool locked;                                       /* in a step, or inside a callback */
-    bool advancing;                                    /* in thud_world_advance */
-    /* Null but in its second step and those after: see advance.c. */
+    const struct td_internal_edge_ops *internal_edges; /* null: no shape has faces */
+    const struct td_joint_hooks *joint_hooks;          /* null: the world never had a joint */
+    const struct td_ground_ops *ground;     /* null: the world never had a terrain line */
+    const struct td_rule_hooks *rule_hooks; /* null: the world never had a rule or filter */
+    struct td_rules *rules;                 /* null as rule_hooks; in snapshots */
+    bool adds_impulses; /* a rule has a bound of the impulse: add up those of contacts */
+    const struct td_listener_hooks *listener_hooks; /* null: the world never had a listener */
+    struct td_listeners *listeners;                 /* null as listener_hooks */
+    bool asks, tells; /* there is a prologue (pre-solve callback); an epilogue (post-solve) */
+    bool wide;        /* 1: the processor runs the AVX2 kernels; index of pairs of functions */
+    bool locked;      /* in a step, or inside a callback: edits are deferred or refused */
+    bool advancing;   /* in thud_world_advance */
+    /* Collects the events of the step before; null but in steps of one thud_world_advance after the
+     * first: advance.c. */
     bool (*gather)(struct thud_world *w);
-    float unit;           /* L in the caller's unit */
-    float quantum;        /* caller's unit a position quantum */
-    double to_fixed;      /* position quanta a caller's unit */
-    double to_coarse;     /* bounds quanta a caller's unit */
-    thud_quality quality; /* with what the def itself named */
-    int substeps;
-    const thud_detection *detections[TD_RANK_COUNT]; /* those that the world or a body ever chose */
-    float skin;                                      /* at which contacts rest */
+    float unit;           /* the length scale L, in the caller's unit */
+    float quantum;        /* a position quantum, in the caller's unit */
+    double to_fixed;      /* position quanta in the caller's unit */
+    double to_coarse;     /* bounds quanta in the caller's unit */
+    thud_quality quality; /* that of the def, with what the def sets itself */
+    int substeps;         /* of the next step */
+    const thud_detection *detections[TD_RANK_COUNT]; /* by rank: those that the world or a body ever
+                                                        chose; else null */
+    float skin; /* distance at which contacts rest, caller's unit: 0 or TD_SKIN */
 
     /* State. */
-    uint64_t steps;
-    double spare_time;   /* of thud_world_advance, as the next two are */
-    uint64_t begun;      /* the step that it failed in; 0: none */
-    td_array pulls;      /* td_pull, by body; empty where there is no force */
-    uint32_t rest_epoch; /* rises whenever a resting shape enters or moves */
+    uint64_t steps;      /* made so far */
+    double spare_time;   /* of thud_world_advance: time that has not been stepped yet, s */
+    uint64_t begun;      /* of thud_world_advance: number of the step that has failed; 0: none */
+    td_array pulls;      /* of thud_world_advance: td_pull, by body; empty without forces */
+    uint32_t rest_epoch; /* counts changes of the resting set: islands that fell asleep before one
+                            search pairs again when they wake */
     td_slots bodies, shapes, constraints, joints, terrains;
     td_array pose;  /* td_pose, by body */
     td_array proxy; /* td_shape_proxy, by shape */
-    td_array was;   /* td_bounds, by shape */
-    td_array marks; /* uint8_t, by shape */
-    union {         /* by awake slot: by number, and by name */
+    td_array was;   /* td_bounds, by shape: fat bounds before it moved, while TD_MARK_MOVED */
+    td_array marks; /* uint8_t, by shape: TD_MARK_MOVED and so on */
+    union {         /* arrays by awake slot; by their number, and by name */
         td_array awake[TD_AWAKE_ARRAY_COUNT];
         struct {
             TD_AWAKE_ARRAYS(TD_AWAKE_FIELD)
         };
     };
-    td_array waiting[TD_CONSTRAINT_KINDS]; /* int: constraints */
-    td_array moved;                        /* int: shapes */
-    td_array changed;                      /* td_body_index */
-    td_array deferred;                     /* td_deferred_edit */
-    td_slots pool[TD_FORM_COUNT];          /* td_block of each form */
+    td_array waiting[TD_CONSTRAINT_KINDS]; /* int: constraints that are TD_WAITING */
+    td_array moved;                        /* int: shapes with TD_MARK_MOVED */
+    td_array changed;             /* td_body_index: bodies with pending changes, the change list */
+    td_array deferred;            /* td_deferred_edit, in the order of calls */
+    td_slots pool[TD_FORM_COUNT]; /* td_block, by form (size of block) */
     td_bin bins[TD_CONSTRAINT_KINDS][TD_BINS_A_KIND];
-    int touching;       /* lanes of contacts in use, asleep ones too */
+    int touching;       /* lanes of contacts in use, of sleeping bodies too */
     int bouncy;         /* lanes in use that have restitution */
     int surface_speeds; /* lanes in use that have a surface speed */
-    int sensors;        /* shapes */
-    int mobile_sensors; /* shapes: sensors of dynamic bodies */
-    int constraint_count[TD_CONSTRAINT_KINDS];
-    int damped;          /* awake bodies with damping */
-    bool push_stale;     /* `push` must be made anew */
-    double kinetic;      /* energy of the awake bodies */
-    bool kinetic_stale;  /* `kinetic` must be added up anew */
-    int idle_bodies;     /* at rest for long enough to sleep */
-    int drowsy_bodies;   /* at rest for long enough after one more step */
-    float thinnest;      /* no shape is thinner; see td_thinnest */
-    bool thinnest_stale; /* `thinnest` must be looked for anew */
+    int sensors;        /* shapes that are sensors */
+    int mobile_sensors; /* those of them that belong to dynamic bodies */
+    int constraint_count[TD_CONSTRAINT_KINDS]; /* live constraints of each kind */
+    int damped;                                /* awake bodies with damping */
+    bool push_stale;                           /* the array `push` must be recomputed */
+    double kinetic;                            /* kinetic energy of the awake bodies */
+    bool kinetic_stale;                        /* `kinetic` must be recomputed */
+    int idle_bodies;                           /* bodies at rest for TD_SLEEP_TIME or longer */
+    int drowsy_bodies;                         /* bodies that are, or will be after one more step */
+    float thinnest;                            /* thickness of the thinnest shape: td_thinnest */
+    bool thinnest_stale;                       /* `thinnest` must be recomputed */
     td_proxy_set awake_shapes, rest_shapes;
-    bool vast; /* wider than bounds can tell; broadphase.c */
-    /* A step that ran out of memory has done its broadphase, and so many parts of its narrowphase,
-     * which hold until the next edit. */
+    bool vast; /* so wide that bounds may wrap around: is_vast in broadphase.c */
+    /* Progress of a step that ran out of memory, valid until the next edit: its broadphase is done,
+     * and so many parts of its narrowphase are. */
     bool paired;
     int narrowed;
     td_event_lists events;    /* since the last whole step */
     td_event_lists published; /* of the last whole step: what callers read */
     td_array broken;          /* thud_joint_event, of the last whole step */
-    td_gathered gathered;     /* of all steps of the last thud_world_advance: what callers read, */
-    bool gathers;             /* ... if it made another number of steps than one */
-    int breakable;            /* joints that may break */
+    td_gathered gathered;     /* of all steps of the last thud_world_advance: what callers read */
+    bool gathers;             /* callers read `gathered`: that call did not make exactly one step */
+    int breakable;            /* joints with a force or torque at which they break */
 
     /* Rebuilt by every step. */
     td_scratch scratch;
-    td_islands islands; /* the direct ones */
-    td_array poses;     /* thud_pose */
+    td_islands islands; /* those that are solved directly */
+    td_array poses;     /* thud_pose: what thud_world_poses returns */
     td_preview preview;
 
     /* Statistics. */
@@ -121,6 +125,7 @@ static inline td_body *td_body_at(const thud_world *w, td_body_index i) {
     return td_slot_of(&w->bodies, i.at, sizeof(td_body));
 }
 
+/* Whether the body is dynamic and has no awake slot. */
 static inline bool td_body_sleeps(const thud_world *w, td_body_index i) {
     return td_body_at(w, i)->kind == THUD_DYNAMIC && td_body_at(w, i)->awake.at < 0;
 }
@@ -187,7 +192,7 @@ static inline td_colours *td_colours_at(const thud_world *w, td_awake_slot slot)
     return TD_AT(td_colours, &w->colours, slot.at);
 }
 
-/* Of an array of awake_arrays.h that has one, two or four floats an element. */
+/* An element of an array of awake_arrays.h that consists of one, two or four floats. */
 static inline float *td_row(const td_array *rows, td_awake_slot slot) {
     return td_at(rows, slot.at);
 }
