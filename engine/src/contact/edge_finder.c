@@ -71,6 +71,7 @@ typedef struct box_parts {
     thud_shape_instance strip[TD_FACES];
 } box_parts;
 
+/* Computes corners and strips of a box; `width`: that of the strips. */
 static void find_parts(box_parts *parts, const thud_shape_instance *box, double width) {
     parts->known = true;
     for (int k = 0; k < 4; k++) {

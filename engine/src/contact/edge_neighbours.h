@@ -54,7 +54,8 @@ bool td_neighbour_contains(const td_neighbourhood *s, int neighbour,
 bool td_neighbour_overlaps(const td_neighbourhood *s, int neighbour,
                            const thud_shape_instance *placed, const thud_shape_instance *box);
 /* Whether the neighbour extends further than `level` (length) beyond the point (x, y), which it
- * contains, in the direction of the unit vector (nx, ny). */
+ * contains, in the direction of the unit vector (nx, ny). Of a terrain only the part of the line
+ * within 2 TD_NEIGHBOUR_GAP of x counts, without its ends. */
 bool td_neighbour_extends(const td_neighbourhood *s, int neighbour,
                           const thud_shape_instance *placed, double x, double y, double nx,
                           double ny, double level);

@@ -98,6 +98,7 @@ typedef struct batch {
     int contacts[TEST_BLOCKS * TD_LANES];
 } batch;
 
+/* Tests the collected contacts and empties the batch. */
 static void test_batch(batch *b) {
     if (b->count) {
         test_contacts(b->w, b->kind, b->contacts, b->count);
@@ -247,6 +248,7 @@ static void collide_chunk(void *work, int index) {
                            chunk->count, parted, &chunk->parted);
 }
 
+/* A worker: takes chunks until none is left. */
 static void collide_as_worker(void *argument) {
     colliding *c = argument;
     td_worker worker = td_worker_arrive(&c->task);

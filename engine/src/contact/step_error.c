@@ -40,8 +40,8 @@ static float exact_distance(const thud_world *w, const td_constraint *contact, f
 float td_error_separation(const thud_world *w, const td_constraint *contact, int point) {
     td_lane at = td_lane_of(w, contact);
     const td_block *block = at.block;
-    if (block->a[at.lane] + block->b[at.lane] ==
-        0) { /* no awake slot on either side: both sleep, or one sleeps and one is static */
+    /* No side has an awake slot: both bodies sleep, or one sleeps and the other is static. */
+    if (block->a[at.lane] + block->b[at.lane] == 0) {
         return block->point[point].separation[at.lane];
     }
     float separation = separation_by_rows(w, &at, point);

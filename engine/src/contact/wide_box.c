@@ -173,6 +173,7 @@ TD_INLINE void note_poses(td_block *block, const td_pairs8 *p, i8 fresh, f8 dx, 
                  f8_max(f8_max(p->ahx, p->ahy), f8_max(p->bhx, p->bhy)), context);
 }
 
+/* A td_collide_fn: keeps the manifolds that are still good, and computes the others. */
 static void box_box(td_block *const *blocks, int count, const td_collide_context *context) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
@@ -198,6 +199,7 @@ static void box_box(td_block *const *blocks, int count, const td_collide_context
     }
 }
 
+/* A td_sift_fn, by the greatest separation along the four axes. */
 static td_sifted sift_boxes(const int32_t *a, const int32_t *b, const td_collide_context *c) {
     td_pairs8 p = td_read_shapes(a, b, 0, c);
     axes x = axes_of(&p);

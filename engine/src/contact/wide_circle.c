@@ -36,6 +36,7 @@ TD_INLINE void part_coincident(const td_block *block, f8 *x, f8 *y) {
     }
 }
 
+/* A td_collide_fn. */
 static void circle_circle(td_block *const *blocks, int count, const td_collide_context *c) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
@@ -57,6 +58,7 @@ static void circle_circle(td_block *const *blocks, int count, const td_collide_c
     }
 }
 
+/* A td_sift_fn, by the exact separation, as those below. */
 static td_sifted sift_circles(const int32_t *a, const int32_t *b, const td_collide_context *c) {
     td_pairs8 p = td_read_shapes(a, b, 0, c);
     return td_sift(a, b, f8_sqrt(p.dx * p.dx + p.dy * p.dy) - p.ahx - p.bhx, c);
@@ -103,6 +105,7 @@ TD_INLINE box_circle8 separate_box_circle(const td_pairs8 *p, bool flip) {
     return m;
 }
 
+/* The manifolds of a block of boxes and circles; `flip`: the circle is a and the box is b. */
 TD_INLINE void box_and_circle(td_block *block, const td_collide_context *c, bool flip) {
     td_pairs8 p = td_read_pairs(block, c);
     box_circle8 m = separate_box_circle(&p, flip);

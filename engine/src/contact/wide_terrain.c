@@ -90,6 +90,7 @@ TD_INLINE i8 collide_block(thud_world *w, td_block *block, i8 fresh, const td_co
     return t.valid[0] | t.valid[1];
 }
 
+/* The manifolds of all blocks, kept ones and new ones; `points`: 1 for circles, 2 for boxes. */
 TD_INLINE void terrain_blocks(thud_world *w, td_block *const *blocks, int count,
                               const td_collide_context *c, int points) {
     for (int i = 0; i < count; i++) {

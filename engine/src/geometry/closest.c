@@ -19,6 +19,7 @@ thud_result thud_placed_check(const thud_shape_instance *p) {
     return kind && place && size && (circle || turned) && upright ? THUD_OK : THUD_ERROR_INVALID;
 }
 
+/* Two circles. Where the centres coincide, the normal is (0, 1). */
 static void circle_circle(const thud_shape_instance *a, const thud_shape_instance *b,
                           thud_closest *out) {
     double dx = b->x - a->x, dy = b->y - a->y;
@@ -32,6 +33,8 @@ static void circle_circle(const thud_shape_instance *a, const thud_shape_instanc
     out->by = b->y - out->ny * b->hx;
 }
 
+/* A box and a circle. A centre outside of the box is nearest to its projection onto the box; one
+ * inside leaves through the nearest face. */
 static void box_circle(const thud_shape_instance *box, const thud_shape_instance *circle,
                        thud_closest *out) {
     double u, v, nu, nv, distance;

@@ -54,6 +54,7 @@ static void set_box(thud_minkowski *sum, thud_pos e, double hx, double hy) {
     sum->offsets[1] = hx;
 }
 
+/* The sum of two boxes: a box where they are parallel, else an octagon. */
 static void set_boxes(thud_minkowski *sum, const thud_shape_instance *a,
                       const thud_shape_instance *b) {
     if (!td_kind_turns(a->kind) && !td_kind_turns(b->kind)) {

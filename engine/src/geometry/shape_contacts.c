@@ -28,6 +28,7 @@ typedef struct face_point {
     double along, above;
 } face_point;
 
+/* A place by these coordinates. */
 static face_point face_point_of(const thud_closest *c, double x, double y) {
     return (face_point){x * -c->ny + y * c->nx, x * c->nx + y * c->ny};
 }

@@ -36,6 +36,7 @@ static void translating(const thud_shape_instance *a, const thud_motion *ma,
     }
 }
 
+/* Whether the shape turns in the motion in a way that changes it. */
 static bool turns(const thud_shape_instance *shape, const thud_motion *m) {
     return td_kind_turns(shape->kind) && m->turn != 0.0;
 }

@@ -75,6 +75,8 @@ static bool in_circle(const thud_volume *circle, const thud_volume *inner) {
     return u * u + v * v <= room * room;
 }
 
+/* The extents of the inner volume along the axes of the box, with its centre, must be within the
+ * box's. */
 static bool in_box(const thud_volume *box, const thud_volume *inner) {
     double u, v, hu = inner->hx, hv = inner->hx;
     td_to_frame(box, inner->x - box->x, inner->y - box->y, &u, &v);

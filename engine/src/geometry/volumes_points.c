@@ -25,6 +25,7 @@ typedef struct point_set {
     thud_pos origin;             /* the first point; computations are relative to it */
 } point_set;
 
+/* Point i in the caller's coordinates. */
 static thud_pos position_of(const point_set *set, int i) {
     if (!set->terrain) {
         return set->points[i];
@@ -171,6 +172,7 @@ static thud_volume obb_around(const point_set *set) {
 
 /* ---- public functions ---- */
 
+/* The bounding volume of a set, whose origin is not set yet. */
 static thud_result around(thud_shape_kind kind, point_set *set, thud_volume *out) {
     set->origin = position_of(set, 0);
     for (int i = 0; i < set->count; i++) {

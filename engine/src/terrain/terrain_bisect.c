@@ -3,6 +3,7 @@
 #include "geometry/bisect.h"
 #include "terrain/terrain.h"
 
+/* A moving shape and a terrain at rest. */
 typedef struct landing {
     const thud_terrain *terrain;
     const thud_shape_instance *shape;

@@ -27,6 +27,7 @@ typedef struct search {
     thud_closest best;
 } search;
 
+/* Makes a candidate the best one if it is within the margin and further from `from`. */
 static void keep_further(search *k, const thud_closest *c) {
     double dx = c->ax - k->from.ax, dy = c->ay - k->from.ay;
     double apart = __builtin_sqrt(dx * dx + dy * dy);
@@ -55,6 +56,7 @@ static void try_corners(search *k) {
     }
 }
 
+/* Vertex i, relative to the shape's centre. */
 static thud_pos vertex_of(const search *k, int i) {
     return (thud_pos){td_terrain_x(k->terrain, i) - k->shape->x,
                       k->terrain->points[i].y - k->shape->y};

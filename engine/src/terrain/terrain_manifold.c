@@ -281,6 +281,7 @@ typedef struct faces {
     double nx[4], ny[4], separation[4];
 } faces;
 
+/* The faces of a box about the vertex v. */
 static faces faces_around(const thud_shape_instance *box, thud_pos v) {
     faces f;
     double u, w;
@@ -326,6 +327,8 @@ static void add_vertex(const query *k, bool right, td_terrain_manifold *out) {
     int outside = 0;
     for (int i = 0; i < 4; i++) {
         outside += f.separation[i] > 0.0;
+        /* Cosine below -0.001: faces that are all but perpendicular to the ridge's normal do not
+         * count. */
         bool into_ground = f.nx[i] * rx + f.ny[i] * ry < -1e-3 * length;
         if (into_ground && f.separation[i] > best) {
             best = f.separation[i];

@@ -15,6 +15,7 @@ typedef struct td_terrain_point {
     uint32_t id;
 } td_terrain_point;
 
+/* A manifold: one normal, up to two points. */
 typedef struct td_terrain_manifold {
     double nx, ny; /* unit, out of the ground */
     int count;     /* 0..2 */

@@ -5,6 +5,7 @@
  * through between them by rounding. */
 #include "terrain/terrain.h"
 
+/* A ray and the terrain that it is cast against. */
 typedef struct ray {
     const thud_terrain *terrain;
     double ox, oy, dx, dy; /* start, and the vector to the end */

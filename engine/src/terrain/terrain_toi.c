@@ -16,8 +16,8 @@ bool thud_terrain_overlap(const thud_terrain *t, const thud_shape_instance *shap
     return td_grown_highest(&grown, 0.0, 0.0, &top, &height) && height >= 0.0;
 }
 
-/* Lowers *time to the time of impact with the edge from p to q, and sets *hit, where there is one
- * that is earlier. */
+/* Where the motion has an impact with the edge from p to q, sets *hit, and lowers *time to the
+ * impact's time. */
 static void impact_with_edge(const thud_shape_instance *shape, thud_motion motion, thud_pos p,
                              thud_pos q, double target, bool *hit, double *time) {
     double dx = q.x - p.x, dy = q.y - p.y, length = __builtin_sqrt(dx * dx + dy * dy);
