@@ -11,10 +11,9 @@
 
 /* The contact of two boxes. The points lie in the middle between both surfaces. */
 typedef struct td_internal_edge_contact {
-    double nx, ny; /* unit normal, from a to b */
-    int count;     /* of points: 1 or 2 */
-    double x[2], y[2];
-    double separation[2]; /* along the normal; negative: the boxes overlap */
+    double nx, ny;                    /* unit normal, from a to b */
+    int count;                        /* of points: 1 or 2 */
+    double x[2], y[2], separation[2]; /* separation along the normal; negative: overlap */
 } td_internal_edge_contact;
 
 /* Whether two boxes share a point. Boxes that touch do. */

@@ -19,8 +19,7 @@
  * the axes are those of the world for a static body, those of the body for a moving one. */
 typedef struct td_neighbourhood {
     thud_world *w;
-    int shape;
-    int other;          /* a shape in contact with it, or TD_NONE */
+    int shape, other;   /* other: a shape in contact with it, or TD_NONE */
     td_position origin; /* centre of the shape in the world; only for a static body */
     bool moves;         /* the body is not static */
     double c, s;        /* cosine and sine of the frame's rotation in the world; not static only */

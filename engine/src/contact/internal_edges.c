@@ -41,8 +41,8 @@
 
 /* The context of the td_neighbour_fns below. */
 typedef struct probe {
-    double x, y;   /* a place in the frame of the shape's td_neighbourhood */
-    double nx, ny; /* a unit normal there; only for corners */
+    double x, y, nx,
+        ny; /* a place in the frame of the td_neighbourhood; for corners a unit normal there */
 } probe;
 
 /* A td_neighbour_fn: whether the neighbour contains the place. */

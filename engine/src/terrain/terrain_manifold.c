@@ -15,10 +15,8 @@
 
 #include "terrain/terrain.h"
 
-enum {
-    ABOVE_GROUND = -2,
-    LEFT_SIDE = -1
-}; /* values of owner_of beside segments; the right side is count - 1 */
+/* Values of owner_of that are no segments; the right side is count - 1. */
+enum { ABOVE_GROUND = -2, LEFT_SIDE = -1 };
 
 /* The least sine of the angle between two segments that counts as a ridge for a box, or as a
  * valley. Above rounding; chosen, not tuned. */
