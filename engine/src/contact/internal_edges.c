@@ -39,10 +39,10 @@
 
 /* ---- which normals are hidden ---- */
 
-/* The context of the td_neighbour_fns below. */
+/* The context of the td_neighbour_fns below: a place in the frame of the td_neighbourhood, and for
+ * corners a unit normal there. */
 typedef struct probe {
-    double x, y, nx,
-        ny; /* a place in the frame of the td_neighbourhood; for corners a unit normal there */
+    double x, y, nx, ny;
 } probe;
 
 /* A td_neighbour_fn: whether the neighbour contains the place. */
