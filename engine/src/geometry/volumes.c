@@ -31,7 +31,7 @@ thud_result td_volume_store(thud_shape_kind kind, thud_volume v, thud_volume *ou
     return result;
 }
 
-thud_volume td_volume_of_span(thud_pos origin, double c, double s, td_span span) {
+thud_volume td_volume_of_span(thud_pos origin, double c, double s, td_volume_span span) {
     thud_volume box = {.kind = THUD_OBB, .c = c, .s = s};
     td_from_frame(&box, 0.5 * (span.u_min + span.u_max), 0.5 * (span.v_min + span.v_max), &box.x,
                   &box.y);
@@ -42,7 +42,8 @@ thud_volume td_volume_of_span(thud_pos origin, double c, double s, td_span span)
     return box;
 }
 
-void td_volume_keep_smaller(thud_volume *best, thud_pos origin, double c, double s, td_span span) {
+void td_volume_keep_smaller(thud_volume *best, thud_pos origin, double c, double s,
+                            td_volume_span span) {
     thud_volume box = td_volume_of_span(origin, c, s, span);
     if (box.hx * box.hy < best->hx * best->hy) {
         *best = box;
@@ -75,8 +76,8 @@ static thud_pos corner_along(const thud_shape_instance *box, int i, double c, do
 }
 
 /* The span of a moving shape along (c, s), relative to the middle of its centre's path. */
-static td_span span_of_motion(const thud_shape_instance *start, const thud_motion *m, double c,
-                              double s) {
+static td_volume_span span_of_motion(const thud_shape_instance *start, const thud_motion *m,
+                                     double c, double s) {
     double u = td_kind_is_round(start->kind) ? start->hx : 0.0, v = u;
     thud_shape_instance end = td_placed_at(start, m, 1.0);
     bool half_turn = td_kind_turns(start->kind) && td_abs(m->turn) >= TD_PI;
@@ -87,7 +88,7 @@ static td_span span_of_motion(const thud_shape_instance *start, const thud_motio
     }
     u += 0.5 * td_abs(c * m->dx + s * m->dy);
     v += 0.5 * td_abs(c * m->dy - s * m->dx);
-    return (td_span){-u, u, -v, v};
+    return (td_volume_span){-u, u, -v, v};
 }
 
 thud_result thud_volume_around_motion(thud_shape_kind kind, const thud_shape_instance *shape,
@@ -131,12 +132,12 @@ thud_result thud_volume_around_shape(thud_shape_kind kind, const thud_shape_inst
 /* ---- two volumes ---- */
 
 /* The span of two volumes along (c, s), relative to a's centre. */
-static td_span span_of_both(const thud_volume *a, const thud_volume *b, double c, double s) {
+static td_volume_span span_of_both(const thud_volume *a, const thud_volume *b, double c, double s) {
     double au = td_half_along(a, c, s), av = td_half_along(a, -s, c);
     double bu = td_half_along(b, c, s), bv = td_half_along(b, -s, c);
     double x = b->x - a->x, y = b->y - a->y, u = c * x + s * y, v = c * y - s * x;
-    return (td_span){u - bu < -au ? u - bu : -au, td_max_double(u + bu, au),
-                     v - bv < -av ? v - bv : -av, td_max_double(v + bv, av)};
+    return (td_volume_span){u - bu < -au ? u - bu : -au, td_max_double(u + bu, au),
+                            v - bv < -av ? v - bv : -av, td_max_double(v + bv, av)};
 }
 
 /* The smallest circle around the circles of both volumes. */

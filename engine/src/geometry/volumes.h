@@ -7,9 +7,9 @@
 
 /* The extent of something along a unit direction (u) and perpendicular to it (v), relative to a
  * nearby origin. */
-typedef struct td_span {
+typedef struct td_volume_span {
     double u_min, u_max, v_min, v_max;
-} td_span;
+} td_volume_span;
 
 /* The unit vector along (x, y); (1, 0) where that is shorter than 1e-150, whose square is close to
  * underflow. */
@@ -19,10 +19,11 @@ static inline thud_pos td_volume_direction(double x, double y) {
 }
 
 /* The OBB of a span along the unit vector (c, s). */
-thud_volume td_volume_of_span(thud_pos origin, double c, double s, td_span span);
+thud_volume td_volume_of_span(thud_pos origin, double c, double s, td_volume_span span);
 
 /* Replaces *best by that box if its area is smaller. */
-void td_volume_keep_smaller(thud_volume *best, thud_pos origin, double c, double s, td_span span);
+void td_volume_keep_smaller(thud_volume *best, thud_pos origin, double c, double s,
+                            td_volume_span span);
 
 /* Grows the volume by the bound of its rounding errors and stores it as one of that kind.
  * THUD_ERROR_INVALID, with *out unchanged, where it is out of range. */

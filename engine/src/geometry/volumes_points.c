@@ -42,8 +42,8 @@ static thud_pos point_of(const point_set *set, int i) {
 }
 
 /* The span of the points along (c, s). */
-static td_span span_of(const point_set *set, double c, double s) {
-    td_span span = {0.0, 0.0, 0.0, 0.0};
+static td_volume_span span_of(const point_set *set, double c, double s) {
+    td_volume_span span = {0.0, 0.0, 0.0, 0.0};
     for (int i = 1; i < set->count; i++) {
         thud_pos p = point_of(set, i);
         double u = c * p.x + s * p.y, v = c * p.y - s * p.x;
@@ -190,7 +190,7 @@ static thud_result around(thud_shape_kind kind, point_set *set, thud_volume *out
     if (td_kind_turns(kind)) {
         return td_volume_store(kind, obb_around(set), out);
     }
-    td_span span = span_of(set, 1.0, 0.0);
+    td_volume_span span = span_of(set, 1.0, 0.0);
     return td_volume_store(kind, td_volume_of_span(set->origin, 1.0, 0.0, span), out);
 }
 
