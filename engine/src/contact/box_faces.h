@@ -1,25 +1,32 @@
-/* box_faces.h: contact of two boxes along the axes that are allowed. */
+/* box_faces.h: overlap and contact of two boxes by the separating axis theorem (Gottschalk, Lin and
+ * Manocha, "OBBTree", 1996), where the caller may exclude axes.
+ *
+ * internal_edges.c uses it for boxes that stand side by side: an axis is excluded where its normal
+ * is that of a face or corner that a neighbouring shape hides. All is in double precision, relative
+ * to an origin that the caller chooses; lengths are the caller's unit. */
 #ifndef TD_BOX_FACES_H
 #define TD_BOX_FACES_H
 
 #include "geometry/shape_instance.h"
 
-/* Up to two points in the middle between both surfaces; the normal is from a to b. */
+/* The contact of two boxes. The points lie in the middle between both surfaces. */
 typedef struct td_internal_edge_contact {
-    double nx, ny;
-    int count;
-    double x[2], y[2], separation[2];
+    double nx, ny;                    /* unit normal, from a to b */
+    int count;                        /* of points: 1 or 2 */
+    double x[2], y[2], separation[2]; /* separation along the normal; negative: overlap */
 } td_internal_edge_contact;
 
-/* Whether two boxes share a point. */
-bool td_internal_edge_boxes_meet(const thud_shape_instance *a, const thud_shape_instance *b);
+/* Whether two boxes share a point. Boxes that touch do. */
+bool td_boxes_overlap(const thud_shape_instance *a, const thud_shape_instance *b);
 
-/* Whether a normal, from a to b, is out of the question. */
+/* Whether the axis with the unit normal (nx, ny), from a to b, is excluded, because a neighbour of
+ * one of the boxes hides the face or corner that the normal belongs to. */
 typedef bool td_axis_hidden_fn(double nx, double ny, void *context);
 
-/* The separating axis with the largest separation among those that are not hidden; false where
- * there is none, or one that would push much further than a hidden one, or no point within
- * `margin`. */
+/* Finds the axis with the largest separation among those that `hidden` does not exclude, and the
+ * contact along it. False, with *out undefined, where all axes are excluded, where the boxes are
+ * further apart than `margin`, where the axis has a much deeper overlap than an excluded one
+ * (OPEN_DEPTH_RATIO_MAX in box_faces.c), or where no point of it is within `margin`. */
 bool td_internal_edge_boxes(const thud_shape_instance *a, const thud_shape_instance *b,
                             double margin, td_axis_hidden_fn *hidden, void *context,
                             td_internal_edge_contact *out);

@@ -1,4 +1,5 @@
-/* contact.c: see contact.h. */
+/* contact.c: see contact.h. Which pairs of shapes become contacts, and how contacts begin, end and
+ * are destroyed, with their events. */
 #include "contact/contact.h"
 
 #include "state/body.h"
@@ -40,21 +41,21 @@ td_pair_kind td_pair_of(const thud_world *w, int *shape_a, int *shape_b) {
 bool td_pair_allowed(const thud_world *w, int shape_a, int shape_b) {
     const td_shape *a = td_shape_at(w, shape_a), *b = td_shape_at(w, shape_b);
     const td_body *body_a = td_body_at(w, a->body), *body_b = td_body_at(w, b->body);
-    /* A collision needs a body that gives way, a sensor one that may come and go. */
-    int least = (a->flags | b->flags) & TD_SHAPE_SENSOR ? THUD_KINEMATIC : THUD_DYNAMIC;
-    if (td_same_body(a->body, b->body) || (body_a->kind < least && body_b->kind < least) ||
+    /* A collision needs a dynamic body; a sensor one that moves. */
+    int kind_min = (a->flags | b->flags) & TD_SHAPE_SENSOR ? THUD_KINEMATIC : THUD_DYNAMIC;
+    if (td_same_body(a->body, b->body) || (body_a->kind < kind_min && body_b->kind < kind_min) ||
         ((body_a->flags | body_b->flags) & TD_BODY_DISABLED)) {
         return false;
     }
-    if (w->joint_hooks && least == THUD_DYNAMIC &&
+    if (w->joint_hooks && kind_min == THUD_DYNAMIC &&
         w->joint_hooks->keeps_apart(w, a->body, b->body)) {
         return false;
     }
-    bool meet = (a->filter.mask & b->filter.category) && (b->filter.mask & a->filter.category);
+    bool collides = (a->filter.mask & b->filter.category) && (b->filter.mask & a->filter.category);
     if (a->filter.group == b->filter.group && a->filter.group != 0) {
-        meet = a->filter.group > 0;
+        collides = a->filter.group > 0;
     }
-    return meet && (!w->rule_hooks || w->rule_hooks->allows(w, shape_a, shape_b));
+    return collides && (!w->rule_hooks || w->rule_hooks->allows(w, shape_a, shape_b));
 }
 
 bool td_pair_meets(const thud_world *w, int a, int b) {
@@ -62,8 +63,9 @@ bool td_pair_meets(const thud_world *w, int a, int b) {
         return false;
     }
     const td_position *p = &td_shape_proxy_at(w, a)->center, *q = &td_shape_proxy_at(w, b)->center;
-    int64_t most = (int64_t)1 << (30 + TD_COARSE_SHIFT), x = p->x - q->x, y = p->y - q->y;
-    return !w->vast || (x < most && x > -most && y < most && y > -most);
+    /* A quarter of the range of the 32-bit coarse coordinates. */
+    int64_t limit = (int64_t)1 << (30 + TD_COARSE_SHIFT), x = p->x - q->x, y = p->y - q->y;
+    return !w->vast || (x < limit && x > -limit && y < limit && y > -limit);
 }
 
 bool td_contact_bounds_meet(const thud_world *w, const td_contact *contact) {
@@ -89,15 +91,17 @@ void td_contact_create(thud_world *w, td_pair_kind kind, int shape_a, int shape_
 
 bool td_contact_end_reserve(thud_world *w, int more) {
     td_event_lists *e = &w->events;
-    int sensed = td_min_int(more, w->constraint_count[TD_PAIR_SENSOR]);
-    more = td_max_int(more, 32); /* that many do now and then, and a long run asks for nothing */
+    int sensor_pairs = td_min_int(more, w->constraint_count[TD_PAIR_SENSOR]);
+    more = td_max_int(more, 32); /* room for 32 at least, so that few steps allocate; chosen */
     return (!w->def.contact_events || td_array_reserve(&w->memory, &e->end, e->end.count + more)) &&
-           td_array_reserve(&w->memory, &e->sensor_end, e->sensor_end.count + 2 * sensed) &&
-           td_array_reserve(&w->memory, &e->sensor_end_time, e->sensor_end.count + 2 * sensed);
+           td_array_reserve(&w->memory, &e->sensor_end, e->sensor_end.count + 2 * sensor_pairs) &&
+           td_array_reserve(&w->memory, &e->sensor_end_time,
+                            e->sensor_end.count + 2 * sensor_pairs);
 }
 
-/* A line has a contact a segment, but callers hear of it as of one shape: a pair begins with its
- * first segment and ends with its last. What td_constraint.open is of another segment, or 0. */
+/* A shape has one contact for each segment of a terrain that it touches, but events treat the
+ * terrain as one shape: the pair begins with its first segment and ends with its last. Returns
+ * td_constraint.open of another contact of the pair that is open, or 0. */
 static int open_elsewhere(const thud_world *w, int contact_index) {
     const td_contact *contact = td_contact_at(w, contact_index);
     bool ground_first = td_kind_is_line(td_shape_at(w, contact->shape_a)->kind);
@@ -115,6 +119,7 @@ static int open_elsewhere(const thud_world *w, int contact_index) {
     return 0;
 }
 
+/* Appends an event to a list that has room. */
 static void push_event(thud_world *w, td_array *list, int shape_a, int shape_b) {
     TD_PUSH(thud_contact_event, list) =
         (thud_contact_event){td_shape_handle(w, shape_a), td_shape_handle(w, shape_b)};
@@ -129,8 +134,9 @@ void td_sensor_tell(thud_world *w, td_array *list, td_array *times, int a, int b
     }
 }
 
-/* A sensor is there to report, also where nobody wants to hear of touches. */
-static void tell(thud_world *w, const td_contact *contact, bool begins) {
+/* Adds the begin or end event of a contact. thud_world_def.contact_events, when false, does not
+ * silence sensors. */
+static void add_event(thud_world *w, const td_contact *contact, bool begins) {
     td_event_lists *e = &w->events;
     int a = contact->shape_a, b = contact->shape_b;
     if (contact->kind == TD_PAIR_SENSOR) {
@@ -150,9 +156,9 @@ void td_contact_begin(thud_world *w, int contact_index) {
     int open = open_elsewhere(w, contact_index);
     bool silent = td_pair_is_silent(w, contact->shape_a, contact->shape_b);
     contact->open = (uint8_t)(open ? open : silent ? TD_OPEN : TD_OPEN | TD_TOLD);
-    contact->vetoed = 0; /* by nobody yet, in this touch */
+    contact->vetoed = 0; /* a rule or prologue has not yet decided about this touch */
     if (!open && contact->open & TD_TOLD) {
-        tell(w, contact, true);
+        add_event(w, contact, true);
     }
 }
 
@@ -161,10 +167,13 @@ void td_contact_end(thud_world *w, int contact_index) {
     int open = contact->open;
     contact->open = 0;
     if (open & TD_TOLD && !open_elsewhere(w, contact_index)) {
-        tell(w, contact, false);
+        add_event(w, contact, false);
     }
 }
 
+/* Whether edits that wait for the next step remove one side of a constraint: the body is gone or
+ * will be disabled or enabled, the shape is gone, or it is a terrain that moves. `shape`: TD_NONE
+ * for a joint. */
 static bool is_ending_side(const thud_world *w, td_body_index body, int shape) {
     const td_body *b = td_body_at(w, body);
     bool gone = !(b->flags & TD_BODY_LIVE) || b->changes & TD_CHANGE_ENABLE;
@@ -175,7 +184,7 @@ static bool is_ending_side(const thud_world *w, td_body_index body, int shape) {
     return moved_line || !(td_shape_at(w, shape)->flags & TD_SHAPE_LIVE);
 }
 
-/* As the change list of the next step will do: changes.c. */
+/* It predicts what the change list does in the next step (state/changes.c). */
 bool td_contact_is_ending(const thud_world *w, const td_constraint *constraint) {
     return (td_is_contact(constraint) && constraint->child == TD_NONE) ||
            is_ending_side(w, constraint->body[0], constraint->shape_a) ||

@@ -1,4 +1,5 @@
-/* edge_neighbours.c: see edge_neighbours.h. */
+/* edge_neighbours.c: see edge_neighbours.h. Static neighbours are found by the broadphase's set of
+ * resting shapes; those of one moving body by its list of shapes. */
 #include "contact/edge_neighbours.h"
 
 #include "contact/box_faces.h"
@@ -7,11 +8,11 @@
 #include "state/shape.h"
 #include "terrain/terrain.h"
 
-td_internal_edge td_internal_edge_between(thud_world *w, int shape, int other,
+td_neighbourhood td_neighbourhood_between(thud_world *w, int shape, int other,
                                           const thud_shape_instance *a,
                                           const thud_shape_instance *b) {
     const td_shape *first = td_shape_at(w, shape);
-    td_internal_edge s = {.w = w,
+    td_neighbourhood s = {.w = w,
                           .shape = shape,
                           .other = other,
                           .origin = td_shape_proxy_at(w, shape)->center,
@@ -35,13 +36,13 @@ td_internal_edge td_internal_edge_between(thud_world *w, int shape, int other,
     return s;
 }
 
-td_internal_edge td_internal_edge_of(thud_world *w, int shape, int other) {
+td_neighbourhood td_neighbourhood_of(thud_world *w, int shape, int other) {
     td_position origin = td_shape_proxy_at(w, shape)->center;
     thud_shape_instance a = td_shape_instance(w, shape, origin), b = a;
     if (other != TD_NONE) {
         b = td_shape_instance(w, other, origin);
     }
-    return td_internal_edge_between(w, shape, other, &a, &b);
+    return td_neighbourhood_between(w, shape, other, &a, &b);
 }
 
 bool td_is_ground(const thud_world *w, int shape) {
@@ -51,7 +52,7 @@ bool td_is_ground(const thud_world *w, int shape) {
            !(td_body_at(w, s->body)->flags & TD_BODY_DISABLED);
 }
 
-thud_shape_instance td_internal_edge_place(const td_internal_edge *s, int neighbour) {
+thud_shape_instance td_neighbour_instance(const td_neighbourhood *s, int neighbour) {
     if (!s->moves) {
         return td_shape_instance(s->w, neighbour, s->origin);
     }
@@ -65,8 +66,8 @@ thud_shape_instance td_internal_edge_place(const td_internal_edge *s, int neighb
                                  .hy = (double)n->half_y};
 }
 
-bool td_internal_edge_holds(const td_internal_edge *s, int neighbour, const thud_shape_instance *n,
-                            double x, double y, double slack) {
+bool td_neighbour_contains(const td_neighbourhood *s, int neighbour, const thud_shape_instance *n,
+                           double x, double y, double slack) {
     thud_shape_instance point = {.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = slack};
     switch (n->kind) {
     case THUD_CIRCLE:
@@ -87,22 +88,23 @@ bool td_internal_edge_holds(const td_internal_edge *s, int neighbour, const thud
     return false;
 }
 
-/* Whether a line ends at a place: its sealed end is no edge of its own, and leaves it to a box's
- * corner that is there. */
-static bool ends_at(const td_internal_edge *s, const thud_terrain *t, int vertex, double at,
-                    double x) {
+/* Whether a vertex is the first or last one of a line and stands at x. `at` is the vertex's x. Such
+ * an end does not count as ground that rises past a box's corner: the box that seals the end may
+ * stand at the same place, and then its corner is the one that is met. */
+static bool is_line_end(const td_neighbourhood *s, const thud_terrain *t, int vertex, double at,
+                        double x) {
     bool end = t->kind != THUD_TERRAIN_FLAT && (vertex == 0 || vertex == t->count - 1);
-    return end && td_abs(at - x) <= 2.0 * TD_FLUSH * s->unit;
+    return end && td_abs(at - x) <= 2.0 * TD_NEIGHBOUR_GAP * s->unit;
 }
 
-bool td_internal_edge_meets(const td_internal_edge *s, int neighbour, const thud_shape_instance *n,
-                            const thud_shape_instance *box) {
+bool td_neighbour_overlaps(const td_neighbourhood *s, int neighbour, const thud_shape_instance *n,
+                           const thud_shape_instance *box) {
     switch (n->kind) {
     case THUD_CIRCLE:
         return thud_shapes_overlap(n, box);
     case THUD_AABB:
     case THUD_OBB:
-        return td_internal_edge_boxes_meet(n, box);
+        return td_boxes_overlap(n, box);
     case THUD_TERRAIN: {
         thud_terrain terrain = td_terrain_view(s->w, neighbour);
         thud_shape_instance moved = *box;
@@ -114,20 +116,21 @@ bool td_internal_edge_meets(const td_internal_edge *s, int neighbour, const thud
     return false;
 }
 
-bool td_internal_edge_rises(const td_internal_edge *s, int neighbour, const thud_shape_instance *n,
-                            double x, double y, double nx, double ny, double level) {
+bool td_neighbour_extends(const td_neighbourhood *s, int neighbour, const thud_shape_instance *n,
+                          double x, double y, double nx, double ny, double level) {
     double past = (n->x - x) * nx + (n->y - y) * ny;
     if (td_kind_is_line(n->kind)) {
         thud_terrain terrain = td_terrain_view(s->w, neighbour);
-        double near = 2.0 * TD_FLUSH * s->unit; /* the ground further away is met on its own */
+        double near =
+            2.0 * TD_NEIGHBOUR_GAP * s->unit; /* Ground further away gives contacts of its own. */
         int first, last;
         thud_terrain_segments(&terrain, x - n->x - near, x - n->x + near, &first, &last);
         bool higher = ny < 0.0;
         for (int i = first; i <= last; i++) {
             td_segment t = td_terrain_segment(&terrain, i, x - n->x - s->unit, x - n->x + s->unit);
-            higher |=
-                !ends_at(s, &terrain, i, t.p.x, x - n->x) && past + t.p.x * nx + t.p.y * ny > level;
-            higher |= !ends_at(s, &terrain, i + 1, t.q.x, x - n->x) &&
+            higher |= !is_line_end(s, &terrain, i, t.p.x, x - n->x) &&
+                      past + t.p.x * nx + t.p.y * ny > level;
+            higher |= !is_line_end(s, &terrain, i + 1, t.q.x, x - n->x) &&
                       past + t.q.x * nx + t.q.y * ny > level;
         }
         return higher;
@@ -135,7 +138,8 @@ bool td_internal_edge_rises(const td_internal_edge *s, int neighbour, const thud
     return past + td_half_along(n, nx, ny) > level;
 }
 
-static bool asks(const td_internal_edge *s, int n, td_neighbour_fn *fn, void *context) {
+/* Calls `fn` for neighbour n unless it is the shape itself or does not count for `other`. */
+static bool visit(const td_neighbourhood *s, int n, td_neighbour_fn *fn, void *context) {
     return n != s->shape &&
            (s->other == TD_NONE ||
             (td_pair_allowed(s->w, n, s->other) &&
@@ -143,30 +147,31 @@ static bool asks(const td_internal_edge *s, int n, td_neighbour_fn *fn, void *co
            fn(s, n, context);
 }
 
-static bool any_of_body(const td_internal_edge *s, const thud_shape_instance *where,
+/* td_neighbour_any for the shapes of one moving body, by their bounding squares. */
+static bool any_in_body(const td_neighbourhood *s, const thud_shape_instance *where,
                         td_neighbour_fn *fn, void *context) {
-    double near = td_reach(where) + 2.0 * TD_FLUSH * s->unit;
+    double near = td_reach(where) + 2.0 * TD_NEIGHBOUR_GAP * s->unit;
     int n = td_body_at(s->w, td_shape_at(s->w, s->shape)->body)->first_shape;
     for (; n != TD_NONE; n = td_shape_at(s->w, n)->next) {
-        thud_shape_instance p = td_internal_edge_place(s, n);
+        thud_shape_instance p = td_neighbour_instance(s, n);
         double reach = near + td_reach(&p);
         int flags = td_shape_at(s->w, n)->flags & (TD_SHAPE_LIVE | TD_SHAPE_HOLLOW);
         if (td_abs(p.x - where->x) <= reach && td_abs(p.y - where->y) <= reach &&
-            flags == TD_SHAPE_LIVE && asks(s, n, fn, context)) {
+            flags == TD_SHAPE_LIVE && visit(s, n, fn, context)) {
             return true;
         }
     }
     return false;
 }
 
-bool td_internal_edge_any(const td_internal_edge *s, const thud_shape_instance *where,
-                          td_neighbour_fn *fn, void *context) {
+bool td_neighbour_any(const td_neighbourhood *s, const thud_shape_instance *where,
+                      td_neighbour_fn *fn, void *context) {
     thud_world *w = s->w;
     td_array *hits = &w->scratch.hits;
     if (s->moves) {
-        return any_of_body(s, where, fn, context);
+        return any_in_body(s, where, fn, context);
     }
-    td_bounds b = td_placed_bounds(w, where, s->origin, 2.0 * TD_FLUSH * s->unit);
+    td_bounds b = td_placed_bounds(w, where, s->origin, 2.0 * TD_NEIGHBOUR_GAP * s->unit);
     hits->count = 0;
     if (!td_kind_is_line(where->kind) &&
         !w->def.broadphase->find[w->wide](&w->rest_shapes, &w->memory, &b, s->origin, hits)) {
@@ -174,14 +179,14 @@ bool td_internal_edge_any(const td_internal_edge *s, const thud_shape_instance *
     }
     for (int i = 0; i < hits->count; i++) {
         int n = td_int_at(hits, i);
-        if (td_is_ground(w, n) && asks(s, n, fn, context)) {
+        if (td_is_ground(w, n) && visit(s, n, fn, context)) {
             return true;
         }
     }
     for (int t = 0; t < w->terrains.count; t++) {
         const td_terrain_record *record = td_terrain_record_at(w, t);
         int n = record->shape;
-        if (n != TD_NONE && td_is_ground(w, n) && asks(s, n, fn, context)) {
+        if (n != TD_NONE && td_is_ground(w, n) && visit(s, n, fn, context)) {
             return true;
         }
     }

@@ -1,58 +1,73 @@
-/* edge_neighbours.h: a shape among its neighbours: of a static one, the other static shapes; of one
- * that moves, those of its own body. */
+/* edge_neighbours.h: a shape and the shapes that stand next to it, for internal_edges.h: the
+ * queries by which edge_finder.c and internal_edges.c find out which part of the shape a neighbour
+ * hides.
+ *
+ * The neighbours of a shape of a static body are all shapes of static bodies; those of a shape of a
+ * moving body are the other shapes of the same body. */
 #ifndef TD_EDGE_NEIGHBOURS_H
 #define TD_EDGE_NEIGHBOURS_H
 
 #include "geometry/shape_instance.h"
 #include "state/shape.h"
 
-/* In length scales: neighbours may be so far apart or overlap so much. What lies twice as far
- * outside a face is looked at to see whether it is covered: a neighbour's face in line with it does
- * not reach there. */
-#define TD_FLUSH 1e-3
+/* Greatest gap or overlap between two faces that still counts as none, length scales. Whether a
+ * face is covered is tested at twice this distance outside of it, where a neighbour whose own face
+ * is in line with it does not reach. Chosen; not tuned. */
+#define TD_NEIGHBOUR_GAP 1e-3
 
-/* A shape and another that it meets, or TD_NONE, relative to the centre of the first; along the
- * axes of the world where the first is static, else along those of its body. */
-typedef struct td_internal_edge {
+/* A shape in the frame that its neighbours are described in: the origin is the shape's centre, and
+ * the axes are those of the world for a static body, those of the body for a moving one. */
+typedef struct td_neighbourhood {
     thud_world *w;
-    int shape, other;
-    td_position origin; /* the centre, of a static shape */
-    bool moves;
-    double c, s; /* of the axes in the world */
-    thud_shape_instance a, b;
-    double unit;
-} td_internal_edge;
+    int shape, other;   /* other: a shape in contact with it, or TD_NONE */
+    td_position origin; /* centre of the shape in the world; only for a static body */
+    bool moves;         /* the body is not static */
+    double c, s;        /* cosine and sine of the frame's rotation in the world; not static only */
+    thud_shape_instance a, b; /* `shape` and `other` in the frame */
+    double unit;              /* length scale */
+} td_neighbourhood;
 
-td_internal_edge td_internal_edge_of(thud_world *w, int shape, int other);
-/* Where the two are placed as told, relative to anything. */
-td_internal_edge td_internal_edge_between(thud_world *w, int shape, int other,
+/* For the present poses. With `other` TD_NONE, the field b is a copy of a. */
+td_neighbourhood td_neighbourhood_of(thud_world *w, int shape, int other);
+/* The same for given instances of both shapes, relative to any common origin, such as the poses at
+ * a time within the step. */
+td_neighbourhood td_neighbourhood_between(thud_world *w, int shape, int other,
                                           const thud_shape_instance *a,
                                           const thud_shape_instance *b);
 
-/* A static shape that others meet. */
+/* Whether a shape is one that can hide edges of static shapes: live, not a sensor, and of a static
+ * body that is enabled. */
 bool td_is_ground(const thud_world *w, int shape);
 
-/* Where a neighbour stands, relative to the first shape and along the same axes. */
-thud_shape_instance td_internal_edge_place(const td_internal_edge *s, int neighbour);
+/* The instance of a neighbour in the frame of `s`. */
+thud_shape_instance td_neighbour_instance(const td_neighbourhood *s, int neighbour);
 
-/* Three questions about a neighbour that stands where td_internal_edge_place says, which is asked
+/* Three queries about a neighbour. `placed` is its td_neighbour_instance, which the caller computes
  * once for all of them. */
 
-/* Whether the ground of a neighbour, `slack` thicker, holds a point. */
-bool td_internal_edge_holds(const td_internal_edge *s, int neighbour,
-                            const thud_shape_instance *placed, double x, double y, double slack);
-/* Whether a neighbour shares a point with a box. */
-bool td_internal_edge_meets(const td_internal_edge *s, int neighbour,
-                            const thud_shape_instance *placed, const thud_shape_instance *box);
-/* Whether a neighbour goes further than `level` past a point that it holds, along (nx, ny). */
-bool td_internal_edge_rises(const td_internal_edge *s, int neighbour,
-                            const thud_shape_instance *placed, double x, double y, double nx,
-                            double ny, double level);
+/* Whether the neighbour, grown by `slack` on all sides, contains the point. A terrain contains what
+ * is below its line. */
+bool td_neighbour_contains(const td_neighbourhood *s, int neighbour,
+                           const thud_shape_instance *placed, double x, double y, double slack);
+/* Whether the neighbour and a box share a point. */
+bool td_neighbour_overlaps(const td_neighbourhood *s, int neighbour,
+                           const thud_shape_instance *placed, const thud_shape_instance *box);
+/* Whether the neighbour extends further than `level` (length) beyond the point (x, y), which it
+ * contains, in the direction of the unit vector (nx, ny). Of a terrain only the part of the line
+ * within 2 TD_NEIGHBOUR_GAP of x counts, without its ends. */
+bool td_neighbour_extends(const td_neighbourhood *s, int neighbour,
+                          const thud_shape_instance *placed, double x, double y, double nx,
+                          double ny, double level);
 
-typedef bool td_neighbour_fn(const td_internal_edge *s, int neighbour, void *context);
+/* Called for a neighbour; true ends the enumeration. */
+typedef bool td_neighbour_fn(const td_neighbourhood *s, int neighbour, void *context);
 
-/* Asks of each neighbour near a place that the other shape meets too, until one answers true. */
-bool td_internal_edge_any(const td_internal_edge *s, const thud_shape_instance *where,
-                          td_neighbour_fn *fn, void *context);
+/* Calls `fn` for the neighbours whose bounds are within 2 TD_NEIGHBOUR_GAP of `where` (an instance
+ * in the frame of `s`), as long as it returns false; whether a call returned true. Where `other` is
+ * not TD_NONE, only neighbours count that may collide with it, too, and that no one-way rule lets
+ * it pass. Terrains count wherever they are. Uses scratch.hits, for which td_internal_edges_see and
+ * its siblings reserve room; false where the search runs out of memory. */
+bool td_neighbour_any(const td_neighbourhood *s, const thud_shape_instance *where,
+                      td_neighbour_fn *fn, void *context);
 
 #endif

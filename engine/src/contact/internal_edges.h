@@ -1,67 +1,86 @@
-/* internal_edges.h: static shapes that stand side by side make one ground, and so do those of one
- * body. What slides over the internal edge between two of them must not meet the face that each
- * hides from the other: a ghost. */
+/* internal_edges.h: contacts at internal edges are suppressed.
+ *
+ * Static shapes that stand side by side, such as the tiles of a floor, form one surface, and so do
+ * the shapes of one moving body. The faces and corners between two neighbours are internal edges:
+ * no other shape can reach them. Tested alone, each shape reports contacts with them nevertheless
+ * (ghost collisions: Catto, "Ghost Collisions", box2d.org, 2020), and a body that slides over the
+ * surface is caught. Bullet's btInternalEdgeUtility.h solves the same problem for triangle meshes.
+ *
+ * - edge_finder.c finds for each shape which of its faces and corners have a neighbour at them.
+ * - internal_edges.c removes or changes contacts at those that are hidden.
+ * - edge_neighbours.c has the geometric queries that both use. */
 #ifndef TD_INTERNAL_EDGES_H
 #define TD_INTERNAL_EDGES_H
 
 #include "contact/box_faces.h"
 #include "state/world.h"
 
-/* Faces of a box, and the bits of td_shape.internal_edges: a neighbour covers a part of them; of a
- * terrain, its right and its left end. In td_shape.hidden: one that meets the same others covers
- * the whole face. */
+/* The faces of a box. 1 << face is the bit of a face in two masks of td_shape:
+ * - internal_edges: a neighbour covers some part of the face. Of a terrain only RIGHT and LEFT are
+ *   used, for the ends of its line.
+ * - hidden: one neighbour with the same filter covers the whole face, so that no normal of it is
+ *   ever valid. */
 enum { TD_FACE_RIGHT, TD_FACE_TOP, TD_FACE_LEFT, TD_FACE_BOTTOM, TD_FACES };
 
-/* The bit of a corner, in td_shape.internal_edges and in td_shape.hidden. It is set in the first
- * where something stands at the corner, and in the second where a shape that meets
- * the same others makes a straight edge of it, so that no normal between the corner's faces is the
- * ground's. */
+/* The bit of a corner of a box in the same masks. internal_edges: a neighbour stands at the corner.
+ * hidden: a neighbour with the same filter goes on past the corner in both directions, so that no
+ * normal between the corner's two faces is ever valid. */
 static inline unsigned td_corner_bit(bool right, bool top) {
     return 1u << (TD_FACES + right + 2 * top);
 }
 
-/* In td_shape.flags, of a static box that nothing has come near: nobody has looked yet what it
- * stands at, and every bit of td_shape.internal_edges is set. */
+/* A bit of td_shape.flags, of a static box whose neighbours have not been looked for, since nothing
+ * has come near it. All bits of td_shape.internal_edges are set meanwhile. */
 enum { TD_SHAPE_UNSEEN = 4 };
 
-/* Two shapes where they stand, relative to anything. */
+/* A pair of shapes whose contact is examined, and an instance of each, relative to a common
+ * origin. */
 typedef struct td_internal_edge_pair {
     thud_world *w;
     int shape[2];
     thud_shape_instance placed[2];
 } td_internal_edge_pair;
 
-/* td_block.internal_edges of two shapes: all of them where the second has any, since lanes know the
- * faces of the first alone. */
+/* The value of td_lane_marks.internal_edges for the lane of a and b: the mask of a. It is all bits
+ * where b has internal edges, because the mask only describes the faces of a. */
 static inline uint8_t td_internal_edges_of(const td_shape *a, const td_shape *b) {
     return b->internal_edges ? UINT8_MAX : a->internal_edges;
 }
 
-/* Plugged into a world with the first box or line, see kinds.h. */
+/* The functions of a world from its first box or terrain on (state/kind_*.c). */
 typedef struct td_internal_edge_ops {
-    /* A static shape came or moved: it and its neighbours are to be looked at, at once where they
-     * have contacts. False when memory is short. */
+    /* A shape of a static body was created or has moved: marks it and its neighbours as
+     * TD_SHAPE_UNSEEN, and inspects those that have contacts at once. False when memory is
+     * short. */
     bool (*find)(thud_world *w, int shape);
-    /* Looks what an unseen shape stands at, before it gets a contact. Likewise. */
+    /* Finds the masks of an unseen shape; before it gets its first contact. False when memory is
+     * short. */
     bool (*see)(thud_world *w, int shape);
-    /* Before a static body's shapes leave or move: their neighbours will look anew. Likewise. */
+    /* Before the shapes of a static body are removed or moved: clears the masks of their neighbours
+     * and marks those as moved, so that `find` gets them in the next step. False when memory is
+     * short. */
     bool (*lose)(thud_world *w, td_body_index body);
-    /* Looks for which shapes of a moving body stand next to each other. */
+    /* Finds the masks of all boxes of a body that is not static. */
     void (*join)(thud_world *w, td_body_index body);
-    /* Takes ghosts out of the lanes of a block: a contact with a hidden face moves to one that can
-     * be met, or ends, which td_block.touching tells. */
+    /* Corrects the contacts of a block that are at a hidden face or corner. Such a contact gets a
+     * manifold along an axis that is not hidden, or loses its points and its bit of
+     * td_block.touching. */
     void (*amend)(thud_world *w, td_block *block, int kind);
-    /* The same for all lanes of the step; adds to scratch.parted, which has room. */
+    /* The same for all lanes of the step, where they may have internal edges. Adds the blocks in
+     * which a lane stops touching to scratch.parted, which has room. */
     void (*amend_all)(thud_world *w);
-    /* Whether a normal, from the first to the second, is that of a ghost. */
+    /* Whether the unit normal, from the first shape to the second, belongs to a hidden face or
+     * corner. */
     bool (*is_ghost)(const td_internal_edge_pair *pair, double nx, double ny);
-    /* Two boxes: where they touch along an axis on which they can; false where they do not. */
+    /* The contact of two boxes along the best axis that is not hidden. False where there is none,
+     * and for other kinds of shapes. */
     bool (*contact)(const td_internal_edge_pair *pair, td_internal_edge_contact *contact);
 } td_internal_edge_ops;
 
 extern const td_internal_edge_ops td_internal_edges;
 
-bool td_internal_edges_find(thud_world *w, int shape); /* edge_finder.c */
+/* edge_finder.c: the first four of these functions. */
+bool td_internal_edges_find(thud_world *w, int shape);
 bool td_internal_edges_see(thud_world *w, int shape);
 bool td_internal_edges_lose(thud_world *w, td_body_index body);
 void td_internal_edges_join(thud_world *w, td_body_index body);

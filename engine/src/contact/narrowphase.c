@@ -18,6 +18,7 @@
 
 enum { TEST_BLOCKS = 32 }; /* scratch blocks: 256 waiting contacts are tested at once. Chosen. */
 
+/* The input of the kernels, without the outputs `armed` and `parted`. */
 static td_collide_context context_of(const thud_world *w) {
     return (td_collide_context){
         .proxy = w->proxy.data,
@@ -25,12 +26,13 @@ static td_collide_context context_of(const thud_world *w) {
         .quantum = w->quantum,
         .margin = TD_SPECULATIVE * w->unit,
         .skin = w->skin,
-        .axis_tolerance = 0.1f * TD_SLOP * w->unit,
+        .axis_tolerance = 0.1f * TD_SLOP * w->unit, /* 0.0005 length scales. Chosen. */
     };
 }
 
-/* Runs a kind's kernel on blocks. Returns whether one of them is armed. `parted` gets the blocks of
- * which a lane does not touch; it needs room for one more than the blocks. */
+/* Runs a kind's kernel on blocks. Returns whether one of them is armed (td_block.armed). `parted`
+ * gets the blocks of which a lane does not touch; it needs room for one more than the blocks, since
+ * the kernel writes before it knows. */
 static int collide(thud_world *w, int kind, td_block *const *blocks, int count, td_block **parted,
                    int *parted_count) {
     td_collide_context context = context_of(w);
@@ -96,6 +98,7 @@ typedef struct batch {
     int contacts[TEST_BLOCKS * TD_LANES];
 } batch;
 
+/* Tests the collected contacts and empties the batch. */
 static void test_batch(batch *b) {
     if (b->count) {
         test_contacts(b->w, b->kind, b->contacts, b->count);
@@ -122,8 +125,8 @@ static void sift_singly(batch *b, const int *waiting, int count) {
     }
 }
 
-/* The same eight at a time; only contacts that may touch, by a quick lower bound of their
- * separation, are collected. */
+/* The same eight at a time. Of contacts whose bounds overlap, only those are collected whose
+ * separation may be below the margin, by a lower bound that is cheap to compute. */
 static void sift_widely(batch *b, const int *waiting, int count) {
     thud_world *w = b->w;
     td_sift_fn *sift = w->kinds[b->kind]->sift;
@@ -135,6 +138,7 @@ static void sift_widely(batch *b, const int *waiting, int count) {
             const td_contact *contact = td_contact_at(w, waiting[first + td_min_int(i, used - 1)]);
             shape_a[i] = contact->shape_a;
             shape_b[i] = contact->shape_b;
+            /* Prefetch distance of three groups. Chosen. */
             if (first + i + 3 * TD_LANES < count) {
                 __builtin_prefetch(td_contact_at(w, waiting[first + i + 3 * TD_LANES]));
             }
@@ -226,6 +230,7 @@ static bool begin_contacts(thud_world *w) {
 
 /* ---- lanes ---- */
 
+/* The work that the workers share in collide_lanes. */
 typedef struct colliding {
     thud_world *w;
     td_job task;
@@ -243,6 +248,7 @@ static void collide_chunk(void *work, int index) {
                            chunk->count, parted, &chunk->parted);
 }
 
+/* A worker: takes chunks until none is left. */
 static void collide_as_worker(void *argument) {
     colliding *c = argument;
     td_worker worker = td_worker_arrive(&c->task);

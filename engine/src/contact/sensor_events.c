@@ -1,44 +1,53 @@
-/* sensor_events.c: which shapes came to be in sensors in the step, and which went. Pairs of a
- * sensor have no lanes: they wait as long as their bounds overlap, and are tested exactly at the
- * end of each step, once where neither moves. */
+/* sensor_events.c: begin and end events of sensors, at the end of a step.
+ *
+ * Contacts of kind TD_PAIR_SENSOR have no lanes: they wait as long as their bounds overlap. Each
+ * step tests all that wait for exact overlap at the poses at its end; a contact of two bodies that
+ * do not move is tested once, and then leaves the waiting list (TD_RESTING). */
 #include "api/step.h"
 #include "contact/sensors.h"
 #include "detection/sensing.h"
 
-/* The events from `first` on happened at that time. */
-static void date(td_array *times, int first, float time) {
+/* Sets the time of the events from `first` on. */
+static void set_times(td_array *times, int first, float time) {
     for (int i = first; i < times->count; i++) {
         *TD_AT(float, times, i) = time;
     }
 }
 
+/* The time within the step, 0 to 1, at which the pair began or ended to overlap: 1 unless a
+ * detection that follows motions knows it. */
 static float time_of(const thud_world *w, const td_contact *contact, bool begins) {
     const td_sensing *sensing = td_sensing_of(w);
     return sensing ? sensing->when(w, contact->shape_a, contact->shape_b, begins) : 1.0f;
 }
 
+/* Begins a contact, and sets the time of the events that this adds: none, one or two. */
 static void begin(thud_world *w, int index) {
     int first = w->events.sensor_begin_time.count;
     td_contact_begin(w, index);
     if (w->events.sensor_begin_time.count > first) {
-        date(&w->events.sensor_begin_time, first, time_of(w, td_contact_at(w, index), true));
+        set_times(&w->events.sensor_begin_time, first, time_of(w, td_contact_at(w, index), true));
     }
 }
 
+/* The same for its end. */
 static void end(thud_world *w, int index) {
     int first = w->events.sensor_end_time.count;
     td_contact_end(w, index);
     if (w->events.sensor_end_time.count > first) {
-        date(&w->events.sensor_end_time, first, time_of(w, td_contact_at(w, index), false));
+        set_times(&w->events.sensor_end_time, first, time_of(w, td_contact_at(w, index), false));
     }
 }
 
+/* Reserves room for all events of td_sensors_test. False when memory is short. */
 bool td_sensors_reserve(thud_world *w) {
     return td_sensor_room(w, w->waiting[TD_PAIR_SENSOR].count + w->scratch.sensed_room);
 }
 
-/* One that rests gives its place to the last. Where bounds have parted, the next narrowphase ends
- * the contact, after the broadphase that believes there is one. */
+/* The step after the solver (api/step.h). A contact whose bodies both rest leaves the waiting list,
+ * in which the last one takes its place, so that `i` stays. Where bounds no longer overlap, the
+ * contact ends here, but the next narrowphase destroys it: the broadphase still counts on it until
+ * then. */
 void td_sensors_test(thud_world *w) {
     const td_array *waiting = &w->waiting[TD_PAIR_SENSOR];
     if (!td_sensor_room(w, waiting->count)) {

@@ -5,8 +5,8 @@
 #include "state/shape.h"
 
 bool td_sensor_overlaps(const thud_world *w, int shape_a, int shape_b) {
-    bool second = td_kind_is_line(td_shape_at(w, shape_b)->kind);
-    int a = second ? shape_b : shape_a, b = second ? shape_a : shape_b;
+    bool b_is_line = td_kind_is_line(td_shape_at(w, shape_b)->kind);
+    int a = b_is_line ? shape_b : shape_a, b = b_is_line ? shape_a : shape_b;
     td_position origin = td_shape_proxy_at(w, a)->center;
     thud_shape_instance placed_b = td_shape_instance(w, b, origin);
     if (td_kind_is_line(td_shape_at(w, a)->kind)) {
@@ -16,17 +16,19 @@ bool td_sensor_overlaps(const thud_world *w, int shape_a, int shape_b) {
     return thud_shapes_overlap(&placed_a, &placed_b);
 }
 
-/* Pairs that come in a step for which there is room in any world; and, beside one for each body
- * that is awake and as many as there are already, in one of many sensors. Both chosen: a pair takes
- * some 250 bytes. */
-enum { FEW = 256, MANY = 512 };
+/* Bounds of td_sensors_expect. EXPECTED_PAIRS_MIN is reserved in any world with sensors;
+ * EXPECTED_PAIRS_BASE is the estimate for a world of many, beside one pair for each awake body and
+ * as many as exist already. Both chosen: a pair takes about 250 bytes. */
+enum { EXPECTED_PAIRS_MIN = 256, EXPECTED_PAIRS_BASE = 512 };
 
-/* Each shape may be near several segments of a line. */
+/* With terrains there is no bound of one pair for each sensor and shape, since a shape may be near
+ * several segments. */
 int td_sensors_expect(const thud_world *w) {
-    int64_t likely = (int64_t)MANY + w->body_of.count + w->constraint_count[TD_PAIR_SENSOR];
+    int64_t likely =
+        (int64_t)EXPECTED_PAIRS_BASE + w->body_of.count + w->constraint_count[TD_PAIR_SENSOR];
     int64_t possible = (int64_t)w->sensors * w->shapes.live;
     int64_t pairs = w->terrains.live == 0 && possible < likely ? possible : likely;
-    return pairs > FEW ? (int)pairs : FEW;
+    return pairs > EXPECTED_PAIRS_MIN ? (int)pairs : EXPECTED_PAIRS_MIN;
 }
 
 bool td_sensor_room(thud_world *w, int more) {

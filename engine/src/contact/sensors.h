@@ -1,21 +1,26 @@
-/* sensors.h: which shapes are in which sensors, by the poses at the end of the step. */
+/* sensors.h: overlaps of sensors with other shapes, and room for their events.
+ *
+ * A sensor and another shape whose bounds overlap are a contact of kind TD_PAIR_SENSOR, which has
+ * no lane. It begins and ends by the exact overlap of the two at the end of a step
+ * (sensor_events.c). A pair that overlaps only within a step, because one of them is fast, is found
+ * by detection/sensing.c, and gets both events at once (td_sensor_passed). */
 #ifndef TD_SENSORS_H
 #define TD_SENSORS_H
 
 #include "contact/contact.h"
 
-/* Whether the two share a point where they stand. One of them may be a line. */
+/* Whether the two share a point at their present poses. One of them may be a terrain. */
 bool td_sensor_overlaps(const thud_world *w, int shape_a, int shape_b);
 
-/* How many pairs of sensors and other shapes may come or be passed in a step, as far as there is
- * room for them: all that are possible, or where those are many, as many as are likely. It follows
- * from the state of the world alone. */
+/* The number of pairs of sensors and other shapes for which a step reserves room in advance: pairs
+ * that come into being, or that only pass each other. It is all pairs that are possible, or an
+ * estimate where those are many. It depends on the state of the world alone. */
 int td_sensors_expect(const thud_world *w);
-/* Room to tell of so many pairs that they begin, and that they end. */
+/* Reserves room for the begin and the end events of `more` pairs. False when memory is short. */
 bool td_sensor_room(thud_world *w, int more);
-/* Tells that a sensor came to overlap another shape, and ceased to, within this step. Of two
- * sensors each reports the other. Of more than td_sensors_expect has it asks for memory, and tells
- * nothing where that is short. */
+/* Adds the begin and the end event of a sensor's pair that overlaps only within this step, from
+ * time `from` to `until` (0: start of the step, 1: end). Of two sensors each gets both events.
+ * Beyond the td_sensors_expect pairs it allocates, and adds nothing when memory is short. */
 void td_sensor_passed(thud_world *w, int shape_a, int shape_b, float from, float until);
 
 #endif

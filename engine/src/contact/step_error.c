@@ -1,5 +1,6 @@
-/* step_error.c: overlaps of a step in which detection changed motions after the solver: they are
- * counted when somebody asks. */
+/* step_error.c: the error statistics of a step (solver/error.h) where detection changed motions
+ * after the solver. The solver's separations are then no longer true, so that contact points are
+ * counted anew, when a caller reads the statistics. */
 #include "solver/error.h"
 
 #include "constraint/lanes.h"
@@ -7,8 +8,11 @@
 #include "state/kinds.h"
 #include "state/shape.h"
 
-/* By the rows of the contact and the motions as they became. */
-static float along_rows(const thud_world *w, const td_lane *at, int point) {
+/* The separation of a contact point after the step's motions, to first order, with normal n and
+ * lever arms of the start of the step:
+ *
+ *     separation = base + n . (d_b - d_a) + turn_b (r_b x n) - turn_a (r_a x n) */
+static float separation_by_rows(const thud_world *w, const td_lane *at, int point) {
     const td_block *block = at->block;
     const td_point *p = &block->point[point];
     const float *a = td_row(&w->delta, td_slot_of_side(block->a[at->lane]));
@@ -18,8 +22,10 @@ static float along_rows(const thud_world *w, const td_lane *at, int point) {
            a[2] * p->cross_a[at->lane];
 }
 
-/* Rows know no ends of faces: of what they take for overlapping, the shapes are asked. */
-static float distance_of(const thud_world *w, const td_constraint *contact, float known) {
+/* The exact distance of a contact's shapes, for a point that overlaps to first order: its shapes
+ * may have slid off each other's faces since. `known`, the first-order separation from surface to
+ * surface, is returned where a terrain does overlap, which has no exact depth here. */
+static float exact_distance(const thud_world *w, const td_constraint *contact, float known) {
     td_position origin = td_shape_proxy_at(w, contact->shape_a)->center;
     thud_shape_instance shape = td_shape_instance(w, contact->shape_b, origin);
     thud_closest closest;
@@ -34,17 +40,19 @@ static float distance_of(const thud_world *w, const td_constraint *contact, floa
 float td_error_separation(const thud_world *w, const td_constraint *contact, int point) {
     td_lane at = td_lane_of(w, contact);
     const td_block *block = at.block;
-    if (block->a[at.lane] + block->b[at.lane] == 0) { /* or both sleep */
+    /* No side has an awake slot: both bodies sleep, or one sleeps and the other is static. */
+    if (block->a[at.lane] + block->b[at.lane] == 0) {
         return block->point[point].separation[at.lane];
     }
-    float separation = along_rows(w, &at, point);
+    float separation = separation_by_rows(w, &at, point);
     if (separation + w->skin < 0.0f) {
         float known = separation + w->skin;
-        separation = td_max_float(known, distance_of(w, contact, known)) - w->skin;
+        separation = td_max_float(known, exact_distance(w, contact, known)) - w->skin;
     }
     return separation;
 }
 
+/* Whether one of the bodies is awake. */
 static bool is_awake(const thud_world *w, const td_constraint *contact) {
     return td_body_at(w, contact->body[0])->awake.at > 0 ||
            td_body_at(w, contact->body[1])->awake.at > 0;

@@ -3,6 +3,7 @@
 #include "contact/pair_kinds.h"
 #include "contact/wide_collide.h"
 
+/* A td_collide_fn: the face with the greater separation gives the normal. */
 static void aabb_aabb(td_block *const *blocks, int count, const td_collide_context *c) {
     f8 one = f8_all(1.0f), zero = f8_all(0.0f);
     for (int i = 0; i < count; i++) {
@@ -30,6 +31,7 @@ static void aabb_aabb(td_block *const *blocks, int count, const td_collide_conte
     }
 }
 
+/* A td_sift_fn, by the exact separation. */
 static td_sifted sift_aabbs(const int32_t *a, const int32_t *b, const td_collide_context *c) {
     td_pairs8 p = td_read_shapes(a, b, 0, c);
     f8 sx = f8_abs(p.dx) - p.ahx - p.bhx, sy = f8_abs(p.dy) - p.ahy - p.bhy;

@@ -10,14 +10,16 @@
 #include "contact/pair_kinds.h"
 #include "contact/wide_manifold_cache.h"
 
-typedef struct turned {
+/* The other box as seen in the frame of the reference box. */
+typedef struct reference_frame {
     f8 x, y;   /* centre of the other box, in the reference frame */
     f8 c, s;   /* its rotation there */
     f8 ux, uy; /* the frame's x axis in the world */
     f8 rx, ry; /* half extents of the reference box in the frame */
-    i8 face;   /* 0..3 */
-} turned;
+    i8 face;   /* the reference face, 0 to 3: +x, +y, -x, -y of its box */
+} reference_frame;
 
+/* Swaps a and b in the lanes of the mask. */
 TD_INLINE void swap_where(i8 mask, f8 *a, f8 *b) {
     f8 t = f8_pick(mask, *b, *a);
     *b = f8_pick(mask, *a, *b);
@@ -26,7 +28,7 @@ TD_INLINE void swap_where(i8 mask, f8 *a, f8 *b) {
 
 /* Turns the frame so that the reference face's normal is +x: by a quarter where the y axis was
  * chosen, then by a half where the other box is on the negative side. */
-TD_INLINE void turn_to_face(turned *t, i8 by_y) {
+TD_INLINE void rotate_to_face(reference_frame *t, i8 by_y) {
     f8 x = f8_pick(by_y, t->y, t->x), y = f8_pick(by_y, -t->x, t->y);
     f8 c = f8_pick(by_y, t->s, t->c), s = f8_pick(by_y, -t->c, t->s);
     f8 ux = f8_pick(by_y, -t->uy, t->ux), uy = f8_pick(by_y, t->ux, t->uy);
@@ -41,6 +43,7 @@ TD_INLINE void turn_to_face(turned *t, i8 by_y) {
     t->face = (by_y & i8_all(1)) | (back & i8_all(2));
 }
 
+/* The incident edge, in the reference frame. */
 typedef struct edge {
     f8 cx, cy; /* middle */
     f8 ex, ey; /* unit direction, ey > 0 */
@@ -49,7 +52,7 @@ typedef struct edge {
 } edge;
 
 /* The face of the other box whose normal is nearest to -x. */
-TD_INLINE edge incident_edge(const turned *t, f8 hx, f8 hy) {
+TD_INLINE edge incident_edge(const reference_frame *t, f8 hx, f8 hy) {
     f8 zero = f8_all(0.0f);
     i8 by_x = f8_abs(t->c) >= f8_abs(t->s);
     /* The box's own axes here are (c, s) and (-s, c). */
@@ -67,7 +70,7 @@ TD_INLINE edge incident_edge(const turned *t, f8 hx, f8 hy) {
     return e;
 }
 
-/* Separations along the axes of both boxes, and the relative pose. */
+/* The relative pose of two boxes, and the separations along the two axes of each. */
 typedef struct axes {
     f8 dax, day, dbx, dby; /* each centre in the other's frame */
     f8 c, s;               /* b's rotation in a's frame */
@@ -99,7 +102,7 @@ TD_INLINE i8 collide_block(td_block *block, const td_pairs8 *pairs, const i8 *fr
     f8 sep_a = f8_max(x.sep_ax, x.sep_ay), sep_b = f8_max(x.sep_bx, x.sep_by);
     i8 by_b = sep_b > sep_a + f8_all(context->axis_tolerance);
 
-    turned t;
+    reference_frame t;
     t.x = f8_pick(by_b, -x.dbx, x.dax);
     t.y = f8_pick(by_b, -x.dby, x.day);
     t.c = x.c;
@@ -108,10 +111,11 @@ TD_INLINE i8 collide_block(td_block *block, const td_pairs8 *pairs, const i8 *fr
     t.uy = f8_pick(by_b, p.bs, p.as);
     t.rx = f8_pick(by_b, p.bhx, p.ahx);
     t.ry = f8_pick(by_b, p.bhy, p.ahy);
-    turn_to_face(&t, i8_pick(by_b, x.sep_by > x.sep_bx, x.sep_ay > x.sep_ax));
+    rotate_to_face(&t, i8_pick(by_b, x.sep_by > x.sep_bx, x.sep_ay > x.sep_ax));
     edge e = incident_edge(&t, f8_pick(by_b, p.ahx, p.bhx), f8_pick(by_b, p.ahy, p.bhy));
 
-    /* Clip to the sides of the reference face. ey is at least cos 45 degrees. */
+    /* Clip to the sides of the reference face. ey is at least cos 45 degrees, so that the slope is
+     * finite. */
     f8 low = e.cy - e.half * e.ey, high = e.cy + e.half * e.ey;
     i8 meets = (low <= t.ry) & (high >= -t.ry) & td_used_mask(block);
     f8 slope = e.ex / e.ey;
@@ -155,6 +159,7 @@ TD_INLINE i8 collide_block(td_block *block, const td_pairs8 *pairs, const i8 *fr
 }
 
 /* Stores the poses of the lanes in `fresh` in the manifold cache. */
+/* Stores the poses and limits of the lanes in `fresh` in the manifold cache. */
 TD_INLINE void note_poses(td_block *block, const td_pairs8 *p, i8 fresh, f8 dx, f8 dy,
                           const td_collide_context *context) {
     td_manifold_cache *kept = td_manifold_cache_of(block, 2);
@@ -168,6 +173,7 @@ TD_INLINE void note_poses(td_block *block, const td_pairs8 *p, i8 fresh, f8 dx, 
                  f8_max(f8_max(p->ahx, p->ahy), f8_max(p->bhx, p->bhy)), context);
 }
 
+/* A td_collide_fn: keeps the manifolds that are still good, and computes the others. */
 static void box_box(td_block *const *blocks, int count, const td_collide_context *context) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
@@ -193,6 +199,7 @@ static void box_box(td_block *const *blocks, int count, const td_collide_context
     }
 }
 
+/* A td_sift_fn, by the greatest separation along the four axes. */
 static td_sifted sift_boxes(const int32_t *a, const int32_t *b, const td_collide_context *c) {
     td_pairs8 p = td_read_shapes(a, b, 0, c);
     axes x = axes_of(&p);

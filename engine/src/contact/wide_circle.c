@@ -3,7 +3,8 @@
 #include "contact/pair_kinds.h"
 #include "contact/wide_collide.h"
 
-/* Normalises (x, y) and returns its length; the zero vector becomes (0, 1). */
+/* Normalises (x, y) and returns its length. A vector shorter than 1e-18, whose square is close to
+ * the smallest normal float, counts as zero, and becomes (0, 1). */
 TD_INLINE f8 normalise(f8 *x, f8 *y) {
     f8 length = f8_sqrt(*x * *x + *y * *y);
     i8 long_enough = length > f8_all(1e-18f);
@@ -35,6 +36,7 @@ TD_INLINE void part_coincident(const td_block *block, f8 *x, f8 *y) {
     }
 }
 
+/* A td_collide_fn. */
 static void circle_circle(td_block *const *blocks, int count, const td_collide_context *c) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
@@ -56,6 +58,7 @@ static void circle_circle(td_block *const *blocks, int count, const td_collide_c
     }
 }
 
+/* A td_sift_fn, by the exact separation, as those below. */
 static td_sifted sift_circles(const int32_t *a, const int32_t *b, const td_collide_context *c) {
     td_pairs8 p = td_read_shapes(a, b, 0, c);
     return td_sift(a, b, f8_sqrt(p.dx * p.dx + p.dy * p.dy) - p.ahx - p.bhx, c);
@@ -88,7 +91,7 @@ typedef struct box_circle8 {
 } box_circle8;
 
 /* The contact of a box and a circle; `flip`: the circle is a and the box is b. */
-TD_INLINE box_circle8 meet_box_circle(const td_pairs8 *p, bool flip) {
+TD_INLINE box_circle8 separate_box_circle(const td_pairs8 *p, bool flip) {
     f8 cosine = flip ? p->bc : p->ac, sine = flip ? p->bs : p->as;
     f8 hx = flip ? p->bhx : p->ahx, hy = flip ? p->bhy : p->ahy;
     box_circle8 m = {.dx = flip ? -p->dx : p->dx,
@@ -102,9 +105,10 @@ TD_INLINE box_circle8 meet_box_circle(const td_pairs8 *p, bool flip) {
     return m;
 }
 
+/* The manifolds of a block of boxes and circles; `flip`: the circle is a and the box is b. */
 TD_INLINE void box_and_circle(td_block *block, const td_collide_context *c, bool flip) {
     td_pairs8 p = td_read_pairs(block, c);
-    box_circle8 m = meet_box_circle(&p, flip);
+    box_circle8 m = separate_box_circle(&p, flip);
     f8 nx = m.nx, ny = m.ny, dx = m.dx, dy = m.dy, separation = m.separation, r = m.r;
     i8 valid = td_used_mask(block) & (separation < f8_all(c->margin));
     f8 reach = -(r + f8_all(0.5f) * separation); /* along the normal, from the circle's centre */
@@ -139,12 +143,12 @@ static void circle_box(td_block *const *blocks, int count, const td_collide_cont
 
 static td_sifted sift_box_circle(const int32_t *a, const int32_t *b, const td_collide_context *c) {
     td_pairs8 p = td_read_shapes(a, b, 0, c);
-    return td_sift(a, b, meet_box_circle(&p, false).separation, c);
+    return td_sift(a, b, separate_box_circle(&p, false).separation, c);
 }
 
 static td_sifted sift_circle_box(const int32_t *a, const int32_t *b, const td_collide_context *c) {
     td_pairs8 p = td_read_shapes(a, b, 0, c);
-    return td_sift(a, b, meet_box_circle(&p, true).separation, c);
+    return td_sift(a, b, separate_box_circle(&p, true).separation, c);
 }
 
 TD_CIRCLE_PAIRS(TD_DEFINE_PAIR)

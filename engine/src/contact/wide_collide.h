@@ -28,6 +28,7 @@ TD_INLINE void td_fetch_shapes(td_block *const *blocks, int i, int count,
     }
 }
 
+/* The shapes of eight pairs, in the world's axes. */
 typedef struct td_pairs8 {
     f8 dx, dy;             /* from the centre of shape a to that of b */
     f8 ax, ay, ac, as;     /* a: offset of the shape from its body's centre of mass; cosine, sine */
@@ -87,6 +88,7 @@ TD_INLINE td_pairs8 td_read_shapes(const int32_t *shape_a, const int32_t *shape_
     return p;
 }
 
+/* The same for the pairs of a block. */
 TD_INLINE td_pairs8 td_read_pairs(const td_block *block, const td_collide_context *c) {
     return td_read_shapes(block->shape_a, block->shape_b, block->armed, c);
 }
@@ -108,6 +110,7 @@ TD_INLINE td_sifted td_sift(const int32_t *shape_a, const int32_t *shape_b, f8 s
     return (td_sifted){i8_bits(parted), i8_bits(~parted & (separation < f8_all(c->margin)))};
 }
 
+/* The lanes that are in use. */
 TD_INLINE i8 td_used_mask(const td_block *block) {
     i8 lane = {0, 1, 2, 3, 4, 5, 6, 7};
     return lane < i8_all(block->used);
@@ -134,6 +137,7 @@ TD_INLINE void td_set_row(f8 *row, const i8 *fresh, f8 value) {
     *row = fresh ? f8_pick(*fresh, value, *row) : value;
 }
 
+/* 1 / k in the lanes in `valid` with k > 0, 0 in others. */
 TD_INLINE f8 td_inverse_or_zero(i8 valid, f8 k) {
     i8 heavy = valid & (k > f8_all(0.0f));
     return f8_keep(heavy, f8_all(1.0f) / f8_pick(heavy, k, f8_all(1.0f)));

@@ -12,8 +12,8 @@
 
 #include "contact/wide_collide.h"
 
-/* Greatest rotation of either body since then, radians (about three degrees): beyond it, the
- * normal, which does not turn along, is off by more than 5 %. Chosen. */
+/* Greatest rotation of either body since then, radians (about three degrees). The kept normal does
+ * not rotate with the body: beyond this it would be off by more than 5 %. Chosen. */
 #define TD_KEEP_TURN 0.05f
 /* Greatest relative motion: TD_KEEP_SHARE of the smallest half extent, and TD_KEEP_MARGINS times
  * the speculative margin; only TD_KEEP_MARGINS_ONE times for a lane with one point, so that the

@@ -7,6 +7,7 @@
 #include "terrain/terrain_manifold.h"
 #include "contact/wide_manifold_cache.h"
 
+/* The manifolds of eight lanes, relative to the centres of the shapes b. */
 typedef struct terrain8 {
     f8 nx, ny, separation[2], x[2], y[2];
     i8 feature, valid[2];
@@ -55,7 +56,7 @@ TD_INLINE void carry_impulses(td_block *block, i8 feature, i8 fresh, int points)
     block->tangent_impulse = f8_keep(kept, block->tangent_impulse);
 }
 
-/* The centres of mass of the bodies b, in units of 2^8 position quanta and modulo 2^32: the
+/* The centres of mass of the bodies b, in units of 256 position quanta and modulo 2^32: the
  * difference of two is exact for what a body moves in a step, however far from the origin it is. */
 TD_INLINE void read_places(const thud_world *w, const td_block *block, i8 *x, i8 *y) {
     int32_t px[TD_LANES], py[TD_LANES];
@@ -89,6 +90,7 @@ TD_INLINE i8 collide_block(thud_world *w, td_block *block, i8 fresh, const td_co
     return t.valid[0] | t.valid[1];
 }
 
+/* The manifolds of all blocks, kept ones and new ones; `points`: 1 for circles, 2 for boxes. */
 TD_INLINE void terrain_blocks(thud_world *w, td_block *const *blocks, int count,
                               const td_collide_context *c, int points) {
     for (int i = 0; i < count; i++) {
@@ -118,6 +120,7 @@ TD_INLINE void terrain_blocks(thud_world *w, td_block *const *blocks, int count,
     }
 }
 
+/* Kernels of the two pair kinds. */
 static void terrain_circle(thud_world *w, td_block *const *blocks, int count,
                            const td_collide_context *c) {
     terrain_blocks(w, blocks, count, c, 1);

@@ -1,4 +1,6 @@
-/* approach.c: how two moving circles pass each other, in closed form. */
+/* approach.c: time of impact and nearest approach of two moving circles, in closed form. With the
+ * relative position p, the relative motion d and u = d / |d|, the centres are nearest at the time t
+ * = -(p . u) / |d|, clamped to [0, 1]. */
 #include "geometry/shape_instance.h"
 
 thud_result thud_circles_approach(const thud_shape_instance *a, thud_motion motion_a,
@@ -15,13 +17,14 @@ thud_result thud_circles_approach(const thud_shape_instance *a, thud_motion moti
     td_time_of_impact(a, motion_a, b, motion_b, 0.0, &out->hit, &out->time);
     double x = b->x - a->x, y = b->y - a->y;
     double dx = motion_b.dx - motion_a.dx, dy = motion_b.dy - motion_a.dy;
-    double way = __builtin_sqrt(dx * dx + dy * dy);
-    /* Along the relative motion and across it; the centres are nearest where nothing is left of the
-     * first. Lengths only, no squared ones: they would cancel for circles that start far apart. */
-    double ux = way > 0.0 ? dx / way : 1.0, uy = way > 0.0 ? dy / way : 0.0;
-    double ahead = -(x * ux + y * uy), side = ux * y - uy * x;
-    double part = td_clamp(ahead, 0.0, way), left = ahead - part;
-    out->least_time = way > 0.0 ? part / way : 0.0;
-    out->least = __builtin_sqrt(left * left + side * side);
+    double path = __builtin_sqrt(dx * dx + dy * dy);
+    /* Coordinates along the relative motion and across it; the centres are nearest where the first
+     * becomes 0. Only lengths are computed, no squares of positions, which would cancel for circles
+     * that start far apart. */
+    double ux = path > 0.0 ? dx / path : 1.0, uy = path > 0.0 ? dy / path : 0.0;
+    double along = -(x * ux + y * uy), side = ux * y - uy * x;
+    double travelled = td_clamp(along, 0.0, path), remaining = along - travelled;
+    out->least_time = path > 0.0 ? travelled / path : 0.0;
+    out->least = __builtin_sqrt(remaining * remaining + side * side);
     return THUD_OK;
 }

@@ -1,29 +1,32 @@
-/* bisect.c: the time of collision by bisection: half of what is left is thrown away with each
- * overlap test, so that a tolerance of 2^-20 of the motion takes twenty. */
+/* bisect.c: the time of collision by bisection. Each overlap test halves the interval that holds
+ * it, so that a tolerance of 2^-20 of the motion takes twenty tests. A collision that is over by
+ * the end of the motion is not found: thud_motion_is_bisectable says when that cannot happen. */
 #include "geometry/bisect.h"
 
-bool td_bisect(td_overlap_at_fn *overlap_at, const void *meeting, double tolerance, double *time) {
-    double apart = 0.0, together = 1.0;
-    bool collided = overlap_at(meeting, 1.0) && !overlap_at(meeting, 0.0);
-    while (collided && together - apart > tolerance) {
-        double middle = 0.5 * (apart + together);
-        if (overlap_at(meeting, middle)) {
-            together = middle;
+bool td_bisect(td_overlap_at_fn *overlap_at, const void *pair, double tolerance, double *time) {
+    double low = 0.0, high = 1.0; /* apart at `low`, overlapping at `high` */
+    bool collided = overlap_at(pair, 1.0) && !overlap_at(pair, 0.0);
+    while (collided && high - low > tolerance) {
+        double middle = 0.5 * (low + high);
+        if (overlap_at(pair, middle)) {
+            high = middle;
         } else {
-            apart = middle;
+            low = middle;
         }
     }
-    *time = collided ? apart : 1.0;
+    *time = collided ? low : 1.0;
     return collided;
 }
 
+/* Two moving shapes. */
 typedef struct shapes {
     const thud_shape_instance *a, *b;
     thud_motion motion_a, motion_b;
 } shapes;
 
-static bool overlap_at(const void *meeting, double time) {
-    const shapes *m = meeting;
+/* A td_overlap_at_fn for `shapes`. */
+static bool overlap_at(const void *pair, double time) {
+    const shapes *m = pair;
     thud_shape_instance a = td_placed_at(m->a, &m->motion_a, time);
     thud_shape_instance b = td_placed_at(m->b, &m->motion_b, time);
     thud_closest closest;
@@ -47,14 +50,16 @@ thud_result thud_shapes_time_of_collision(const thud_shape_instance *a, thud_mot
     return THUD_OK;
 }
 
+/* The smallest extent of a shape. */
 static double thickness(const thud_shape_instance *shape) {
     return 2.0 * td_kind_half_thickness(shape->kind, shape->hx, shape->hy);
 }
 
-/* No point of it goes further by turning. Where it turns about its own middle, only what is further
- * out than both are thick, by halves, can go through the middle of another. */
-static double swing(const thud_shape_instance *shape, thud_motion m,
-                    const thud_shape_instance *other) {
+/* The distance by which turning may move a point of the shape, at most. It is 0 for a shape that
+ * does not turn, and where no point of the shape is further from its centre than half of both
+ * thicknesses together: such a point cannot pass through the middle of the other shape. */
+static double turning_reach(const thud_shape_instance *shape, thud_motion m,
+                            const thud_shape_instance *other) {
     double radius = __builtin_sqrt(shape->hx * shape->hx + shape->hy * shape->hy);
     bool far = radius > 0.5 * (thickness(shape) + thickness(other));
     return td_kind_turns(shape->kind) && far ? td_abs(m.turn) * radius : 0.0;
@@ -67,7 +72,8 @@ bool thud_motion_is_bisectable(const thud_shape_instance *a, thud_motion motion_
         return false;
     }
     double x = motion_a.dx - motion_b.dx, y = motion_a.dy - motion_b.dy;
-    double least = thickness(a) < thickness(b) ? thickness(a) : thickness(b);
-    double left = least - swing(a, motion_a, b) - swing(b, motion_b, a);
-    return left > 0.0 && x * x + y * y < left * left;
+    double thickness_min = thickness(a) < thickness(b) ? thickness(a) : thickness(b);
+    double remaining =
+        thickness_min - turning_reach(a, motion_a, b) - turning_reach(b, motion_b, a);
+    return remaining > 0.0 && x * x + y * y < remaining * remaining;
 }

@@ -1,17 +1,20 @@
-/* bisect.h: the bisection that shapes and the ground share. */
+/* bisect.h: time of collision by bisection over an overlap test, for pairs of shapes (bisect.c) and
+ * for shapes and terrains (terrain/terrain_bisect.c). */
 #ifndef TD_BISECT_H
 #define TD_BISECT_H
 
 #include "geometry/shape_instance.h"
 
-/* Whether what meets overlaps at a time of its motion. */
-typedef bool td_overlap_at_fn(const void *meeting, double time);
+/* Whether a pair overlaps at a time of its motion, 0 to 1. `pair` is what the caller of td_bisect
+ * gave. */
+typedef bool td_overlap_at_fn(const void *pair, double time);
 
-/* Whether what is apart at first overlaps at time 1. At *time, at most `tolerance` before they
- * collide, they are still apart; 1 where they do not collide. */
-bool td_bisect(td_overlap_at_fn *overlap_at, const void *meeting, double tolerance, double *time);
+/* Whether a pair that is apart at time 0 overlaps at time 1. *time is then a time at which it is
+ * still apart, at most `tolerance` before one at which it overlaps; else it is 1. */
+bool td_bisect(td_overlap_at_fn *overlap_at, const void *pair, double tolerance, double *time);
 
-/* Halves of less are lost in rounding, and bisection would not end. */
+/* Whether a tolerance, a share of the motion, is in range. Below THUD_TOLERANCE_MIN the midpoint
+ * rounds to one of the ends, and the bisection would not end. */
 static inline bool td_tolerance_valid(double tolerance) {
     return tolerance >= THUD_TOLERANCE_MIN && tolerance <= 1.0;
 }

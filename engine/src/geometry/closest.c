@@ -1,4 +1,9 @@
-/* closest.c: overlap and closest features of circles and boxes, in closed form. */
+/* closest.c: signed distance, normal and closest points of circles and boxes, in closed form, and
+ * the overlap test.
+ *
+ * Two boxes: the separating axis test over the axes of both (Gottschalk, Lin and Manocha,
+ * "OBBTree", 1996) gives the depth and the normal of an overlap. Boxes that are apart are nearest
+ * at a corner of one, so that all corners are tested against the other box. */
 #include "geometry/shape_instance.h"
 
 thud_result thud_placed_check(const thud_shape_instance *p) {
@@ -14,6 +19,7 @@ thud_result thud_placed_check(const thud_shape_instance *p) {
     return kind && place && size && (circle || turned) && upright ? THUD_OK : THUD_ERROR_INVALID;
 }
 
+/* Two circles. Where the centres coincide, the normal is (0, 1). */
 static void circle_circle(const thud_shape_instance *a, const thud_shape_instance *b,
                           thud_closest *out) {
     double dx = b->x - a->x, dy = b->y - a->y;
@@ -27,6 +33,8 @@ static void circle_circle(const thud_shape_instance *a, const thud_shape_instanc
     out->by = b->y - out->ny * b->hx;
 }
 
+/* A box and a circle. A centre outside of the box is nearest to its projection onto the box; one
+ * inside leaves through the nearest face. */
 static void box_circle(const thud_shape_instance *box, const thud_shape_instance *circle,
                        thud_closest *out) {
     double u, v, nu, nv, distance;
@@ -57,6 +65,7 @@ static void box_circle(const thud_shape_instance *box, const thud_shape_instance
     out->by = circle->y - out->ny * circle->hx;
 }
 
+/* Exchanges a and b in a result. */
 static void flip(thud_closest *c) {
     double x = c->ax, y = c->ay;
     c->ax = c->bx;
@@ -67,8 +76,8 @@ static void flip(thud_closest *c) {
     c->ny = -c->ny;
 }
 
-/* Separation along each of the reference box's axes. Keeps the best in *out, normal from a, and
- * reports whether it is one of these. */
+/* Tests the separation of a and b along both axes of the box `reference`. Keeps the greatest one so
+ * far in *out, with its normal from a to b, and returns whether it is one of these two. */
 static bool try_axes(const thud_shape_instance *reference, const thud_shape_instance *a,
                      const thud_shape_instance *b, thud_closest *out) {
     double dx = b->x - a->x, dy = b->y - a->y;
@@ -88,8 +97,9 @@ static bool try_axes(const thud_shape_instance *reference, const thud_shape_inst
     return better;
 }
 
-/* Points of overlapping boxes, the normal being that of a face of a: the deepest corner of b, moved
- * along the face to within it where b's edge is parallel to it and longer. */
+/* Sets the points of two overlapping boxes where the normal in *out is that of a face of a: the
+ * deepest corner of b, and its projection onto that face, clamped to the face's ends where b's edge
+ * is parallel to it and longer. */
 static void deepest_points(const thud_shape_instance *a, const thud_shape_instance *b,
                            thud_closest *out) {
     double u, v, x, y;
@@ -105,6 +115,7 @@ static void deepest_points(const thud_shape_instance *a, const thud_shape_instan
     out->by = out->ay + out->ny * out->distance;
 }
 
+/* Moves both points of a result. */
 static void shift(thud_closest *c, double x, double y) {
     c->ax += x;
     c->ay += y;
@@ -112,8 +123,9 @@ static void shift(thud_closest *c, double x, double y) {
     c->by += y;
 }
 
-/* Each corner of b against the solid box a; keeps the closest pair. `flipped`: b and a changed
- * places. Relative to a's centre: far from the origin, places are too coarse for a distance. */
+/* Tests each corner of b against the box a, and keeps the closest pair in *out. `flipped`: the
+ * caller has exchanged a and b. Works relative to a's centre, since coordinates far from the origin
+ * are too coarse for a distance. */
 static void try_corners(const thud_shape_instance *a, const thud_shape_instance *b, bool flipped,
                         thud_closest *out) {
     thud_shape_instance box = *a, other = *b;
@@ -135,14 +147,15 @@ static void try_corners(const thud_shape_instance *a, const thud_shape_instance 
     }
 }
 
-/* How far b is beyond a along the normal. */
+/* The separation of two boxes along the normal of *c. */
 static double gap_along(const thud_shape_instance *a, const thud_shape_instance *b,
                         const thud_closest *c) {
     return (b->x - a->x) * c->nx + (b->y - a->y) * c->ny - td_projected_extent(a, c->nx, c->ny) -
            td_projected_extent(b, c->nx, c->ny);
 }
 
-/* Separation along the axes of both boxes; whether the best is one of b's. */
+/* Sets distance and normal of *out by the axes of both boxes. Returns whether the axis is one of
+ * b's. */
 static bool try_all_axes(const thud_shape_instance *a, const thud_shape_instance *b,
                          thud_closest *out) {
     out->distance = -1e300;
@@ -150,6 +163,7 @@ static bool try_all_axes(const thud_shape_instance *a, const thud_shape_instance
     return try_axes(b, a, b, out);
 }
 
+/* Two boxes. */
 static void box_box(const thud_shape_instance *a, const thud_shape_instance *b, thud_closest *out) {
     thud_closest corners = {.distance = 1e300};
     bool face_of_b = try_all_axes(a, b, out);
@@ -157,8 +171,9 @@ static void box_box(const thud_shape_instance *a, const thud_shape_instance *b, 
         try_corners(a, b, false, &corners);
         try_corners(b, a, true, &corners);
     }
-    /* The link between corners that all but touch has a direction of mere rounding, which may even
-     * point into a box; then an axis is the better normal. */
+    /* The vector between two corners that all but touch has a direction that is only rounding
+     * error, and may even point into a box. The corners' normal is only taken where it separates
+     * the boxes as well as the best axis does. */
     double rounding = 1e-15 * (td_reach(a) + td_reach(b));
     if (out->distance > 0.0 && gap_along(a, b, &corners) >= out->distance - rounding) {
         *out = corners;
@@ -183,7 +198,7 @@ void td_closest(const thud_shape_instance *a, const thud_shape_instance *b, thud
         break;
     case THUD_AABB:
     case THUD_OBB:
-    case THUD_TERRAIN: /* has no features of its own: it is never asked for */
+    case THUD_TERRAIN: /* never called for one */
         if (td_kind_is_round(b->kind)) {
             box_circle(a, b, out);
         } else {
@@ -208,8 +223,9 @@ thud_result thud_shapes_closest(const thud_shape_instance *a, const thud_shape_i
 bool thud_shapes_overlap(const thud_shape_instance *a, const thud_shape_instance *b) {
     thud_closest closest;
     if (a && b && td_kind_is_box(a->kind) && td_kind_is_box(b->kind)) {
-        /* A gap along an axis tells that they are apart, without the closest corners. One that may
-         * be rounding is left to those, which td_closest goes by. */
+        /* A separation along an axis shows that the boxes are apart, without the search for the
+         * closest corners. One that may be a rounding error is left to td_closest, so that both
+         * functions agree. */
         try_all_axes(a, b, &closest);
         if (closest.distance > 1e-12 * (td_reach(a) + td_reach(b))) {
             return false;

@@ -1,17 +1,21 @@
-/* minkowski.c: Minkowski sums of circles and boxes. A box is the sum of two segments, its axes, so
- * that a sum of two boxes is one of four segments: a polygon whose edges are those segments in the
- * order of their angles, and opposite edges alike. Normals and offsets come from the shapes' own
- * axes, never from differences of vertices, which short edges would spoil. */
+/* minkowski.c: Minkowski sums of circles and boxes.
+ *
+ * A box is the Minkowski sum of two segments, its axes. The sum of two boxes is one of four
+ * segments: a polygon of eight edges, which are those segments in the order of their angles, each
+ * twice, on opposite sides. A circle adds its radius. Normals and offsets of the faces are computed
+ * from the axes of the boxes, not from differences of vertices, which are inexact for short
+ * edges. */
 #include "geometry/minkowski.h"
 
-/* The first axis of a box, brought to length 1 by a step of Newton's for the inverse root: what
- * thud_placed_check lets pass is off by 1e-5 at most, and then by 1e-10. */
+/* The first axis of a box, normalised by a Newton step for the inverse square root.
+ * thud_placed_check allows an error of 1e-5, of which about 1e-10 is left. */
 static thud_pos axis_of(const thud_shape_instance *box) {
     double scale = 1.5 - 0.5 * (box->c * box->c + box->s * box->s);
     return (thud_pos){box->c * scale, box->s * scale};
 }
 
-/* The sum of the segments from -half to half along each axis, in the order of their angles. */
+/* Sets the sum of `count` segments, from -half to half along each axis; the axes are in the order
+ * of their angles. */
 static void set_segments(thud_minkowski *sum, int count, const thud_pos *axes,
                          const double *halves) {
     double x = 0.0, y = 0.0;
@@ -29,13 +33,13 @@ static void set_segments(thud_minkowski *sum, int count, const thud_pos *axes,
         sum->normals[i] = (thud_pos){axes[i].y, -axes[i].x};
         sum->offsets[i] = 0.0;
         for (int j = 0; j < count; j++) {
-            double shadow = axes[i].y * axes[j].x - axes[i].x * axes[j].y;
-            sum->offsets[i] += halves[j] * td_abs(shadow);
+            double projection = axes[i].y * axes[j].x - axes[i].x * axes[j].y;
+            sum->offsets[i] += halves[j] * td_abs(projection);
         }
     }
 }
 
-/* The same of a box, with its first axis along e, written out for rays. */
+/* The same for one box with its first axis along e, without loops, since it is used for rays. */
 static void set_box(thud_minkowski *sum, thud_pos e, double hx, double hy) {
     double ux = hx * e.x, uy = hx * e.y, vx = -hy * e.y, vy = hy * e.x;
     sum->count = 4;
@@ -50,6 +54,7 @@ static void set_box(thud_minkowski *sum, thud_pos e, double hx, double hy) {
     sum->offsets[1] = hx;
 }
 
+/* The sum of two boxes: a box where they are parallel, else an octagon. */
 static void set_boxes(thud_minkowski *sum, const thud_shape_instance *a,
                       const thud_shape_instance *b) {
     if (!td_kind_turns(a->kind) && !td_kind_turns(b->kind)) {
@@ -59,8 +64,8 @@ static void set_boxes(thud_minkowski *sum, const thud_shape_instance *a,
     thud_pos e = axis_of(a), f = axis_of(b);
     double fhx = b->hx, fhy = b->hy;
     double c = e.x * f.x + e.y * f.y, s = e.x * f.y - e.y * f.x;
-    /* A box turned by a quarter is itself with its extents exchanged: so f comes within a quarter
-     * of e. */
+    /* A box rotated by a quarter turn is the same box with its extents exchanged: rotates f until
+     * it is within a quarter turn of e. */
     for (int quarter = 0; quarter < 3 && !(c > 0.0 && s >= 0.0); quarter++) {
         double old_c = c, old_hx = fhx;
         f = (thud_pos){-f.y, f.x};
@@ -86,7 +91,7 @@ void td_minkowski_of(const thud_shape_instance *shape, thud_minkowski *sum) {
         break;
     case THUD_AABB:
     case THUD_OBB:
-    case THUD_TERRAIN: /* has no sum: it is never asked for */
+    case THUD_TERRAIN: /* never called for one */
         set_box(sum, axis_of(shape), shape->hx, shape->hy);
         break;
     }
@@ -105,26 +110,27 @@ void td_minkowski_sum(const thud_shape_instance *a, const thud_shape_instance *b
     }
 }
 
-static double along(thud_pos v, double x, double y) {
+static double dot(thud_pos v, double x, double y) {
     return v.x * x + v.y * y;
 }
 
-/* Whether the point, seen along the face that is turned to it, is within its ends: -1 before the
- * first vertex, 1 behind the second, otherwise 0. */
-static int beside(const thud_minkowski *sum, int face, double x, double y) {
+/* Where a point's projection lies on the line of a face, of the one of both opposite faces that
+ * looks towards the point: -1 before the face's first vertex, 1 beyond its second, 0 on the
+ * face. */
+static int beyond_face(const thud_minkowski *sum, int face, double x, double y) {
     thud_pos normal = sum->normals[face], from = sum->vertices[face], to = sum->vertices[face + 1];
     thud_pos tangent = {-normal.y, normal.x};
-    double at = along(normal, x, y) < 0.0 ? -along(tangent, x, y) : along(tangent, x, y);
-    return at < along(tangent, from.x, from.y) ? -1 : at > along(tangent, to.x, to.y) ? 1 : 0;
+    double at = dot(normal, x, y) < 0.0 ? -dot(tangent, x, y) : dot(tangent, x, y);
+    return at < dot(tangent, from.x, from.y) ? -1 : at > dot(tangent, to.x, to.y) ? 1 : 0;
 }
 
-/* The face that the point is furthest out of; TD_NONE if there are none. A point that is straight
- * in front of a face is furthest out of that. */
-static int outermost(const thud_minkowski *sum, double x, double y, double *out) {
+/* The face with the greatest signed distance of the point, *out; TD_NONE if the polygon has no
+ * faces. A point in front of a face has its greatest distance from that one. */
+static int nearest_face(const thud_minkowski *sum, double x, double y, double *out) {
     int face = TD_NONE;
     *out = -1e300;
     for (int i = 0; i < sum->count / 2; i++) {
-        double over = td_abs(along(sum->normals[i], x, y)) - sum->offsets[i];
+        double over = td_abs(dot(sum->normals[i], x, y)) - sum->offsets[i];
         if (over > *out) {
             *out = over;
             face = i;
@@ -147,7 +153,7 @@ static int nearest_vertex(const thud_minkowski *sum, double x, double y) {
     return nearest;
 }
 
-/* The distance from a vertex. */
+/* The distance of a point from a vertex, and the direction from there. */
 static double from_vertex(thud_pos vertex, double x, double y, double *nx, double *ny) {
     double dx = x - vertex.x, dy = y - vertex.y, length = __builtin_sqrt(dx * dx + dy * dy);
     *nx = length > 0.0 ? dx / length : 0.0;
@@ -155,7 +161,7 @@ static double from_vertex(thud_pos vertex, double x, double y, double *nx, doubl
     return length;
 }
 
-/* How far the point is beyond the polygon along (nx, ny). */
+/* The separation of a point and the polygon along the unit vector (nx, ny). */
 static double gap_along(const thud_minkowski *sum, double nx, double ny, double x, double y) {
     double gap = 1e300;
     for (int i = 0; i < sum->count; i++) {
@@ -168,17 +174,18 @@ static double gap_along(const thud_minkowski *sum, double nx, double ny, double 
 double td_minkowski_distance(const thud_minkowski *sum, double x, double y, double *nx,
                              double *ny) {
     double out;
-    int face = outermost(sum, x, y, &out);
-    if (face == TD_NONE || (out > 0.0 && beside(sum, face, x, y) != 0)) {
+    int face = nearest_face(sum, x, y, &out);
+    if (face == TD_NONE || (out > 0.0 && beyond_face(sum, face, x, y) != 0)) {
         thud_pos vertex = sum->vertices[nearest_vertex(sum, x, y)];
         double length = from_vertex(vertex, x, y, nx, ny);
-        /* The direction from a vertex that is all but touched is one of mere rounding, which may
-         * even point into the sum; then the face's is the better normal. */
+        /* The direction from a vertex that is all but touched is only rounding error, and may even
+         * point into the sum. It is only taken where it separates the two as well as the face
+         * does. */
         if (face == TD_NONE || gap_along(sum, *nx, *ny, x, y) >= out) {
             return length - sum->radius;
         }
     }
-    double side = along(sum->normals[face], x, y) < 0.0 ? -1.0 : 1.0;
+    double side = dot(sum->normals[face], x, y) < 0.0 ? -1.0 : 1.0;
     *nx = side * sum->normals[face].x;
     *ny = side * sum->normals[face].y;
     return out - sum->radius;
@@ -189,11 +196,11 @@ bool td_minkowski_contains(const thud_minkowski *sum, double x, double y) {
     if (sum->count == 1) {
         return x * x + y * y <= sum->radius * sum->radius;
     }
-    /* A segment too short to have a direction gives a distance that is no number. */
+    /* An edge too short to have a direction gives a distance that is NaN, so that this is false. */
     return td_minkowski_distance(sum, x, y, &nx, &ny) <= 0.0;
 }
 
-/* Where the point enters the circle about a vertex. */
+/* Finds where a moving point enters the circle about a vertex, from outside. */
 static bool enter_circle(thud_pos centre, double radius, double x, double y, double dx, double dy,
                          double *fraction, double *nx, double *ny) {
     double ox = x - centre.x, oy = y - centre.y, length = __builtin_sqrt(dx * dx + dy * dy);
@@ -202,7 +209,8 @@ static bool enter_circle(thud_pos centre, double radius, double x, double y, dou
     }
     double ux = dx / length, uy = dy / length;
     double ahead = -(ox * ux + oy * uy);
-    /* From the centre's distance to the line: a discriminant would cancel for rays from afar. */
+    /* From the distance of the centre to the line: a discriminant would cancel for points that
+     * start far away. */
     double side = ux * oy - uy * ox, root = radius * radius - side * side;
     if (!(ahead > 0.0 && root >= 0.0)) {
         return false;
@@ -217,10 +225,11 @@ static bool enter_circle(thud_pos centre, double radius, double x, double y, dou
     return true;
 }
 
-/* Of the faces that the point starts outside of, grown by the radius, it crosses the last one where
- * it enters, if it has not left between others by then (Cyrus and Beck, Generalized two- and
- * three-dimensional clipping, 1978). The grown polygon has sharp corners: where the point starts in
- * one or comes in at one, beside the face, only the circle about the vertex is there to be hit. */
+/* Clipping of the path against the faces, grown by the radius (Cyrus and Beck, "Generalized two-
+ * and three-dimensional clipping", 1978): of the faces that the point starts outside of, it enters
+ * through the one that it crosses last, if it is between all others at that time. The grown polygon
+ * has sharp corners where the rounded sum has arcs: where the point enters at a corner, beyond the
+ * end of the face, it is tested against the circle about the vertex instead. */
 bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx, double dy,
                         double *fraction, double *nx, double *ny) {
     if (sum->count == 1) {
@@ -229,8 +238,8 @@ bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx
     int faces = sum->count / 2, face = TD_NONE;
     double at[THUD_MINKOWSKI_MAX / 2], rate[THUD_MINKOWSKI_MAX / 2], enter = 0.0, side = 1.0;
     for (int i = 0; i < faces; i++) {
-        at[i] = along(sum->normals[i], x, y);
-        rate[i] = along(sum->normals[i], dx, dy);
+        at[i] = dot(sum->normals[i], x, y);
+        rate[i] = dot(sum->normals[i], dx, dy);
         double sign = at[i] < 0.0 ? -1.0 : 1.0;
         double over = sign * at[i] - (sum->offsets[i] + sum->radius), closing = -sign * rate[i];
         if (over < 0.0 || (over == 0.0 && closing == 0.0)) {
@@ -253,8 +262,8 @@ bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx
         thud_pos vertex = sum->vertices[nearest_vertex(sum, x, y)];
         return enter_circle(vertex, sum->radius, x, y, dx, dy, fraction, nx, ny);
     }
-    /* Only the sides that it moves towards: a face that is all but parallel to the one it enters by
-     * must not turn it away for a rounding. */
+    /* Only faces that the point moves towards are tested: a face that is almost parallel to the one
+     * it enters by must not reject it for a rounding error. */
     for (int i = 0; i < faces; i++) {
         double there = at[i] + enter * rate[i];
         if (i != face && (rate[i] < 0.0 ? -there : there) > sum->offsets[i] + sum->radius) {
@@ -262,9 +271,9 @@ bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx
         }
     }
     double px = x + enter * dx, py = y + enter * dy, u, v;
-    int corner = sum->radius > 0.0 ? beside(sum, face, px, py) : 0;
-    /* Of faces that are all but parallel, rounding may have taken one that the point is beside, and
-     * all the same it is in the rounded sum, in front of the other. */
+    int corner = sum->radius > 0.0 ? beyond_face(sum, face, px, py) : 0;
+    /* Of two faces that are almost parallel, rounding may have chosen the one that the point is
+     * beyond the end of, while it enters the rounded sum through the other. */
     double rounding = 1e-15 * (td_abs(px) + td_abs(py) + td_abs(x) + td_abs(y));
     if (corner != 0 && td_minkowski_distance(sum, px, py, &u, &v) > rounding) {
         int vertex = face + (corner > 0) + (side < 0.0 ? faces : 0);
@@ -277,13 +286,13 @@ bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx
     return true;
 }
 
-/* ---- what a caller may ask ---- */
+/* ---- public functions ---- */
 
 static bool in_range(double x, double y) {
     return td_abs(x) <= THUD_VOLUME_MAX && td_abs(y) <= THUD_VOLUME_MAX;
 }
 
-/* Enough to read the sum without going astray. */
+/* Whether a caller's sum can be read without an access out of bounds. */
 static bool readable(const thud_minkowski *sum) {
     return (sum->count == 1 || sum->count == 4 || sum->count == 8) && sum->radius >= 0.0 &&
            sum->radius <= THUD_VOLUME_MAX;

@@ -1,4 +1,5 @@
-/* ray.c: rays against circles and boxes, each being its own Minkowski sum with the ray's point. */
+/* ray.c: a ray against a circle or box, as the path of a point against the shape's Minkowski sum
+ * with a point, which is the shape itself (minkowski.c). */
 #include "geometry/minkowski.h"
 
 bool thud_shape_cast_ray(const thud_shape_instance *shape, double ox, double oy, double dx,

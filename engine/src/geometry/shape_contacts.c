@@ -1,15 +1,18 @@
-/* shape_contacts.c: contact points of two shapes: their closest features and, where a face of a box
- * looks along the normal, the far end of what it shares with the other box. */
+/* shape_contacts.c: the up to two contact points of two shapes, for queries. The first is the pair
+ * of closest points. Where a face of a box is perpendicular to the normal, the other box's opposite
+ * face is clipped to it, and the end that is further from the first point is the second. The
+ * solver's contacts come from contact/wide_box.c and its siblings. */
 #include "geometry/shape_instance.h"
 
-/* A face within this angle of the normal, in radians, counts as looking along it: between the links
- * of two corners of a face to another box, rounding decides as long as they differ by less. */
-#define ALIGNED 1e-7
-/* Points closer than this share of the smaller box's reach are one. */
-#define SAME 1e-9
+/* Tangent of the angle between a face's normal and the contact normal up to which they count as
+ * equal. Above the rounding of a normal that was computed from two corners; chosen, not tuned. */
+#define FACE_TANGENT_MAX 1e-7
+/* Points nearer to each other than this share of the smaller box's extent are one. Above rounding;
+ * chosen, not tuned. */
+#define SAME_POINT 1e-9
 
-/* The outward normal of the box's face that looks most along a direction, and by how much that
- * fails to be the direction, as a tangent. */
+/* Finds the outward normal of the box's face that is nearest to the direction (x, y). Returns the
+ * tangent of the angle between both. */
 static double face_along(const thud_shape_instance *box, double x, double y, double *nx,
                          double *ny) {
     double u, v;
@@ -20,17 +23,18 @@ static double face_along(const thud_shape_instance *box, double x, double y, dou
     return by_u ? td_abs(v / u) : td_abs(u / v);
 }
 
-/* A place in the frame of the normal: along the face, and above it. */
-typedef struct spot {
+/* A place by its coordinates along the reference face and above it. */
+typedef struct face_point {
     double along, above;
-} spot;
+} face_point;
 
-static spot spot_of(const thud_closest *c, double x, double y) {
-    return (spot){x * -c->ny + y * c->nx, x * c->nx + y * c->ny};
+/* A place by these coordinates. */
+static face_point face_point_of(const thud_closest *c, double x, double y) {
+    return (face_point){x * -c->ny + y * c->nx, x * c->nx + y * c->ny};
 }
 
-/* The ends of the box's face that looks most against the normal, relative to its centre. */
-static void face_against(const thud_shape_instance *box, const thud_closest *c, spot end[2]) {
+/* The ends of the box's face that is most opposed to the normal, relative to its centre. */
+static void face_against(const thud_shape_instance *box, const thud_closest *c, face_point end[2]) {
     double u, v, x, y;
     td_to_frame(box, -c->nx, -c->ny, &u, &v);
     bool by_u = td_abs(u) > td_abs(v);
@@ -39,48 +43,51 @@ static void face_against(const thud_shape_instance *box, const thud_closest *c, 
         double eu = by_u ? (u < 0.0 ? -box->hx : box->hx) : side * box->hx;
         double ev = by_u ? side * box->hy : (v < 0.0 ? -box->hy : box->hy);
         td_from_frame(box, eu, ev, &x, &y);
-        end[i] = spot_of(c, x, y);
+        end[i] = face_point_of(c, x, y);
     }
 }
 
-static spot part_way(spot p, spot q, double along) {
+/* The point of the line through p and q at the coordinate `along`, not beyond p and q in height. */
+static face_point interpolate(face_point p, face_point q, double along) {
     double part = q.along != p.along ? (along - p.along) / (q.along - p.along) : 0.0;
-    return (spot){along, p.above + td_clamp(part, 0.0, 1.0) * (q.above - p.above)};
+    return (face_point){along, p.above + td_clamp(part, 0.0, 1.0) * (q.above - p.above)};
 }
 
-/* The piece of the other box's opposite face that is over the face of `box` in the normal; then the
- * end of it that is further from the closest features. Both boxes and `c` are relative to where c
- * is on the surface of `box`, from which the normal points. */
-static spot far_end(const thud_shape_instance *box, const thud_shape_instance *other,
-                    const thud_closest *c) {
-    spot end[2], center = spot_of(c, other->x, other->y), self = spot_of(c, box->x, box->y);
+/* Clips the other box's opposite face to the face of `box` whose normal is c's, and returns the end
+ * that is further from the closest points. Both boxes and `c` are relative to c's point on the
+ * surface of `box`; the normal points out of `box`. */
+static face_point far_end(const thud_shape_instance *box, const thud_shape_instance *other,
+                          const thud_closest *c) {
+    face_point end[2], offset = face_point_of(c, other->x, other->y),
+                       own = face_point_of(c, box->x, box->y);
     double half = td_projected_extent(box, -c->ny, c->nx);
-    double low = self.along - half, high = self.along + half;
+    double low = own.along - half, high = own.along + half;
     face_against(other, c, end);
     for (int i = 0; i < 2; i++) {
-        end[i].along += center.along;
-        end[i].above += center.above;
+        end[i].along += offset.along;
+        end[i].above += offset.above;
     }
-    spot clipped[2];
+    face_point clipped[2];
     for (int i = 0; i < 2; i++) {
-        clipped[i] = part_way(end[0], end[1], td_clamp(end[i].along, low, high));
+        clipped[i] = interpolate(end[0], end[1], td_clamp(end[i].along, low, high));
     }
     return clipped[td_abs(clipped[1].along) > td_abs(clipped[0].along)];
 }
 
+/* Exchanges a and b. */
 static void reverse(thud_closest *c) {
     *c = (thud_closest){c->distance, -c->nx, -c->ny, c->bx, c->by, c->ax, c->ay};
 }
 
-/* Adds the second point of two boxes to the first, if there is one. */
+/* Adds the second point of two boxes, if there is one within the margin. */
 static void add_far_end(const thud_shape_instance *a, const thud_shape_instance *b, double margin,
                         thud_contacts *out) {
     thud_closest c = out->point[0];
     double ax, ay, bx, by;
-    double off_a = face_along(a, c.nx, c.ny, &ax, &ay);
-    double off_b = face_along(b, -c.nx, -c.ny, &bx, &by);
-    bool flipped = off_b < off_a;
-    if ((flipped ? off_b : off_a) > ALIGNED) {
+    double tangent_a = face_along(a, c.nx, c.ny, &ax, &ay);
+    double tangent_b = face_along(b, -c.nx, -c.ny, &bx, &by);
+    bool flipped = tangent_b < tangent_a;
+    if ((flipped ? tangent_b : tangent_a) > FACE_TANGENT_MAX) {
         return; /* corner to corner */
     }
     if (flipped) {
@@ -93,9 +100,9 @@ static void add_far_end(const thud_shape_instance *a, const thud_shape_instance 
     box.y -= c.ay;
     other.x -= c.ax;
     other.y -= c.ay;
-    spot far = far_end(&box, &other, &c);
-    double least = td_reach(a) < td_reach(b) ? td_reach(a) : td_reach(b);
-    if (far.above > margin || td_abs(far.along) <= SAME * least) {
+    face_point far = far_end(&box, &other, &c);
+    double reach_min = td_reach(a) < td_reach(b) ? td_reach(a) : td_reach(b);
+    if (far.above > margin || td_abs(far.along) <= SAME_POINT * reach_min) {
         return;
     }
     c.distance = far.above;
@@ -118,7 +125,7 @@ thud_result thud_shapes_contacts(const thud_shape_instance *a, const thud_shape_
         !(margin >= 0.0 && margin <= THUD_COORDINATE_MAX)) {
         return THUD_ERROR_INVALID;
     }
-    /* Relative to a: far from the origin, places are too coarse to work with. */
+    /* Relative to a, since coordinates far from the origin are too coarse. */
     thud_shape_instance here = *a, there = *b;
     here.x = here.y = 0.0;
     there.x -= a->x;

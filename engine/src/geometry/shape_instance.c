@@ -1,4 +1,4 @@
-/* shape_instance.c: a moving shape at a time of its motion. */
+/* shape_instance.c: the instance of a moving shape at a time of its motion. */
 #include "geometry/shape_instance.h"
 
 #include "base/trig.h"

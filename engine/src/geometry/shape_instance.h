@@ -1,4 +1,6 @@
-/* shape_instance.h: small helpers on placed shapes, shared by the geometry files. */
+/* shape_instance.h: helpers on thud_shape_instance, a circle or box in its place, in double
+ * precision and without a world; and the internal versions of the geometry functions, which do not
+ * check their input. Lengths are the caller's unit, angles radians. */
 #ifndef TD_SHAPE_INSTANCE_H
 #define TD_SHAPE_INSTANCE_H
 
@@ -9,7 +11,7 @@ static inline double td_clamp(double x, double low, double high) {
     return x < low ? low : x > high ? high : x;
 }
 
-/* A world vector in the shape's frame, and back. */
+/* Rotates a world vector into the shape's frame, and back. */
 static inline void td_to_frame(const thud_shape_instance *f, double x, double y, double *u,
                                double *v) {
     *u = f->c * x + f->s * y;
@@ -22,7 +24,7 @@ static inline void td_from_frame(const thud_shape_instance *f, double u, double 
     *y = f->s * u + f->c * v;
 }
 
-/* Corner 0..3 counter-clockwise from the lower left, in the world. */
+/* A corner of a box in the world; 0 to 3 counter-clockwise from the lower left one in its frame. */
 static inline void td_corner(const thud_shape_instance *box, int i, double *x, double *y) {
     double u = i == 1 || i == 2 ? box->hx : -box->hx, v = i >= 2 ? box->hy : -box->hy;
     td_from_frame(box, u, v, x, y);
@@ -30,14 +32,14 @@ static inline void td_corner(const thud_shape_instance *box, int i, double *x, d
     *y += box->y;
 }
 
-/* Half extent of a box's shadow on the direction (x, y), which has length 1. */
+/* Half the length of a box's projection onto the unit vector (x, y). */
 static inline double td_projected_extent(const thud_shape_instance *box, double x, double y) {
     double u, v;
     td_to_frame(box, x, y, &u, &v);
     return td_abs(u) * box->hx + td_abs(v) * box->hy;
 }
 
-/* No point of the shape is further than this from its centre. A circle's hy is not read. */
+/* An upper bound of the distance of the shape's points from its centre: the radius, or hx + hy. */
 TD_INLINE_SMALL double td_reach(const thud_shape_instance *shape) {
     switch (shape->kind) {
     case THUD_CIRCLE:
@@ -50,8 +52,7 @@ TD_INLINE_SMALL double td_reach(const thud_shape_instance *shape) {
     return shape->hx + shape->hy;
 }
 
-/* Half of what the shape takes up along (x, y), which has length 1. A circle's angle is not read.
- */
+/* Half the length of a shape's projection onto the unit vector (x, y). */
 static inline double td_half_along(const thud_shape_instance *shape, double x, double y) {
     switch (shape->kind) {
     case THUD_CIRCLE:
@@ -69,38 +70,45 @@ static inline double td_half_width(const thud_shape_instance *shape) {
     return td_half_along(shape, 1.0, 0.0);
 }
 
+/* Whether a motion is finite and turns by no more than THUD_ANGLE_MAX. */
 static inline bool td_motion_valid(thud_motion m) {
     return td_finite(m.dx + m.dy + m.turn) && td_abs(m.turn) <= THUD_ANGLE_MAX;
 }
 
-/* Distances at which shapes count as met: squares of the largest are far from overflow. */
+/* Whether a target distance of a time of impact is in range; squares of such numbers do not
+ * overflow. */
 static inline bool td_target_valid(double target) {
     return target >= 0.0 && target <= THUD_COORDINATE_MAX;
 }
 
-/* The shape at a time of its motion. */
+/* The instance at a time of its motion, 0 to 1. */
 thud_shape_instance td_placed_at(const thud_shape_instance *shape, const thud_motion *motion,
                                  double time);
 
-/* closest.c: as thud_shapes_closest, for shapes known to be valid; boxes may be flat (hy = 0). */
+/* closest.c: does what thud_shapes_closest does, for shapes known to be valid; boxes may have hy =
+ * 0. */
 void td_closest(const thud_shape_instance *a, const thud_shape_instance *b, thud_closest *out);
 
-/* toi.c: as thud_shapes_time_of_impact, for shapes and motions known to be valid. */
+/* toi.c: does what thud_shapes_time_of_impact does, for shapes and motions known to be valid. */
 void td_time_of_impact(const thud_shape_instance *a, thud_motion motion_a,
                        const thud_shape_instance *b, thud_motion motion_b, double target, bool *hit,
                        double *time);
-/* For how long nothing can come across a direction, in which the two are apart by more than the
- * target; more than 1 where that is longer than the motions. */
+/* A lower bound of the time until the shapes can come within `target` of each other, for
+ * conservative advancement: by the separation along the unit normal (nx, ny), from a to b, which is
+ * greater than the target. Motions are per unit of time; more than 1 says "not within the
+ * motions". */
 typedef double td_jump_fn(const thud_shape_instance *a, const thud_motion *motion_a,
                           const thud_shape_instance *b, const thud_motion *motion_b, double nx,
                           double ny, double target);
 td_jump_fn td_time_across;
-/* Finds a longer time than td_time_across where the face of a turning box goes on keeping the two
- * apart. It takes longer itself, which pays for shapes that slide on others. */
+/* A td_jump_fn that also uses the faces of turning boxes, and finds longer times than
+ * td_time_across where such a face keeps the shapes apart. It takes longer itself, which pays for
+ * shapes that slide on others. */
 td_jump_fn td_time_across_faces;
 
-/* Does what td_time_of_impact does, but the target may be negative, where the shapes overlap, and
- * turning shapes may stop `tolerance` short of it, which saves jumps. */
+/* As td_time_of_impact, with the bound to advance by. `target` may be negative, so that shapes may
+ * overlap by that much; turning shapes may stop up to `tolerance` (length) short of it, which saves
+ * advances. */
 void td_time_of_near_impact(const thud_shape_instance *a, thud_motion motion_a,
                             const thud_shape_instance *b, thud_motion motion_b, double target,
                             double tolerance, td_jump_fn *jump, bool *hit, double *time);

@@ -1,17 +1,18 @@
-/* shape_kind.h: what is asked of a shape's kind. Every question is a switch over all kinds without
- * a default, so that the compiler names each one that a new kind has to answer (-Wswitch-enum).
+/* shape_kind.h: the properties of each kind of shape. Each function is a switch over all kinds
+ * without a default, so that the compiler reports every one that a new kind has to be added to
+ * (-Wswitch-enum).
  *
- * A kind has two half extents, hx and hy. A circle has one radius, which is hx, and its hy is 0:
- * so callers give it, and so thud_shape_instance and td_shape keep it. td_kind_half_y turns that
- * into the half extent that the circle really has; td_shape_proxy alone keeps the answer. */
+ * A kind has two half extents, hx and hy. Of a circle hx is the radius, and hy is 0, in what
+ * callers pass, in thud_shape_instance and in td_shape. td_kind_half_y gives the half extent that a
+ * circle has across hx, its radius; td_shape_proxy stores that one instead. */
 #ifndef TD_SHAPE_KIND_H
 #define TD_SHAPE_KIND_H
 
 #include "base/base.h"
 #include "thud/thud_shapes.h"
 
-/* A ground line: it has segments, and neither centre nor half extents. What is no line has a place
- * as a thud_shape_instance. */
+/* Whether the kind is a line of ground (a terrain), which has segments, and neither a centre nor
+ * half extents. All other kinds can be a thud_shape_instance. */
 TD_INLINE_SMALL bool td_kind_is_line(thud_shape_kind kind) {
     switch (kind) {
     case THUD_CIRCLE:
@@ -24,7 +25,7 @@ TD_INLINE_SMALL bool td_kind_is_line(thud_shape_kind kind) {
     return false;
 }
 
-/* Whether there is a thud_shape_instance of that kind; false also for what is no kind at all. */
+/* Whether there is a thud_shape_instance of the kind; false for values that are no kind, too. */
 TD_INLINE_SMALL bool td_kind_has_instances(thud_shape_kind kind) {
     switch (kind) {
     case THUD_CIRCLE:
@@ -37,7 +38,7 @@ TD_INLINE_SMALL bool td_kind_has_instances(thud_shape_kind kind) {
     return false;
 }
 
-/* Whether there is a thud_volume of that kind; false also for what is no kind at all. */
+/* Whether there is a thud_volume of the kind; false for values that are no kind, too. */
 TD_INLINE_SMALL bool td_kind_is_volume(thud_shape_kind kind) {
     switch (kind) {
     case THUD_CIRCLE:
@@ -50,7 +51,8 @@ TD_INLINE_SMALL bool td_kind_is_volume(thud_shape_kind kind) {
     return false;
 }
 
-/* The whole outline has one distance from the centre, so that no angle is to be seen. */
+/* Whether all points of the outline are equally far from the centre, so that rotation changes
+ * nothing. */
 TD_INLINE_SMALL bool td_kind_is_round(thud_shape_kind kind) {
     switch (kind) {
     case THUD_CIRCLE:
@@ -63,7 +65,7 @@ TD_INLINE_SMALL bool td_kind_is_round(thud_shape_kind kind) {
     return false;
 }
 
-/* A box: four straight faces and four corners, hx and hy from the centre. */
+/* Whether the kind is a box: four faces and four corners, with half extents hx and hy. */
 TD_INLINE_SMALL bool td_kind_is_box(thud_shape_kind kind) {
     switch (kind) {
     case THUD_AABB:
@@ -76,7 +78,7 @@ TD_INLINE_SMALL bool td_kind_is_box(thud_shape_kind kind) {
     return false;
 }
 
-/* Its angle is to be seen and follows its body's: what the shape takes up depends on it. */
+/* Whether the shape rotates with its body, so that its extent depends on the angle. */
 TD_INLINE_SMALL bool td_kind_turns(thud_shape_kind kind) {
     switch (kind) {
     case THUD_OBB:
@@ -89,7 +91,7 @@ TD_INLINE_SMALL bool td_kind_turns(thud_shape_kind kind) {
     return false;
 }
 
-/* A body that has one never turns, whatever pushes it. */
+/* Whether a body with such a shape never rotates, whatever acts on it. */
 TD_INLINE_SMALL bool td_kind_fixes_rotation(thud_shape_kind kind) {
     switch (kind) {
     case THUD_AABB:
@@ -102,7 +104,7 @@ TD_INLINE_SMALL bool td_kind_fixes_rotation(thud_shape_kind kind) {
     return false;
 }
 
-/* The half extent across hx, also of a circle. */
+/* The half extent across hx, of a circle its radius. */
 TD_INLINE_SMALL double td_kind_half_y(thud_shape_kind kind, double hx, double hy) {
     switch (kind) {
     case THUD_CIRCLE:
@@ -115,13 +117,14 @@ TD_INLINE_SMALL double td_kind_half_y(thud_shape_kind kind, double hx, double hy
     return hy;
 }
 
-/* How deep the shape's middle lies: nothing that goes less deep is through it. */
+/* Half the thickness: the depth of the shape's middle. A shape that penetrates less deep has not
+ * passed through it. */
 TD_INLINE_SMALL double td_kind_half_thickness(thud_shape_kind kind, double hx, double hy) {
     double half_y = td_kind_half_y(kind, hx, hy);
     return hx < half_y ? hx : half_y;
 }
 
-/* The half extent hy that is kept of a shape grown by `by` on all sides, as a circle's 0 is. */
+/* The value of hy of a shape that is grown by `by` on all sides; 0 for a circle. */
 TD_INLINE_SMALL double td_kind_grown_hy(thud_shape_kind kind, double hy, double by) {
     switch (kind) {
     case THUD_CIRCLE:
@@ -134,7 +137,7 @@ TD_INLINE_SMALL double td_kind_grown_hy(thud_shape_kind kind, double hy, double 
     return hy;
 }
 
-/* Area, and second moment of area about the shape's own centre; a line has none. */
+/* Area, and second moment of area about the shape's own centre. A terrain has neither: 0. */
 static inline void td_kind_area(thud_shape_kind kind, double hx, double hy, double *area,
                                 double *moment) {
     *area = *moment = 0.0;

@@ -1,15 +1,26 @@
-/* toi.c: time of impact. Shapes that do not turn meet where their path enters their Minkowski sum,
- * in closed form. Turning ones meet by conservative advancement (Mirtich 1996): in the direction of
- * the present closest features the shapes cannot meet before the first corner has come across, so
- * time may safely jump to there. A turning corner's way is bounded by its Taylor polynomial, with
- * the second derivative at its largest: near the impact each jump squares what is left. A turning
- * box's own faces are tried as well: what touches a long one stays apart from it for longer. */
+/* toi.c: time of impact of two moving shapes.
+ *
+ * Shapes that do not turn: the relative path of b's centre against the Minkowski sum of both, in
+ * closed form (minkowski.c).
+ *
+ * Turning shapes: conservative advancement (Mirtich, "Impulse-based Dynamic Simulation of Rigid
+ * Body Systems", 1996). Along the normal n of the present closest points the shapes cannot meet
+ * before the first corner has crossed the gap, so that time may advance up to there, and n is
+ * computed anew. The motion of a corner along n is bounded by its Taylor polynomial of second
+ * order, with the greatest value that the second derivative can have:
+ *
+ *     gap(t) >= gap - speed t - bend t^2,  bend = (turn_a^2 radius_a + turn_b^2 radius_b) / 2
+ *
+ * so that each advance near the impact squares the remaining gap. td_time_across_faces also follows
+ * the face of a turning box, which keeps shapes that slide on each other apart for longer. Motions
+ * take one unit of time; speeds are per that unit. */
 #include "geometry/minkowski.h"
 
-/* Shapes that turn close by each other for long need many; most need less than ten. */
-enum { MAX_JUMPS = 1000 };
+/* Advances after which the search ends with a time before the impact. Most pairs need fewer than
+ * ten; shapes that turn close by each other for long need many. Chosen; not tuned. */
+enum { ADVANCES_MAX = 1000 };
 
-/* In closed form: the second centre is a point that enters the sum of both shapes. */
+/* Shapes that do not turn: b's centre is a point that enters the Minkowski sum of both. */
 static void translating(const thud_shape_instance *a, const thud_motion *ma,
                         const thud_shape_instance *b, const thud_motion *mb, double target,
                         bool *hit, double *time) {
@@ -25,22 +36,24 @@ static void translating(const thud_shape_instance *a, const thud_motion *ma,
     }
 }
 
+/* Whether the shape turns in the motion in a way that changes it. */
 static bool turns(const thud_shape_instance *shape, const thud_motion *m) {
     return td_kind_turns(shape->kind) && m->turn != 0.0;
 }
 
-/* A corner that may come across first: how far it is along the direction, from its shape's centre,
- * and how fast it goes on. */
+/* A corner that may cross the gap first: its coordinate along the direction, from its shape's
+ * centre, and its speed. */
 typedef struct corner {
     double along, speed;
 } corner;
 
-/* The corners of a shape that turns by `turn`, or of another the one that is furthest. */
+/* The corners of a shape along (nx, ny), where it turns by `turn`; for one that does not turn, the
+ * furthest extent alone. Returns their number. */
 static int corners_along(const thud_shape_instance *shape, double turn, double nx, double ny,
                          corner out[4]) {
     switch (shape->kind) {
     case THUD_CIRCLE:
-        turn = 0.0; /* is not to be seen */
+        turn = 0.0; /* the rotation of a circle changes nothing */
         break;
     case THUD_AABB:
     case THUD_OBB:
@@ -61,7 +74,8 @@ static int corners_along(const thud_shape_instance *shape, double turn, double n
     return 4;
 }
 
-/* The root of gap = speed t + bend t^2, for a positive gap; without one, more than any motion. */
+/* The least positive root of gap = speed t + bend t^2, for gap > 0; without one 2, which is after
+ * the end of any motion. */
 static double time_to_close(double gap, double speed, double bend) {
     double root = __builtin_sqrt(speed * speed + 4.0 * bend * gap);
     if (speed > 0.0) {
@@ -70,12 +84,13 @@ static double time_to_close(double gap, double speed, double bend) {
     return bend > 0.0 ? (root - speed) / (2.0 * bend) : 2.0;
 }
 
+/* The distance of a box's corners from its centre. */
 static double radius_of(const thud_shape_instance *box) {
     return __builtin_sqrt(box->hx * box->hx + box->hy * box->hy);
 }
 
-/* Not before the circles about turning shapes, nor before the first corner. The second derivative
- * of a corner's way is at most turn^2 times the circle's radius. */
+/* The shapes cannot meet before the circles around turning shapes do, nor before the first pair of
+ * corners. The later of both bounds is valid. */
 double td_time_across(const thud_shape_instance *a, const thud_motion *ma,
                       const thud_shape_instance *b, const thud_motion *mb, double nx, double ny,
                       double target) {
@@ -99,11 +114,15 @@ double td_time_across(const thud_shape_instance *a, const thud_motion *ma,
     return circles > 0.0 ? td_max_double(corners, time_to_close(circles, closing, 0.0)) : corners;
 }
 
-/* As td_time_across, of that face of a box from which the other shape is furthest, and which turns
- * with the box: it is not crossed by its own far corner. In the box's frame a corner of the other
- * is at R(-turn t) (from + way t) + R((other turn - turn) t) corner, which bounds the second
- * derivative.
- */
+/* As td_time_across, along the normal of a face of the turning box, the one with the greatest
+ * separation from the other shape, and in the frame of the box, which turns with it, so that the
+ * far corner of the face does not count as crossing the gap. There, a corner of the other shape is
+ * at
+ *
+ *     R(-turn t) (from + path t) + R((other turn - turn) t) corner
+ *
+ * whose second derivative, with twist = other turn - turn, is at most turn (turn (|from| + |path|)
+ * + 2 |path|) + twist^2 radius. */
 static double time_across_face(const thud_shape_instance *box, const thud_motion *m,
                                const thud_shape_instance *other, const thud_motion *mo,
                                double target) {
@@ -123,9 +142,9 @@ static double time_across_face(const thud_shape_instance *box, const thud_motion
     if (apart == 0.0) {
         return 0.0;
     }
-    double way = __builtin_sqrt(vx * vx + vy * vy), from = __builtin_sqrt(x * x + y * y);
+    double path = __builtin_sqrt(vx * vx + vy * vy), from = __builtin_sqrt(x * x + y * y);
     double turn = td_abs(m->turn), radius = td_kind_is_round(other->kind) ? 0.0 : radius_of(other);
-    double bend = 0.5 * (turn * (turn * (from + way) + 2.0 * way) + twist * twist * radius);
+    double bend = 0.5 * (turn * (turn * (from + path) + 2.0 * path) + twist * twist * radius);
     double closing = m->turn * (x * ny - y * nx) - vx * nx - vy * ny, time = 2.0;
     corners_along(other, 0.0, nx, ny, corners);
     double nearest = corners[0].along;
@@ -150,12 +169,12 @@ double td_time_across_faces(const thud_shape_instance *a, const thud_motion *ma,
     return time;
 }
 
-/* The distance at which shapes count as met: far below what anyone sees, above the rounding of
- * their places. */
+/* The distance at which turning shapes count as touching, length: 1e-10 of their extent, far below
+ * what is visible, and above the rounding of their coordinates. Chosen. */
 static double tolerance_of(const thud_shape_instance *a, const thud_motion *ma,
                            const thud_shape_instance *b, const thud_motion *mb) {
-    double way = td_abs(ma->dx) + td_abs(ma->dy) + td_abs(mb->dx) + td_abs(mb->dy);
-    return 1e-10 * (td_reach(a) + td_reach(b)) + 1e-15 * (td_abs(b->x) + td_abs(b->y) + way);
+    double path = td_abs(ma->dx) + td_abs(ma->dy) + td_abs(mb->dx) + td_abs(mb->dy);
+    return 1e-10 * (td_reach(a) + td_reach(b)) + 1e-15 * (td_abs(b->x) + td_abs(b->y) + path);
 }
 
 void td_time_of_near_impact(const thud_shape_instance *a, thud_motion ma,
@@ -165,7 +184,7 @@ void td_time_of_near_impact(const thud_shape_instance *a, thud_motion ma,
         translating(a, &ma, b, &mb, target, hit, time);
         return;
     }
-    /* Relative to a: far from the origin, places are too coarse to work with. */
+    /* Relative to a, since coordinates far from the origin are too coarse. */
     thud_shape_instance here = *a, there = *b;
     here.x = here.y = 0.0;
     there.x -= a->x;
@@ -174,7 +193,7 @@ void td_time_of_near_impact(const thud_shape_instance *a, thud_motion ma,
     double t = 0.0;
     *hit = false;
     *time = 1.0;
-    for (int i = 0; i < MAX_JUMPS; i++) {
+    for (int i = 0; i < ADVANCES_MAX; i++) {
         thud_shape_instance pa = td_placed_at(&here, &ma, t), pb = td_placed_at(&there, &mb, t);
         thud_closest closest;
         td_closest(&pa, &pb, &closest);
@@ -186,7 +205,8 @@ void td_time_of_near_impact(const thud_shape_instance *a, thud_motion ma,
             return;
         }
     }
-    /* Out of jumps: they are almost there, and this time is still before the impact. */
+    /* Also after ADVANCES_MAX: the shapes are close to the target, and the time is before the
+     * impact. */
     *hit = true;
     *time = t;
 }

@@ -1,7 +1,9 @@
-/* volumes.c: bounding volumes of shapes and of their motions, and of two volumes together. */
+/* volumes.c: bounding volumes (circle, AABB or OBB) of shapes, of moving shapes, and of two
+ * volumes. An OBB is the smallest of a few candidate directions, not the smallest of all. */
 #include "geometry/volumes.h"
 
-/* The roundings of a fit and of a later test come to no more than this part of place and size. */
+/* A bound of the rounding errors of a fit and of a later test, relative to position and size: about
+ * eighteen times 2^-53, the greatest error of one operation. */
 #define ROUNDING 2e-15
 
 thud_result thud_volume_check(const thud_volume *v) {
@@ -29,7 +31,7 @@ thud_result td_volume_store(thud_shape_kind kind, thud_volume v, thud_volume *ou
     return result;
 }
 
-thud_volume td_volume_of_span(thud_pos origin, double c, double s, td_span span) {
+thud_volume td_volume_of_span(thud_pos origin, double c, double s, td_volume_span span) {
     thud_volume box = {.kind = THUD_OBB, .c = c, .s = s};
     td_from_frame(&box, 0.5 * (span.u_min + span.u_max), 0.5 * (span.v_min + span.v_max), &box.x,
                   &box.y);
@@ -40,7 +42,8 @@ thud_volume td_volume_of_span(thud_pos origin, double c, double s, td_span span)
     return box;
 }
 
-void td_volume_keep_smaller(thud_volume *best, thud_pos origin, double c, double s, td_span span) {
+void td_volume_keep_smaller(thud_volume *best, thud_pos origin, double c, double s,
+                            td_volume_span span) {
     thud_volume box = td_volume_of_span(origin, c, s, span);
     if (box.hx * box.hy < best->hx * best->hy) {
         *best = box;
@@ -58,34 +61,34 @@ static double radius_around(const thud_shape_instance *shape) {
 
 /* ---- motions ---- */
 
-/* How far out along the first coordinate a corner gets that turns from p to q about the origin: it
- * is furthest at one of the two, but where it crosses the axis, there by its whole radius. */
-static double furthest(thud_pos p, thud_pos q, bool half_turn) {
+/* The greatest |x| of a corner that turns about the origin from p to q: that of p or of q, or the
+ * radius where the corner crosses the x axis between them. `half_turn`: it turns by pi or more. */
+static double greatest_x(thud_pos p, thud_pos q, bool half_turn) {
     double x = td_max_double(td_abs(p.x), td_abs(q.x));
     return half_turn || p.y * q.y <= 0.0 ? __builtin_sqrt(p.x * p.x + p.y * p.y) : x;
 }
 
-/* Corner 0 or 1, seen from the centre; the other two are opposite. */
+/* Corner 0 or 1 of a box from its centre, along (c, s); the other two are opposite. */
 static thud_pos corner_along(const thud_shape_instance *box, int i, double c, double s) {
     double x, y;
     td_from_frame(box, box->hx, i ? -box->hy : box->hy, &x, &y);
     return (thud_pos){c * x + s * y, c * y - s * x};
 }
 
-/* What a motion takes up along (c, s), seen from the middle of the centre's way. */
-static td_span span_of_motion(const thud_shape_instance *start, const thud_motion *m, double c,
-                              double s) {
+/* The span of a moving shape along (c, s), relative to the middle of its centre's path. */
+static td_volume_span span_of_motion(const thud_shape_instance *start, const thud_motion *m,
+                                     double c, double s) {
     double u = td_kind_is_round(start->kind) ? start->hx : 0.0, v = u;
     thud_shape_instance end = td_placed_at(start, m, 1.0);
     bool half_turn = td_kind_turns(start->kind) && td_abs(m->turn) >= TD_PI;
     for (int i = 0; i < 2 && td_kind_is_box(start->kind); i++) {
         thud_pos p = corner_along(start, i, c, s), q = corner_along(&end, i, c, s);
-        u = td_max_double(u, furthest(p, q, half_turn));
-        v = td_max_double(v, furthest((thud_pos){p.y, p.x}, (thud_pos){q.y, q.x}, half_turn));
+        u = td_max_double(u, greatest_x(p, q, half_turn));
+        v = td_max_double(v, greatest_x((thud_pos){p.y, p.x}, (thud_pos){q.y, q.x}, half_turn));
     }
     u += 0.5 * td_abs(c * m->dx + s * m->dy);
     v += 0.5 * td_abs(c * m->dy - s * m->dx);
-    return (td_span){-u, u, -v, v};
+    return (td_volume_span){-u, u, -v, v};
 }
 
 thud_result thud_volume_around_motion(thud_shape_kind kind, const thud_shape_instance *shape,
@@ -99,24 +102,24 @@ thud_result thud_volume_around_motion(thud_shape_kind kind, const thud_shape_ins
     }
     thud_pos middle = {shape->x + 0.5 * motion.dx, shape->y + 0.5 * motion.dy};
     if (td_kind_is_round(kind)) {
-        double way = __builtin_sqrt(motion.dx * motion.dx + motion.dy * motion.dy);
+        double path = __builtin_sqrt(motion.dx * motion.dx + motion.dy * motion.dy);
         thud_volume circle = {.x = middle.x,
                               .y = middle.y,
                               .c = 1.0,
-                              .hx = radius_around(shape) + 0.5 * way};
+                              .hx = radius_around(shape) + 0.5 * path};
         return td_volume_store(kind, circle, out);
     }
-    thud_pos own = {1.0, 0.0};
+    thud_pos axis = {1.0, 0.0};
     if (td_kind_turns(kind) && td_kind_turns(shape->kind)) {
         thud_shape_instance halfway = td_placed_at(shape, &motion, 0.5);
-        own = td_volume_direction(halfway.c, halfway.s);
+        axis = td_volume_direction(halfway.c, halfway.s);
     }
     thud_volume box =
-        td_volume_of_span(middle, own.x, own.y, span_of_motion(shape, &motion, own.x, own.y));
+        td_volume_of_span(middle, axis.x, axis.y, span_of_motion(shape, &motion, axis.x, axis.y));
     if (td_kind_turns(kind)) {
-        thud_pos ahead = td_volume_direction(motion.dx, motion.dy);
-        td_volume_keep_smaller(&box, middle, ahead.x, ahead.y,
-                               span_of_motion(shape, &motion, ahead.x, ahead.y));
+        thud_pos forward = td_volume_direction(motion.dx, motion.dy);
+        td_volume_keep_smaller(&box, middle, forward.x, forward.y,
+                               span_of_motion(shape, &motion, forward.x, forward.y));
     }
     return td_volume_store(kind, box, out);
 }
@@ -128,15 +131,16 @@ thud_result thud_volume_around_shape(thud_shape_kind kind, const thud_shape_inst
 
 /* ---- two volumes ---- */
 
-/* Around both, along (c, s), seen from a's centre. */
-static td_span span_of_both(const thud_volume *a, const thud_volume *b, double c, double s) {
+/* The span of two volumes along (c, s), relative to a's centre. */
+static td_volume_span span_of_both(const thud_volume *a, const thud_volume *b, double c, double s) {
     double au = td_half_along(a, c, s), av = td_half_along(a, -s, c);
     double bu = td_half_along(b, c, s), bv = td_half_along(b, -s, c);
     double x = b->x - a->x, y = b->y - a->y, u = c * x + s * y, v = c * y - s * x;
-    return (td_span){u - bu < -au ? u - bu : -au, td_max_double(u + bu, au),
-                     v - bv < -av ? v - bv : -av, td_max_double(v + bv, av)};
+    return (td_volume_span){u - bu < -au ? u - bu : -au, td_max_double(u + bu, au),
+                            v - bv < -av ? v - bv : -av, td_max_double(v + bv, av)};
 }
 
+/* The smallest circle around the circles of both volumes. */
 static thud_volume circle_around_both(const thud_volume *a, const thud_volume *b) {
     double x = b->x - a->x, y = b->y - a->y, distance = __builtin_sqrt(x * x + y * y);
     double ra = radius_around(a), rb = radius_around(b);

@@ -1,6 +1,6 @@
-/* volumes_overlap.c: bounding volumes against points and each other. A box is its two pairs of
- * sides: two boxes are apart if one of their up to four directions parts them (Gottschalk, Lin and
- * Manocha, OBBTree, 1996). */
+/* volumes_overlap.c: overlap of two bounding volumes, and containment of points and volumes. Two
+ * boxes are tested by the separating axis test over the axes of both (Gottschalk, Lin and Manocha,
+ * "OBBTree", 1996). */
 #include "geometry/shape_instance.h"
 #include "thud/thud_volumes.h"
 
@@ -9,7 +9,7 @@ static bool circle_circle(const thud_volume *a, const thud_volume *b) {
     return x * x + y * y <= r * r;
 }
 
-/* The circle's centre being at (u, v) in the frame of the box. */
+/* The circle's centre is (u, v) in the frame of the box. */
 static bool circle_box(const thud_volume *circle, const thud_volume *box, double u, double v) {
     double out_u = td_abs(u) - box->hx, out_v = td_abs(v) - box->hy;
     out_u = out_u > 0.0 ? out_u : 0.0;
@@ -32,8 +32,8 @@ static bool box_box(const thud_volume *a, const thud_volume *b) {
     return td_abs(u) <= b->hx + c * a->hx + s * a->hy && td_abs(v) <= b->hy + s * a->hx + c * a->hy;
 }
 
-/* The kinds come in their own order, so that the first is a circle if any is, and the second an
- * OBB if any is. */
+/* The kinds of a and b are in ascending order, so that a is a circle if any is, and b an OBB if any
+ * is. */
 static bool overlap(const thud_volume *a, const thud_volume *b) {
     double x = a->x - b->x, y = a->y - b->y;
     if (td_kind_is_round(b->kind)) {
@@ -60,7 +60,7 @@ thud_result thud_volumes_overlap(const thud_volume *a, const thud_volume *b, boo
     return THUD_OK;
 }
 
-/* The furthest point of the inner one is a corner, or behind the centre of a circle. */
+/* The furthest point of a box is a corner; that of a circle is beyond its centre by its radius. */
 static bool in_circle(const thud_volume *circle, const thud_volume *inner) {
     double x = inner->x - circle->x, y = inner->y - circle->y;
     double room = circle->hx;
@@ -75,6 +75,8 @@ static bool in_circle(const thud_volume *circle, const thud_volume *inner) {
     return u * u + v * v <= room * room;
 }
 
+/* The extents of the inner volume along the axes of the box, with its centre, must be within the
+ * box's. */
 static bool in_box(const thud_volume *box, const thud_volume *inner) {
     double u, v, hu = inner->hx, hv = inner->hx;
     td_to_frame(box, inner->x - box->x, inner->y - box->y, &u, &v);

@@ -1,20 +1,32 @@
-/* volumes_points.c: bounding volumes around points, and around the points of a ground line. */
+/* volumes_points.c: bounding volumes of points, and of the part of a terrain between two x.
+ *
+ * Circle: the smallest one, by exchanging its supporting points (Elzinga and Hearn, "Geometrical
+ * solutions for some minimax location problems", 1972): two or three points support the circle;
+ * while some point is outside, the furthest one becomes a support, and the circle grows. OBB: a
+ * smallest box has a side along an edge of the convex hull (Freeman and Shapira, "Determining the
+ * minimum-area encasing rectangle", 1975), so that the edges are tried one by one, in the order of
+ * Jarvis's march around the hull (1973). */
 #include "terrain/terrain.h"
 #include "geometry/volumes.h"
 
-enum { MAX_EXCHANGES = 100, MAX_SIDES = 512 };
+/* Bounds of both searches. Beyond them the volume still contains all points, but need not be the
+ * smallest: a circle's radius is measured at the end, and an OBB is the best of the edges so far.
+ * Each edge of the hull is a pass over all points. Chosen; not tuned. */
+enum { EXCHANGES_MAX = 100, HULL_EDGES_MAX = 512 };
 
-/* Points in an array, or the vertices of a line between two points of it. */
+/* The points of an array; or of a terrain the two points at its ends and the vertices between
+ * them. */
 typedef struct point_set {
     const thud_pos *points;
-    const thud_terrain *terrain; /* or null */
-    int first;                   /* of the line's vertices */
-    thud_pos ends[2];            /* come first */
+    const thud_terrain *terrain; /* null: the points are in `points` */
+    int first;                   /* first of the terrain's vertices */
+    thud_pos ends[2];            /* of the terrain, before its vertices */
     int count;                   /* of all points, > 0 */
-    thud_pos origin;             /* the first point; all are worked on as seen from there */
+    thud_pos origin;             /* the first point; computations are relative to it */
 } point_set;
 
-static thud_pos place_of(const point_set *set, int i) {
+/* Point i in the caller's coordinates. */
+static thud_pos position_of(const point_set *set, int i) {
     if (!set->terrain) {
         return set->points[i];
     }
@@ -23,14 +35,15 @@ static thud_pos place_of(const point_set *set, int i) {
                  : (thud_pos){td_terrain_x(set->terrain, vertex), set->terrain->points[vertex].y};
 }
 
+/* Point i relative to the origin of the set. */
 static thud_pos point_of(const point_set *set, int i) {
-    thud_pos place = place_of(set, i);
+    thud_pos place = position_of(set, i);
     return (thud_pos){place.x - set->origin.x, place.y - set->origin.y};
 }
 
-/* What the points take up along (c, s). */
-static td_span span_of(const point_set *set, double c, double s) {
-    td_span span = {0.0, 0.0, 0.0, 0.0};
+/* The span of the points along (c, s). */
+static td_volume_span span_of(const point_set *set, double c, double s) {
+    td_volume_span span = {0.0, 0.0, 0.0, 0.0};
     for (int i = 1; i < set->count; i++) {
         thud_pos p = point_of(set, i);
         double u = c * p.x + s * p.y, v = c * p.y - s * p.x;
@@ -44,53 +57,53 @@ static td_span span_of(const point_set *set, double c, double s) {
 
 /* ---- circle ---- */
 
-/* A circle through the up to three points that it rests on. */
-typedef struct disc {
-    thud_pos centre, rests[3];
+/* A circle through the up to three points that support it. */
+typedef struct circle {
+    thud_pos centre, support[3];
     int count;
-    double square; /* of the radius */
-} disc;
+    double square; /* radius squared */
+} circle;
 
 static double square_between(thud_pos p, thud_pos q) {
     return (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y);
 }
 
-static disc disc_of_two(thud_pos p, thud_pos q) {
+static circle circle_of_two(thud_pos p, thud_pos q) {
     thud_pos centre = {p.x + 0.5 * (q.x - p.x), p.y + 0.5 * (q.y - p.y)};
-    return (disc){centre, {p, q}, 2, 0.25 * square_between(p, q)};
+    return (circle){centre, {p, q}, 2, 0.25 * square_between(p, q)};
 }
 
-/* Through three points; without a radius if they are on a line. */
-static disc disc_of_three(thud_pos p, thud_pos q, thud_pos r) {
+/* The circle through three points; its radius is infinite or NaN if they are on a line. */
+static circle circle_of_three(thud_pos p, thud_pos q, thud_pos r) {
     double qx = q.x - p.x, qy = q.y - p.y, rx = r.x - p.x, ry = r.y - p.y;
     double twice_area = qx * ry - qy * rx, qq = qx * qx + qy * qy, rr = rx * rx + ry * ry;
     double x = (ry * qq - qy * rr) / (2.0 * twice_area);
     double y = (qx * rr - rx * qq) / (2.0 * twice_area);
-    return (disc){{p.x + x, p.y + y}, {p, q, r}, 3, x * x + y * y};
+    return (circle){{p.x + x, p.y + y}, {p, q, r}, 3, x * x + y * y};
 }
 
-/* Points that it rests on are off by a rounding. */
-static bool holds(const disc *d, thud_pos p) {
+/* Whether a circle contains a point, with a tolerance for its supporting points. */
+static bool contains(const circle *d, thud_pos p) {
     return square_between(d->centre, p) <= d->square * (1.0 + 1e-12);
 }
 
-/* The smaller of *best and a candidate that holds what `old` rests on. */
-static void keep_smaller(disc *best, disc candidate, const disc *old) {
+/* Makes a candidate *best if it is smaller and contains the points that support `old`. */
+static void keep_smaller(circle *best, circle candidate, const circle *old) {
     bool all = candidate.square < best->square;
     for (int i = 0; i < old->count && all; i++) {
-        all = holds(&candidate, old->rests[i]);
+        all = contains(&candidate, old->support[i]);
     }
     *best = all ? candidate : *best;
 }
 
-/* Rests the circle on a point outside of it and on some of those that it rested on, and so makes it
- * larger. False if no such circle holds them all, for a rounding. */
-static bool exchange(disc *d, thud_pos p) {
-    disc best = {.square = 1e300};
+/* Replaces the circle by the smallest one that a point outside of it and some of its supporting
+ * points support, and that contains all of these. False if rounding leaves none. */
+static bool exchange(circle *d, thud_pos p) {
+    circle best = {.square = 1e300};
     for (int i = 0; i < d->count; i++) {
-        keep_smaller(&best, disc_of_two(p, d->rests[i]), d);
+        keep_smaller(&best, circle_of_two(p, d->support[i]), d);
         for (int j = 0; j < i; j++) {
-            keep_smaller(&best, disc_of_three(p, d->rests[i], d->rests[j]), d);
+            keep_smaller(&best, circle_of_three(p, d->support[i], d->support[j]), d);
         }
     }
     *d = best.count > 0 ? best : *d;
@@ -106,23 +119,24 @@ static thud_pos furthest_from(const point_set *set, thud_pos centre) {
     return furthest;
 }
 
-/* Its radius is measured last, so that it holds all points even where the exchanges end early. */
+/* The radius is measured at the end, so that it contains all points even where EXCHANGES_MAX is
+ * reached. */
 static thud_volume circle_around(const point_set *set) {
-    disc d = {point_of(set, 0), {point_of(set, 0)}, 1, 0.0};
-    thud_pos outermost = furthest_from(set, d.centre);
-    for (int i = 0; i < MAX_EXCHANGES && !holds(&d, outermost) && exchange(&d, outermost); i++) {
-        outermost = furthest_from(set, d.centre);
+    circle d = {point_of(set, 0), {point_of(set, 0)}, 1, 0.0};
+    thud_pos furthest = furthest_from(set, d.centre);
+    for (int i = 0; i < EXCHANGES_MAX && !contains(&d, furthest) && exchange(&d, furthest); i++) {
+        furthest = furthest_from(set, d.centre);
     }
     return (thud_volume){.x = set->origin.x + d.centre.x,
                          .y = set->origin.y + d.centre.y,
                          .c = 1.0,
-                         .hx = __builtin_sqrt(square_between(d.centre, outermost))};
+                         .hx = __builtin_sqrt(square_between(d.centre, furthest))};
 }
 
 /* ---- OBB ---- */
 
-/* The hull's next corner after p, counter-clockwise: no point lies to the right of the way there,
- * and none further along it (Jarvis, On the identification of the convex hull, 1973). */
+/* The next corner of the convex hull after p, counter-clockwise: no point is to the right of the
+ * line from p to it, and none on the line is further away. */
 static thud_pos next_corner(const point_set *set, thud_pos p) {
     thud_pos next = p;
     for (int i = 0; i < set->count; i++) {
@@ -134,6 +148,7 @@ static thud_pos next_corner(const point_set *set, thud_pos p) {
     return next;
 }
 
+/* The smallest OBB over the directions of the hull's edges. */
 static thud_volume obb_around(const point_set *set) {
     thud_pos start = point_of(set, 0);
     for (int i = 1; i < set->count; i++) {
@@ -142,7 +157,7 @@ static thud_volume obb_around(const point_set *set) {
     }
     thud_volume best = td_volume_of_span(set->origin, 1.0, 0.0, span_of(set, 1.0, 0.0));
     thud_pos corner = start;
-    for (int side = 0; side < MAX_SIDES; side++) {
+    for (int side = 0; side < HULL_EDGES_MAX; side++) {
         thud_pos next = next_corner(set, corner);
         thud_pos along = td_volume_direction(next.x - corner.x, next.y - corner.y);
         td_volume_keep_smaller(&best, set->origin, along.x, along.y,
@@ -155,12 +170,13 @@ static thud_volume obb_around(const point_set *set) {
     return best;
 }
 
-/* ---- what a caller may ask ---- */
+/* ---- public functions ---- */
 
+/* The bounding volume of a set, whose origin is not set yet. */
 static thud_result around(thud_shape_kind kind, point_set *set, thud_volume *out) {
-    set->origin = place_of(set, 0);
+    set->origin = position_of(set, 0);
     for (int i = 0; i < set->count; i++) {
-        thud_pos p = place_of(set, i);
+        thud_pos p = position_of(set, i);
         if (!(td_abs(p.x) <= THUD_COORDINATE_MAX && td_abs(p.y) <= THUD_COORDINATE_MAX)) {
             return THUD_ERROR_INVALID;
         }
@@ -174,7 +190,7 @@ static thud_result around(thud_shape_kind kind, point_set *set, thud_volume *out
     if (td_kind_turns(kind)) {
         return td_volume_store(kind, obb_around(set), out);
     }
-    td_span span = span_of(set, 1.0, 0.0);
+    td_volume_span span = span_of(set, 1.0, 0.0);
     return td_volume_store(kind, td_volume_of_span(set->origin, 1.0, 0.0, span), out);
 }
 

@@ -1,5 +1,6 @@
-/* grown_ground.c: see grown_ground.h. The same place is always reckoned in the same way, so that
- * neighbouring pieces end and begin in the same bits. */
+/* grown_ground.c: see grown_ground.h. Every end of a piece is computed by the same expression
+ * wherever it is needed, so that neighbouring pieces end and begin at the same bits and leave no
+ * gap. */
 #include "terrain/grown_ground.h"
 
 td_grown td_grown_by(const thud_terrain *t, const thud_shape_instance *s, thud_pos offset) {
@@ -20,7 +21,7 @@ td_grown td_grown_by(const thud_terrain *t, const thud_shape_instance *s, thud_p
         td_from_frame(s, u, -v, &k.under[2].x, &k.under[2].y);
         break;
     }
-    case THUD_TERRAIN: /* does not grow another line */
+    case THUD_TERRAIN: /* never called for one */
         break;
     }
     return k;
@@ -52,7 +53,8 @@ void td_grown_vertices(const td_grown *k, double x_min, double x_max, int *first
     *last = k->mirrored ? end - a : b;
 }
 
-/* The segment from p to q. */
+/* The piece of the segment from p to q: the segment shifted by the point of the shape that is
+ * lowest in the direction of the segment's normal. */
 static td_piece shifted(const td_grown *k, thud_pos p, thud_pos q) {
     double dx = q.x - p.x, dy = q.y - p.y;
     thud_pos low = k->under[0];
@@ -106,7 +108,8 @@ double td_piece_height(const td_piece *e, double x) {
         double square = (e->radius - dx) * (e->radius + dx);
         return e->touch.y + (square > 0.0 ? __builtin_sqrt(square) : 0.0);
     }
-    if (x - e->p.x < e->q.x - x) { /* from the nearer end, so that both ends are exact */
+    if (x - e->p.x <
+        e->q.x - x) { /* from the nearer end, so that the heights at both ends are exact */
         return e->p.y + (x - e->p.x) * ((e->q.y - e->p.y) / (e->q.x - e->p.x));
     }
     return e->q.y + (x - e->q.x) * ((e->q.y - e->p.y) / (e->q.x - e->p.x));
@@ -127,7 +130,7 @@ thud_pos td_piece_normal(const td_piece *e, thud_pos at) {
     return (thud_pos){n.x / length, n.y / length};
 }
 
-/* May the piece lie over x? Tells most of them apart before they are worked out. */
+/* Whether a piece of a vertex may lie over x, by its vertices alone: cheaper than computing it. */
 static bool may_cover(const td_grown *k, int index, int part, double x) {
     int end = part == 2 && index < k->terrain->count - 1 ? index + 1 : index;
     return x >= td_grown_vertex(k, index).x - k->under[2].x &&

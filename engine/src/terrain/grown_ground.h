@@ -1,64 +1,77 @@
-/* grown_ground.h: the ground grown by a shape's reflection, as the shape's centre meets it: their
- * Minkowski sum (Lozano-Perez 1983).
+/* grown_ground.h: the Minkowski sum of a terrain and the reflection of a shape ("grown ground"):
+ * the set of places of the shape's centre at which the shape touches or overlaps the ground
+ * (configuration space: Lozano-Perez, "Spatial Planning", 1983). The shape's signed distance from
+ * the ground is that of its centre from the outline of the grown ground.
  *
- * What is above a line stays above a line. The grown ground ends in the highest of many pieces,
- * which are the segments, shifted by the point of the shape that would touch them, and the shape's
- * underside, upside down, on every vertex. Flat ground has neither vertices nor pieces, but the one
- * line. Places are relative to the shape's centre: far from the origin nothing is lost. */
+ * The grown ground of a line is again a line with one height for each x. Its height is the greatest
+ * one over x of many *pieces*:
+ * - each segment of the terrain, shifted by the point of the shape that would touch it;
+ * - for each vertex, the shape's underside, turned upside down: the upper half of a circle, or two
+ *   edges of a box.
+ *
+ * A flat terrain has no vertices, and one piece: the whole line. All coordinates are relative to
+ * the shape's centre, so that nothing is lost to rounding far from the origin. */
 #ifndef TD_GROWN_GROUND_H
 #define TD_GROWN_GROUND_H
 
 #include "terrain/terrain.h"
 
-/* Pieces of a vertex: up to two of the underside, and the segment that the vertex begins. */
+/* Pieces of a vertex: up to two of the shape's underside (parts 0 and 1), and the segment that
+ * begins at the vertex (part 2). */
 enum { TD_PIECES = 3 };
 
+/* A terrain and the shape by which it is grown. */
 typedef struct td_grown {
     const thud_terrain *terrain;
     const thud_shape_instance *shape;
-    thud_pos offset;   /* the shape is moved by this */
-    thud_pos under[3]; /* the leftmost, lowest and rightmost point of the shape */
-    double radius;     /* of a circle */
-    bool mirrored;     /* left and right have changed places */
+    thud_pos offset;   /* added to the position of `shape` */
+    thud_pos under[3]; /* leftmost, lowest and rightmost point of the shape, from its centre */
+    double radius;     /* of a circle; else 0 */
+    bool mirrored;     /* x is negated, so that vertices are numbered from the right */
 } td_grown;
 
-/* From left to right. */
+/* A piece of the outline, from its left end p to its right end q. */
 typedef struct td_piece {
     thud_pos p, q;
-    bool round;     /* the upper half of the circle about `touch`, or else straight */
-    bool at_vertex; /* the ground is touched at `touch`, or else at `touch` from the centre */
+    bool round;     /* the upper half of the circle about `touch`; false: a straight line */
+    bool at_vertex; /* with the shape's centre on the piece, the ground is touched at the fixed
+                       place `touch` (a vertex); false: at `touch` from the centre */
     thud_pos touch;
-    double radius;
+    double radius; /* where round */
 } td_piece;
 
+/* The grown ground for a shape moved by `offset`. */
 td_grown td_grown_by(const thud_terrain *terrain, const thud_shape_instance *shape,
                      thud_pos offset);
+/* The same with left and right exchanged. */
 td_grown td_grown_mirrored(const td_grown *grown);
 
-/* Where the ground's vertex stands. */
+/* A vertex of the terrain, not of a flat one, relative to the shape's centre. */
 thud_pos td_grown_vertex(const td_grown *grown, int vertex);
 
-/* The vertices whose pieces may lie over [x_min, x_max], and some more. */
+/* The range of vertices whose pieces may lie over [x_min, x_max]; it may have a few more. */
 void td_grown_vertices(const td_grown *grown, double x_min, double x_max, int *first, int *last);
 
-/* A piece of flat ground's line, shifted, 1 wide. */
+/* The piece of a flat terrain: a part of its shifted line, from x = 0 to x = 1. */
 td_piece td_grown_line(const td_grown *grown);
 
-/* Piece 0 to TD_PIECES - 1 of a vertex. False if there is none, or it is upright: then the next one
- * covers its place. */
+/* Piece 0 to TD_PIECES - 1 of a vertex. False where there is none, or where it is upright: the next
+ * piece then covers its x. */
 bool td_grown_piece(const td_grown *grown, int vertex, int part, td_piece *out);
 
-/* The highest piece over x, or the first that is `enough` high; of equal ones the one that goes on
- * furthest. */
+/* Finds the highest piece over x, and its height there; the search ends at the first piece that is
+ * at least `enough` high. Of pieces of equal height it is the one that ends furthest to the right.
+ * False where no piece is over x. */
 bool td_grown_highest(const td_grown *grown, double x, double enough, td_piece *out,
                       double *height);
 
+/* The height of a piece at x. */
 double td_piece_height(const td_piece *piece, double x);
 
-/* Rise over run, without a sign. */
+/* The absolute slope of a piece at x, |dy/dx|. */
 double td_piece_steepness(const td_piece *piece, double x);
 
-/* The unit normal, out of the ground, at a place of the piece. */
+/* The unit normal of a piece, out of the ground, at the place `at` on it. */
 thud_pos td_piece_normal(const td_piece *piece, thud_pos at);
 
 #endif

@@ -1,46 +1,60 @@
-/* terrain.h: the segments of a ground line, for the files that work on them. */
+/* terrain.h: the segments of a terrain, for the files that work on them.
+ *
+ * A terrain (thud_terrain of thud_shapes.h) is a line with one height for each x: an endless
+ * straight line (THUD_TERRAIN_FLAT), vertices at equal distances (UNIFORM), or vertices at any
+ * rising x (IRREGULAR). The ground is solid below the line, down to any depth, and ends in an
+ * upright side under each end vertex. Coordinates are relative to the terrain's origin, in the
+ * caller's unit, in double precision. Segment i is between the vertices i and i + 1; a flat line
+ * has the segment 0 alone. */
 #ifndef TD_TERRAIN_H
 #define TD_TERRAIN_H
 
 #include "geometry/shape_instance.h"
 
-/* A segment with its unit tangent; its normal, out of the ground, is (-ty, tx). */
+/* A segment from its left end p to its right end q. Its unit normal, out of the ground, is (-ty,
+ * tx). */
 typedef struct td_segment {
     thud_pos p, q;
-    double tx, ty;
+    double tx, ty; /* unit tangent, to the right */
     double length;
 } td_segment;
 
+/* The coordinate of (x, y) along the unit tangent (tx, ty), from the point `from` on. */
 static inline double td_along(double tx, double ty, thud_pos from, double x, double y) {
     return tx * (x - from.x) + ty * (y - from.y);
 }
 
-/* Signed distance of a point above the segment's line. */
+/* The signed distance of (x, y) from the infinite line through the segment, positive out of the
+ * ground. */
 static inline double td_above(const td_segment *s, double x, double y) {
     return s->tx * (y - s->p.y) - s->ty * (x - s->p.x);
 }
 
-/* Everything but the points' values; enough to read the line without going astray. */
+/* Checks all of a terrain but the coordinates of its vertices: kind, count, and ranges of slope, x0
+ * and spacing. It takes constant time, and what it accepts can be read without an access out of
+ * bounds. */
 thud_result td_terrain_readable(const thud_terrain *terrain);
 
-/* Whether a vertex may stand there, to the right of the one before (null: it is the first). */
+/* Whether a vertex is in range and to the right of the one before it; `before` is null for the
+ * first vertex. */
 bool td_terrain_vertex_valid(thud_terrain_kind kind, const thud_pos *before,
                              const thud_pos *vertex);
 
-/* Where a vertex of a line that is not flat stands. */
+/* The x of a vertex; not of a flat line. */
 double td_terrain_x(const thud_terrain *terrain, int vertex);
 
-/* The segment whose half-open column holds x, the first or last one for an x beyond the ends. */
+/* The segment i with x_i <= x < x_(i+1); the first or last one for an x beyond the ends. */
 int td_terrain_segment_at(const thud_terrain *terrain, double x);
 
-/* How many vertices stand strictly to the left of x. */
+/* The number of vertices with a smaller x than `x`; not of a flat line. */
 int td_terrain_vertices_left_of(const thud_terrain *terrain, double x);
 
-/* A flat line gives the piece between x_min and x_max. */
+/* The segment. Of a flat line it is the piece between x_min and x_max, which other kinds ignore. */
 td_segment td_terrain_segment(const thud_terrain *terrain, int segment, double x_min, double x_max);
 
-/* terrain_closest.c: as thud_terrain_closest, for the shape moved by `offset` and known to be
- * valid, or a circle of radius 0; points are relative to the moved centre. */
+/* terrain_closest.c: does what thud_terrain_closest does, for a shape that is moved by `offset` and
+ * known to be valid; it may be a circle of radius 0. The points of *out are relative to the moved
+ * centre. */
 void td_terrain_closest(const thud_terrain *terrain, const thud_shape_instance *shape,
                         thud_pos offset, thud_closest *out);
 

@@ -1,15 +1,18 @@
-/* terrain_bisect.c: when a moving shape collides with the ground, by bisection. */
+/* terrain_bisect.c: the time at which a moving shape begins to overlap a terrain, by bisection
+ * (geometry/bisect.h). */
 #include "geometry/bisect.h"
 #include "terrain/terrain.h"
 
+/* A moving shape and a terrain at rest. */
 typedef struct landing {
     const thud_terrain *terrain;
     const thud_shape_instance *shape;
     thud_motion motion;
 } landing;
 
-static bool overlap_at(const void *meeting, double time) {
-    const landing *m = meeting;
+/* A td_overlap_at_fn for a `landing`. */
+static bool overlap_at(const void *pair, double time) {
+    const landing *m = pair;
     thud_shape_instance shape = td_placed_at(m->shape, &m->motion, time);
     return thud_terrain_overlap(m->terrain, &shape);
 }

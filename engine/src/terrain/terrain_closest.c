@@ -1,21 +1,24 @@
-/* terrain_closest.c: how far a shape is from the ground, or how far it must move to leave it.
+/* terrain_closest.c: the signed distance of a shape from a terrain, with normal and closest points.
  *
- * Both are the distance of the shape's centre from the outline of the grown ground. From outside,
- * the nearest piece is the answer. From inside, pieces may be buried under others, so the outline
- * is walked from straight above the centre to both sides, from piece to piece, until nothing nearer
- * can come. */
+ * It is the distance of the shape's centre, the origin here, from the outline of the grown ground
+ * (grown_ground.h). From outside, the nearest piece gives it. From inside, pieces may be buried
+ * under others and do not count, so that the outline is walked: from the point straight above the
+ * centre to both sides, from piece to piece, until no nearer point can follow. */
 #include "terrain/grown_ground.h"
 
-enum { MAX_HALVINGS = 64 };
+/* Bisections of an interval of x: more than the 53 bits of a double's fraction, so that the
+ * interval cannot become smaller. */
+enum { BISECTIONS = 64 };
 
+/* A value of `enough` that td_grown_highest never reaches. */
 #define ANY_HEIGHT 1e300
 
-/* ---- the nearest place ---- */
+/* ---- candidates ---- */
 
-/* Offers a result with the centre at `distance` along the normal from the place z of the outline;
- * *best keeps the nearest. */
-static void offer(const td_grown *k, const td_piece *e, thud_closest found, thud_pos z,
-                  thud_closest *best) {
+/* Makes a candidate the result in *best if its absolute distance is less. z is the nearest place of
+ * the outline, on the piece e, from which the closest point on the ground follows. */
+static void keep_nearer(const td_grown *k, const td_piece *e, thud_closest found, thud_pos z,
+                        thud_closest *best) {
     if (td_abs(found.distance) >= td_abs(best->distance)) {
         return;
     }
@@ -28,32 +31,38 @@ static void offer(const td_grown *k, const td_piece *e, thud_closest found, thud
     *best = found;
 }
 
-static void offer_point(const td_grown *k, const td_piece *e, thud_pos z, bool inside,
-                        thud_closest *best) {
+/* The candidate z, an end of piece e or a place where two pieces meet. `inside`: the centre is in
+ * the ground, and the distance is negative. */
+static void try_point(const td_grown *k, const td_piece *e, thud_pos z, bool inside,
+                      thud_closest *best) {
     double length = __builtin_sqrt(z.x * z.x + z.y * z.y), sign = inside ? 1.0 : -1.0;
     thud_pos n = {sign * z.x / length, sign * z.y / length};
+    /* Where the direction to z is only rounding error, the piece's normal is used. */
     if (length <= 1e-15 * (td_abs(e->touch.x) + td_abs(e->touch.y))) {
-        n = td_piece_normal(e, z); /* the link's direction is mere rounding */
+        n = td_piece_normal(e, z);
     }
-    offer(k, e, (thud_closest){.distance = -sign * length, .nx = n.x, .ny = n.y}, z, best);
+    keep_nearer(k, e, (thud_closest){.distance = -sign * length, .nx = n.x, .ny = n.y}, z, best);
 }
 
-/* Where the normal of the piece goes through the centre, if that is between x = from and x = to. */
-static void offer_foot(const td_grown *k, const td_piece *e, double from, double to,
-                       thud_closest *best) {
+/* The candidate at the foot of the perpendicular from the centre to piece e, if that is between x =
+ * from and x = to. */
+static void try_foot(const td_grown *k, const td_piece *e, double from, double to,
+                     thud_closest *best) {
     thud_pos n = td_piece_normal(e, (thud_pos){0.0, 0.0});
     double distance = -(e->p.x * n.x + e->p.y * n.y);
     if (e->round) {
         distance = __builtin_sqrt(e->touch.x * e->touch.x + e->touch.y * e->touch.y) - e->radius;
     }
     thud_pos z = {-n.x * distance, -n.y * distance};
-    if (z.x >= from && z.x <= to && n.y > 0.0) { /* not on the lower half of a circle */
-        offer(k, e, (thud_closest){.distance = distance, .nx = n.x, .ny = n.y}, z, best);
+    /* A normal that looks down would be on the lower half of a circle, which is no part of the
+     * piece. */
+    if (z.x >= from && z.x <= to && n.y > 0.0) {
+        keep_nearer(k, e, (thud_closest){.distance = distance, .nx = n.x, .ny = n.y}, z, best);
     }
 }
 
-/* The upright side under the right end. */
-static void offer_side(const td_grown *k, thud_closest *best) {
+/* The candidate on the upright side under the right end of the line. */
+static void try_side(const td_grown *k, thud_closest *best) {
     thud_pos last = td_grown_vertex(k, k->terrain->count - 1);
     double x = last.x - k->under[0].x, top;
     td_piece e;
@@ -62,53 +71,58 @@ static void offer_side(const td_grown *k, thud_closest *best) {
     }
     e = (td_piece){.at_vertex = true, .touch = {last.x, k->under[0].y}};
     e.touch.y = e.touch.y < last.y ? e.touch.y : last.y;
-    offer(k, &e, (thud_closest){.distance = -x, .nx = 1.0}, e.touch, best);
+    keep_nearer(k, &e, (thud_closest){.distance = -x, .nx = 1.0}, e.touch, best);
 }
 
-/* ---- from above and beside ---- */
+/* ---- from outside: above and beside the ground ---- */
 
-static void offer_vertex(const td_grown *k, int i, thud_closest *best) {
+/* The candidates on the pieces of vertex i. */
+static void try_vertex(const td_grown *k, int i, thud_closest *best) {
     for (int part = 0; part < TD_PIECES; part++) {
         td_piece e;
         if (td_grown_piece(k, i, part, &e)) {
-            offer_foot(k, &e, e.p.x, e.q.x, best);
-            offer_point(k, &e, e.p, false, best);
-            offer_point(k, &e, e.q, false, best);
+            try_foot(k, &e, e.p.x, e.q.x, best);
+            try_point(k, &e, e.p, false, best);
+            try_point(k, &e, e.q, false, best);
         }
     }
 }
 
-/* `flipped` has left and right changed. */
-static void from_outside(const td_grown *k, const td_grown *flipped, thud_closest *best) {
+/* Finds the nearest point of the outline for a centre outside of the grown ground: the vertices
+ * above and below the shape first, then those to both sides, while they may be nearer. `mirrored`
+ * is k with left and right exchanged. */
+static void from_outside(const td_grown *k, const td_grown *mirrored, thud_closest *best) {
     int first, last;
     td_grown_vertices(k, 0.0, 0.0, &first, &last);
     for (int i = first; i <= last; i++) {
-        offer_vertex(k, i, best);
+        try_vertex(k, i, best);
     }
     if (td_grown_vertex(k, k->terrain->count - 1).x < k->under[0].x) {
-        offer_side(k, best);
+        try_side(k, best);
     }
     if (td_grown_vertex(k, 0).x > k->under[2].x) {
-        offer_side(flipped, best);
+        try_side(mirrored, best);
     }
     while (first > 0 && k->under[0].x - td_grown_vertex(k, first).x < best->distance) {
-        offer_vertex(k, --first, best);
+        try_vertex(k, --first, best);
     }
     while (last < k->terrain->count - 1 &&
            td_grown_vertex(k, last).x - k->under[2].x < best->distance) {
-        offer_vertex(k, ++last, best);
+        try_vertex(k, ++last, best);
     }
 }
 
-/* ---- from below ---- */
+/* ---- from inside: below the outline ---- */
 
+/* The height of one piece over another at x. */
 static double rise(const td_piece *other, const td_piece *top, double x) {
     return td_piece_height(other, x) - td_piece_height(top, x);
 }
 
-/* Where the other piece comes out above the top one, between x and `stop`. On its way there the
- * difference changes its sign once: it is linear, or convex and not positive at the start, or, for
- * a round piece over a straight one, concave up to where both are parallel. */
+/* Finds the least x between `x` and `stop`, *at, where the piece `other` rises above the piece
+ * `top`; false where it does not. The difference of their heights changes its sign once there: it
+ * is linear, or convex and not positive at the start, or, for a round piece over a straight one,
+ * concave up to the place where both are parallel, which bounds the search. */
 static bool overtakes(const td_piece *other, const td_piece *top, double x, double stop,
                       double tolerance, double *at) {
     double low = x > other->p.x ? x : other->p.x;
@@ -123,14 +137,14 @@ static bool overtakes(const td_piece *other, const td_piece *top, double x, doub
     }
     double below = rise(other, top, low), above = rise(other, top, high);
     *at = low;
-    if (!(above > tolerance) || !(below < 0.0)) { /* also where heights are no numbers */
+    if (!(above > tolerance) || !(below < 0.0)) { /* also where heights are NaN */
         return above > tolerance;
     }
     if (!other->round && !top->round) {
         *at = low + (high - low) * (below / (below - above));
         return true;
     }
-    for (int i = 0; i < MAX_HALVINGS; i++) {
+    for (int i = 0; i < BISECTIONS; i++) {
         double middle = 0.5 * (low + high);
         if (rise(other, top, middle) < 0.0) {
             low = middle;
@@ -142,19 +156,20 @@ static bool overtakes(const td_piece *other, const td_piece *top, double x, doub
     return true;
 }
 
-/* Where the outline goes over from one piece to the next, in a valley or at a joint. The height of
- * the flatter one is the more exact, since x is rounded; the ground is touched by the one that the
- * way there leaves. */
-static void offer_joint(const td_grown *k, const td_piece *top, const td_piece *next, double x,
-                        thud_closest *best) {
+/* The candidate where the outline changes from one piece to the next, in a valley or at a joint.
+ * The height of the flatter piece is used, since x is rounded; the point on the ground is that of
+ * the piece that a shape moving out along the candidate's direction leaves. */
+static void try_joint(const td_grown *k, const td_piece *top, const td_piece *next, double x,
+                      thud_closest *best) {
     bool flatter = td_piece_steepness(next, x) < td_piece_steepness(top, x);
     thud_pos z = {x, td_piece_height(flatter ? next : top, x)};
     thud_pos n = td_piece_normal(top, z), m = td_piece_normal(next, z);
     bool leaves_next = m.x * z.x + m.y * z.y > n.x * z.x + n.y * z.y;
-    offer_point(k, leaves_next ? next : top, z, true, best);
+    try_point(k, leaves_next ? next : top, z, true, best);
 }
 
-/* Along the outline to the right, from the height over x of the piece `top`. */
+/* Walks the outline to the right, from the place of piece `top` at x, and tries all candidates that
+ * may be nearer than *best. `tolerance`: heights that differ by less are equal, length. */
 static void walk(const td_grown *k, td_piece top, double x, double tolerance, thud_closest *best) {
     double end = td_grown_vertex(k, k->terrain->count - 1).x - k->under[0].x, height;
     while (x < end && x < -best->distance) {
@@ -170,20 +185,21 @@ static void walk(const td_grown *k, td_piece top, double x, double tolerance, th
                 next = e;
             }
         }
-        offer_foot(k, &top, x, stop, best);
-        offer_joint(k, &top, &next, stop, best);
+        try_foot(k, &top, x, stop, best);
+        try_joint(k, &top, &next, stop, best);
         bool ended = stop >= top.q.x;
-        x = stop > x ? stop : x + tolerance; /* rounding never stops the walk */
+        x = stop > x ? stop : x + tolerance; /* so that rounding cannot stop the walk */
         top = next;
         if (ended && !td_grown_highest(k, x, ANY_HEIGHT, &top, &height)) {
             break;
         }
     }
     if (x >= end) {
-        offer_side(k, best);
+        try_side(k, best);
     }
 }
 
+/* The result for a flat terrain, in closed form. */
 static void on_endless_line(const td_grown *k, thud_closest *out) {
     double slope = k->terrain->slope, length = __builtin_sqrt(1.0 + slope * slope);
     td_piece e = td_grown_line(k);
@@ -196,7 +212,7 @@ static void on_endless_line(const td_grown *k, thud_closest *out) {
 
 void td_terrain_closest(const thud_terrain *t, const thud_shape_instance *shape, thud_pos offset,
                         thud_closest *out) {
-    td_grown k = td_grown_by(t, shape, offset), flipped = td_grown_mirrored(&k);
+    td_grown k = td_grown_by(t, shape, offset), mirrored = td_grown_mirrored(&k);
     td_piece top;
     double height;
     *out = (thud_closest){.distance = 1e300, .ny = 1.0};
@@ -205,13 +221,13 @@ void td_terrain_closest(const thud_terrain *t, const thud_shape_instance *shape,
     } else if (td_grown_highest(&k, 0.0, ANY_HEIGHT, &top, &height) && height >= 0.0) {
         double tolerance = 1e-15 * (td_reach(shape) + height);
         *out = (thud_closest){.distance = -1e300, .ny = 1.0};
-        offer_point(&k, &top, (thud_pos){0.0, height}, true, out);
+        try_point(&k, &top, (thud_pos){0.0, height}, true, out);
         walk(&k, top, 0.0, tolerance, out);
-        if (td_grown_highest(&flipped, 0.0, ANY_HEIGHT, &top, &height)) {
-            walk(&flipped, top, 0.0, tolerance, out);
+        if (td_grown_highest(&mirrored, 0.0, ANY_HEIGHT, &top, &height)) {
+            walk(&mirrored, top, 0.0, tolerance, out);
         }
     } else {
-        from_outside(&k, &flipped, out);
+        from_outside(&k, &mirrored, out);
     }
     out->bx = out->ax + out->nx * out->distance;
     out->by = out->ay + out->ny * out->distance;

@@ -1,28 +1,34 @@
-/* terrain_contacts.c: the two points on which a shape stands on a whole ground line.
+/* terrain_contacts.c: the up to two points at which a shape stands on a whole terrain. For queries;
+ * the solver's contacts come from terrain_manifold.c, segment by segment.
  *
- * The first is the nearest place, or that of the least way out. For the second, everything that may
- * touch is asked how far it is by itself; none of it can be deeper than the whole shape. Of what is
- * within the margin, the place furthest from the first is taken, and then of what is as deep as the
- * first the place furthest from the second: the two hold the shape best. */
+ * The first point is the closest point, or for a shape in the ground that of the least translation
+ * out of it. For the second, every feature that may touch (a corner of a box, a ridge of the
+ * ground, a segment under a circle) is tested alone; none can be deeper than the whole shape. Among
+ * those within the margin, the point furthest from the first is taken; then, among those as deep as
+ * the first, the point furthest from the second replaces the first. Points far from each other
+ * describe best how the shape is supported. */
 #include "terrain/terrain.h"
 
-/* Places closer than this share of the shape's reach are one, and depths as close are equal. */
-#define SAME 1e-9
-/* How far, in radians, a normal may lie outside what belongs to a ridge. */
-#define SLACK 1e-9
+/* Points nearer to each other than this share of the shape's extent are one point, and depths that
+ * differ by less are equal. Above rounding; chosen, not tuned. */
+#define SAME_POINT 1e-9
+/* By how much a normal may lie outside of a ridge's wedge, sine of the angle. Above rounding;
+ * chosen, not tuned. */
+#define WEDGE_SLACK 1e-9
 
-/* For the place that is furthest from another. Places are relative to the shape's centre. */
+/* A search for the point furthest from `from`. Points are relative to the shape's centre. */
 typedef struct search {
     const thud_terrain *terrain;
     const thud_shape_instance *shape;
-    double margin; /* places further from touching than this do not count */
+    double margin; /* points with a greater separation do not count */
     thud_closest from;
-    double apart; /* how far the found place is from it at least */
+    double apart; /* distance of the best point from it so far; at first the least that counts */
     bool found;
     thud_closest best;
 } search;
 
-static void offer(search *k, const thud_closest *c) {
+/* Makes a candidate the best one if it is within the margin and further from `from`. */
+static void keep_further(search *k, const thud_closest *c) {
     double dx = c->ax - k->from.ax, dy = c->ay - k->from.ay;
     double apart = __builtin_sqrt(dx * dx + dy * dy);
     if (c->distance <= k->margin && apart > k->apart) {
@@ -32,8 +38,8 @@ static void offer(search *k, const thud_closest *c) {
     }
 }
 
-/* The corners of a box, each with the place of the ground that is nearest to it. */
-static void offer_corners(search *k) {
+/* The candidates of a box's corners, each with the nearest place of the ground. */
+static void try_corners(search *k) {
     thud_shape_instance box = *k->shape,
                         point = {.kind = THUD_CIRCLE, .x = box.x, .y = box.y, .c = 1.0};
     box.x = box.y = 0.0;
@@ -46,27 +52,30 @@ static void offer_corners(search *k) {
         c.ay += corner.y;
         c.bx += corner.x;
         c.by += corner.y;
-        offer(k, &c);
+        keep_further(k, &c);
     }
 }
 
+/* Vertex i, relative to the shape's centre. */
 static thud_pos vertex_of(const search *k, int i) {
     return (thud_pos){td_terrain_x(k->terrain, i) - k->shape->x,
                       k->terrain->points[i].y - k->shape->y};
 }
 
-/* A vertex that sticks out of the ground, with the place of the shape that is nearest to it, if the
- * shape may stand on it from that direction: between the normals of the ground before and after. */
-static void offer_ridge(search *k, int i) {
+/* The candidate of vertex i, with the nearest place of the shape, where the vertex is a ridge and
+ * the direction to it is in the ridge's wedge, between the normals of the ground before and
+ * after. */
+static void try_ridge(search *k, int i) {
     const thud_terrain *t = k->terrain;
-    td_segment before = {.ty = 1.0}, after = {.ty = -1.0}; /* upright at the ends */
+    td_segment before = {.ty = 1.0},
+               after = {.ty = -1.0}; /* the ground is upright beyond its ends */
     if (i > 0) {
         before = td_terrain_segment(t, i - 1, 0.0, 0.0);
     }
     if (i < t->count - 1) {
         after = td_terrain_segment(t, i, 0.0, 0.0);
     }
-    if (before.ty * after.tx - before.tx * after.ty <= SLACK) {
+    if (before.ty * after.tx - before.tx * after.ty <= WEDGE_SLACK) {
         return;
     }
     thud_pos v = vertex_of(k, i);
@@ -75,14 +84,14 @@ static void offer_ridge(search *k, int i) {
     thud_closest c;
     shape.x = shape.y = 0.0;
     td_closest(&point, &shape, &c);
-    if (c.nx * before.tx + c.ny * before.ty >= -SLACK &&
-        c.nx * after.tx + c.ny * after.ty <= SLACK) {
-        offer(k, &c);
+    if (c.nx * before.tx + c.ny * before.ty >= -WEDGE_SLACK &&
+        c.nx * after.tx + c.ny * after.ty <= WEDGE_SLACK) {
+        keep_further(k, &c);
     }
 }
 
-/* A segment with a circle's centre straight over it. */
-static void offer_segment(search *k, int i) {
+/* The candidate of segment i, where the centre of a circle projects onto it from above. */
+static void try_segment(search *k, int i) {
     td_segment s = td_terrain_segment(k->terrain, i, 0.0, 0.0);
     s.p = vertex_of(k, i);
     double along = td_along(s.tx, s.ty, s.p, 0.0, 0.0), above = td_above(&s, 0.0, 0.0);
@@ -91,34 +100,37 @@ static void offer_segment(search *k, int i) {
     }
     double r = k->shape->hx;
     thud_closest c = {above - r, -s.ty, s.tx, s.ty * above, -s.tx * above, s.ty * r, -s.tx * r};
-    offer(k, &c);
+    keep_further(k, &c);
 }
 
-/* `centre_out`: the circle's centre is not in the ground, so that it may stand on segments. */
+/* Tries all candidates. `centre_out`: a circle's centre is not in the ground, so that segments
+ * count. */
 static bool find(search *k, bool centre_out) {
     bool circle = td_kind_is_round(k->shape->kind);
     double reach = td_half_width(k->shape) + k->margin;
     int first, last;
     if (td_kind_is_box(k->shape->kind)) {
-        offer_corners(k);
+        try_corners(k);
     }
     thud_terrain_segments(k->terrain, k->shape->x - reach, k->shape->x + reach, &first, &last);
     if (k->terrain->kind == THUD_TERRAIN_FLAT || first > last) {
         return k->found;
     }
     for (int i = first; i <= last + 1; i++) {
-        offer_ridge(k, i);
+        try_ridge(k, i);
     }
     for (int i = first; circle && centre_out && i <= last; i++) {
-        offer_segment(k, i);
+        try_segment(k, i);
     }
     return k->found;
 }
 
+/* Adds the second point to out->point[0], which is set, and replaces that where the head of this
+ * file says so. */
 static void find_points(const thud_terrain *t, const thud_shape_instance *shape, double margin,
                         thud_contacts *out) {
     thud_closest *first = &out->point[0], *second = &out->point[1];
-    double same = SAME * td_reach(shape);
+    double same = SAME_POINT * td_reach(shape);
     bool centre_out = first->distance >= -shape->hx;
     search k = {.terrain = t, .shape = shape, .margin = margin, .from = *first, .apart = same};
     if (!find(&k, centre_out)) {
@@ -126,13 +138,13 @@ static void find_points(const thud_terrain *t, const thud_shape_instance *shape,
     }
     *second = k.best;
     out->count = 2;
-    search back = {.terrain = t,
-                   .shape = shape,
-                   .margin = first->distance + same,
-                   .from = *second,
-                   .apart = k.apart};
-    if (find(&back, centre_out)) {
-        *first = back.best;
+    search for_first = {.terrain = t,
+                        .shape = shape,
+                        .margin = first->distance + same,
+                        .from = *second,
+                        .apart = k.apart};
+    if (find(&for_first, centre_out)) {
+        *first = for_first.best;
     }
 }
 

@@ -1,9 +1,10 @@
-/* terrain_foot.c: a level sole on a ground line. */
+/* terrain_foot.c: places a horizontal sole, such as a character's foot, on a terrain. */
 #include "terrain/terrain.h"
 
 #include "thud/thud_terrain.h"
 
-/* The highest place so far, of several the one nearest to the middle. */
+/* Keeps the higher of the present place and the one at x; of equal heights the nearer to the sole's
+ * middle. */
 static void try_place(thud_foot *foot, double middle, double x, double height) {
     if (height > foot->height ||
         (height == foot->height && td_abs(x - middle) < td_abs(foot->x - middle))) {

@@ -1,36 +1,47 @@
 /* terrain_manifold.c: see terrain_manifold.h.
  *
- * Every point of the plane belongs to one feature of the line, and a feature to one segment. Above
- * the line, what projects onto a segment is the segment's, and the wedge over a ridge is its
- * vertex's. In the ground, a point belongs to the segment through which it is nearest to the
- * surface. A vertex is reported by the segment that it begins, the last one by the segment that it
- * ends. The ground's upright sides count as a segment before the first and one after the last, and
- * are reported by those; they are met only by shapes whose centre is beyond the end. */
+ * The plane is divided between the features of the line (its Voronoi regions), and the features
+ * between the segments, so that each place has one owner:
+ * - Above the line, the points that project onto a segment belong to the segment, and those in the
+ *   wedge between the normals of two segments at a ridge belong to the vertex. A vertex is reported
+ *   by the segment that it begins, the last one by the segment that it ends.
+ * - In the ground, a point belongs to the segment through which it is nearest to the surface.
+ * - The ground's upright sides count as a segment before the first and one after the last, and are
+ *   reported by those. Only shapes whose centre is beyond the end of the line can touch them.
+ *
+ * A circle touches with its centre's owner. A box touches with each of its corners that the segment
+ * owns, and with vertices of the line inside its faces. */
 #include "terrain/terrain_manifold.h"
 
 #include "terrain/terrain.h"
 
-enum { NOWHERE = -2, LEFT_SIDE = -1 }; /* the right side is count - 1 */
+/* Values of owner_of that are no segments; the right side is count - 1. */
+enum { ABOVE_GROUND = -2, LEFT_SIDE = -1 };
 
-/* A ridge that rises less than this over its neighbours, in radians, is none for a box. */
-#define STRAIGHT 1e-9
+/* The least sine of the angle between two segments that counts as a ridge for a box, or as a
+ * valley. Above rounding; chosen, not tuned. */
+#define RIDGE_SINE_MIN 1e-9
 
-typedef struct place {
+/* The arguments of td_terrain_segment_manifold, and what follows from them. */
+typedef struct query {
     const thud_terrain *terrain;
     const thud_shape_instance *shape;
     int segment;
-    bool endless, first, last; /* the segment has an end of the line that can be met */
+    bool endless, first, last; /* endless: a flat line; first, last: the segment's left or right end
+                                  is an end of the line with an open side */
     td_segment s;
-    bool open_left, open_right;
+    bool open_left, open_right; /* the ends of the line are not sealed */
     double margin;
-} place;
+} query;
 
-static place place_of(const thud_terrain *t, int segment, const thud_shape_instance *shape,
+static query query_of(const thud_terrain *t, int segment, const thud_shape_instance *shape,
                       unsigned sealed, double margin) {
     bool left = !(sealed & TD_SEALED_LEFT), right = !(sealed & TD_SEALED_RIGHT);
+    /* Half the width of the piece of a flat line that stands for its only segment: more than the
+     * shape takes up. */
     double reach = 2.0 * td_reach(shape) + 1.0;
     bool endless = t->kind == THUD_TERRAIN_FLAT;
-    return (place){.terrain = t,
+    return (query){.terrain = t,
                    .shape = shape,
                    .segment = segment,
                    .endless = endless,
@@ -53,9 +64,10 @@ static double ridge_of(const vertex *v) {
     return v->before_y * v->after_x - v->before_x * v->after_y;
 }
 
-static vertex vertex_of(const place *k, bool right) {
+/* The vertex at the segment's left or right end. */
+static vertex vertex_of(const query *k, bool right) {
     const td_segment *s = &k->s;
-    if (right) { /* asked for the last segment alone: the ground goes straight down after it */
+    if (right) { /* only called for the last segment: the ground goes straight down after it */
         return (vertex){s->q, s->tx, s->ty, 0.0, -1.0};
     }
     if (k->first) {
@@ -68,27 +80,29 @@ static vertex vertex_of(const place *k, bool right) {
     return (vertex){s->p, before.tx, before.ty, s->tx, s->ty};
 }
 
+/* The distance of a point from a segment. */
 static double distance_to(const td_segment *s, double x, double y) {
     double along = td_clamp(td_along(s->tx, s->ty, s->p, x, y), 0.0, s->length);
     double dx = x - (s->p.x + along * s->tx), dy = y - (s->p.y + along * s->ty);
     return __builtin_sqrt(dx * dx + dy * dy);
 }
 
-/* The segment or side through which a point is nearest to the surface; NOWHERE above the ground.
- * Only what the shape's bounds touch is searched: nobody asks about the rest. */
-static int owner_of(const place *k, double x, double y) {
+/* The segment, or LEFT_SIDE or count - 1 for the upright sides, through which a point in the ground
+ * is nearest to the surface; ABOVE_GROUND above the line or beyond its ends. Only the segments that
+ * the shape's bounds touch are searched, as no others report this shape. */
+static int owner_of(const query *k, double x, double y) {
     const thud_terrain *t = k->terrain;
     if (k->endless) {
-        return td_above(&k->s, x, y) < 0.0 ? 0 : NOWHERE;
+        return td_above(&k->s, x, y) < 0.0 ? 0 : ABOVE_GROUND;
     }
     double left = td_terrain_x(t, 0), right = td_terrain_x(t, t->count - 1);
     if (x < left || x > right) {
-        return NOWHERE;
+        return ABOVE_GROUND;
     }
     int owner = td_terrain_segment_at(t, x), column = owner, first, last;
     td_segment s = td_terrain_segment(t, owner, 0.0, 0.0);
     if (td_above(&s, x, y) >= 0.0) {
-        return NOWHERE;
+        return ABOVE_GROUND;
     }
     double nearest = distance_to(&s, x, y), half = td_half_width(k->shape);
     thud_terrain_segments(t, k->shape->x - half, k->shape->x + half, &first, &last);
@@ -116,9 +130,9 @@ static int owner_of(const place *k, double x, double y) {
     return k->open_right && k->shape->x > right && right - x < nearest ? t->count - 1 : owner;
 }
 
-/* Does a point above the ground project onto the segment? A foot on a vertex that it shares with
- * the segment before is its own, one on a vertex shared with the next is not. */
-static bool foot_within(const place *k, double x, double y) {
+/* Whether a point above the ground projects onto the segment. A point over the vertex that the
+ * segment begins is its own; one over the vertex that it ends is not. */
+static bool foot_within(const query *k, double x, double y) {
     const td_segment *s = &k->s;
     return k->endless ||
            (td_along(s->tx, s->ty, s->p, x, y) >= 0.0 && td_along(s->tx, s->ty, s->q, x, y) < 0.0);
@@ -126,55 +140,61 @@ static bool foot_within(const place *k, double x, double y) {
 
 /* ---- circle ---- */
 
-static void offer(td_terrain_manifold *out, const place *k, double nx, double ny, double distance) {
+/* Makes the circle's contact with the given normal and distance of its centre the manifold, if it
+ * is within the margin and deeper than the present one. */
+static void keep_deeper(td_terrain_manifold *out, const query *k, double nx, double ny,
+                        double distance) {
     double separation = distance - k->shape->hx, reach = -(k->shape->hx + 0.5 * separation);
     if (separation <= k->margin && (!out->count || separation < out->point[0].separation)) {
         *out = (td_terrain_manifold){nx, ny, 1, {{nx * reach, ny * reach, separation, 0}}};
     }
 }
 
-/* The wedge over a vertex: past the end of what is before, short of the start of what is after. */
-static void offer_vertex(td_terrain_manifold *out, const place *k, bool right) {
+/* The circle against a vertex of the segment, where its centre is in the wedge over it: past the
+ * end of the segment before, and before the start of the segment after. */
+static void try_vertex(td_terrain_manifold *out, const query *k, bool right) {
     double x = k->shape->x, y = k->shape->y;
     vertex v = vertex_of(k, right);
     double dx = x - v.at.x, dy = y - v.at.y, distance = __builtin_sqrt(dx * dx + dy * dy);
     if (distance > 0.0 && ridge_of(&v) > 0.0 &&
         td_along(v.before_x, v.before_y, v.at, x, y) >= 0.0 &&
         td_along(v.after_x, v.after_y, v.at, x, y) < 0.0) {
-        offer(out, k, dx / distance, dy / distance, distance);
+        keep_deeper(out, k, dx / distance, dy / distance, distance);
     }
 }
 
-static void circle(const place *k, td_terrain_manifold *out) {
+/* The manifold of a circle. */
+static void circle(const query *k, td_terrain_manifold *out) {
     const td_segment *s = &k->s;
     double x = k->shape->x, y = k->shape->y, above = td_above(s, x, y);
     int owner = owner_of(k, x, y);
-    if (owner == k->segment || (owner == NOWHERE && above >= 0.0 && foot_within(k, x, y))) {
-        offer(out, k, -s->ty, s->tx, above);
+    if (owner == k->segment || (owner == ABOVE_GROUND && above >= 0.0 && foot_within(k, x, y))) {
+        keep_deeper(out, k, -s->ty, s->tx, above);
     }
-    if (owner != NOWHERE || k->endless) {
+    if (owner != ABOVE_GROUND || k->endless) {
         return;
     }
     if (td_along(s->tx, s->ty, s->p, x, y) < 0.0) {
-        offer_vertex(out, k, false);
+        try_vertex(out, k, false);
     }
     if (k->last) {
-        offer_vertex(out, k, true);
+        try_vertex(out, k, true);
     }
     if (k->first && x < s->p.x && y < s->p.y) {
-        offer(out, k, -1.0, 0.0, s->p.x - x);
+        keep_deeper(out, k, -1.0, 0.0, s->p.x - x);
     }
     if (k->last && x > s->q.x && y <= s->q.y) {
-        offer(out, k, 1.0, 0.0, x - s->q.x);
+        keep_deeper(out, k, 1.0, 0.0, x - s->q.x);
     }
 }
 
 /* ---- box ---- */
 
-/* Adds a point where the box's surface is `separation` along the normal from (x, y) of the
- * ground's surface; of more than two the deepest stay, in their order along the ground. */
-static void add(td_terrain_manifold *out, const place *k, double x, double y, double separation,
-                uint32_t id) {
+/* Adds a contact point: the ground's surface is at (x, y), and the box's `separation` from there
+ * along the normal. Of more than two points the two deepest stay. They are ordered along the
+ * ground. */
+static void add_point(td_terrain_manifold *out, const query *k, double x, double y,
+                      double separation, uint32_t id) {
     td_terrain_point point = {x - k->shape->x + 0.5 * separation * out->nx,
                               y - k->shape->y + 0.5 * separation * out->ny, separation, id};
     if (out->count < 2) {
@@ -194,10 +214,12 @@ static void add(td_terrain_manifold *out, const place *k, double x, double y, do
     }
 }
 
-/* A corner in the ground next to a valley is in the way of both its slopes. It is the neighbour's
- * if it would be in reach of this segment too, once it is out of its owner's; the foot may be as
- * far past the valley as a corner in a valley of 75 degrees to either side can be. */
-static bool in_valley(const place *k, int owner, double x, double y) {
+/* Whether a corner of the box that the neighbouring segment `owner` owns is a contact with this
+ * segment, too, as in a valley, where the corner overlaps both slopes. It is, if it would be in
+ * reach of this segment once it has left the other one. Its foot on this segment's line may be past
+ * the vertex by four times its depth below the other segment, as far as it can be in a valley whose
+ * slopes are up to 75 degrees steep. */
+static bool in_valley(const query *k, int owner, double x, double y) {
     if (k->endless || owner < 0 || owner > k->terrain->count - 2 ||
         (owner != k->segment - 1 && owner != k->segment + 1)) {
         return false;
@@ -209,12 +231,12 @@ static bool in_valley(const place *k, int owner, double x, double y) {
     double past_p = -td_along(s->tx, s->ty, s->p, x, y);
     double past_q = td_along(s->tx, s->ty, s->q, x, y);
     double slack = -4.0 * td_above(&other, x, y);
-    return (left ? -turn : turn) > STRAIGHT && (left ? past_p : past_q) <= slack &&
+    return (left ? -turn : turn) > RIDGE_SINE_MIN && (left ? past_p : past_q) <= slack &&
            (left ? past_q : past_p) <= 0.0;
 }
 
-/* Corners that meet the segment itself. */
-static void corners_on_segment(const place *k, td_terrain_manifold *out) {
+/* The contact points of the box's corners with the segment. */
+static void corners_on_segment(const query *k, td_terrain_manifold *out) {
     const td_segment *s = &k->s;
     out->nx = -s->ty;
     out->ny = s->tx;
@@ -227,14 +249,14 @@ static void corners_on_segment(const place *k, td_terrain_manifold *out) {
         }
         int owner = owner_of(k, x, y);
         if (owner == k->segment || in_valley(k, owner, x, y) ||
-            (owner == NOWHERE && above >= 0.0 && foot_within(k, x, y))) {
-            add(out, k, x - above * out->nx, y - above * out->ny, above, i);
+            (owner == ABOVE_GROUND && above >= 0.0 && foot_within(k, x, y))) {
+            add_point(out, k, x - above * out->nx, y - above * out->ny, above, i);
         }
     }
 }
 
-/* Corners that meet the upright side under an end of the line. */
-static void corners_on_side(const place *k, int side, td_terrain_manifold *out) {
+/* The contact points of the box's corners with the upright side under an end of the line. */
+static void corners_on_side(const query *k, int side, td_terrain_manifold *out) {
     thud_pos end = side == LEFT_SIDE ? k->s.p : k->s.q;
     out->nx = side == LEFT_SIDE ? -1.0 : 1.0;
     out->ny = 0.0;
@@ -246,17 +268,18 @@ static void corners_on_side(const place *k, int side, td_terrain_manifold *out) 
             continue;
         }
         int owner = owner_of(k, x, y);
-        if (owner == side || (owner == NOWHERE && beyond >= 0.0 && y < end.y)) {
-            add(out, k, end.x, y, beyond, i);
+        if (owner == side || (owner == ABOVE_GROUND && beyond >= 0.0 && y < end.y)) {
+            add_point(out, k, end.x, y, beyond, i);
         }
     }
 }
 
-/* The faces of the box around a vertex of the ground. */
+/* A box's four faces (normal i at i * 90 degrees) and the separation of a vertex from each. */
 typedef struct faces {
     double nx[4], ny[4], separation[4];
 } faces;
 
+/* The faces of a box about the vertex v. */
 static faces faces_around(const thud_shape_instance *box, thud_pos v) {
     faces f;
     double u, w;
@@ -269,7 +292,9 @@ static faces faces_around(const thud_shape_instance *box, thud_pos v) {
     return f;
 }
 
-/* How far the box must move against the normal until the vertex is at its surface. */
+/* The separation of a vertex from the box's surface along the unit normal (nx, ny), out of the
+ * ground: the distance by which the box must move against the normal until the vertex is at its
+ * surface. Faces whose normal is within 0.001 rad of being perpendicular to it do not count. */
 static double separation_along(const faces *f, double nx, double ny) {
     double best = -1e300;
     for (int i = 0; i < 4; i++) {
@@ -281,24 +306,27 @@ static double separation_along(const faces *f, double nx, double ny) {
     return best;
 }
 
-/* A ridge in a face of the box. Without corners on the segment, the face of least penetration that
- * looks into the ground gives the normal, held within the wedge of the ridge. */
-static void add_vertex(const place *k, bool right, td_terrain_manifold *out) {
+/* Adds the contact of a ridge vertex inside a face of the box. Where the segment has no other
+ * point, the normal is that of the face of least penetration among those that look into the ground,
+ * clamped to the wedge between the normals of the two segments; else it is the manifold's. */
+static void add_vertex(const query *k, bool right, td_terrain_manifold *out) {
     if (td_abs((right ? k->s.q.x : k->s.p.x) - k->shape->x) > td_half_width(k->shape) + k->margin) {
         return;
     }
     vertex v = vertex_of(k, right);
     double ax = v.before_x, ay = v.before_y, bx = v.after_x, by = v.after_y;
-    if (ridge_of(&v) < STRAIGHT) {
+    if (ridge_of(&v) < RIDGE_SINE_MIN) {
         return;
     }
     faces f = faces_around(k->shape, v.at);
-    /* The sum of the neighbours' normals is the ridge's own direction, however sharp it is. */
+    /* The sum of both segments' normals looks out of the ridge, however sharp it is. */
     double rx = -ay - by, ry = ax + bx, length = __builtin_sqrt(rx * rx + ry * ry);
     double best = -1e300, nx = 0.0, ny = 1.0;
     int outside = 0;
     for (int i = 0; i < 4; i++) {
         outside += f.separation[i] > 0.0;
+        /* Cosine below -0.001: faces that are all but perpendicular to the ridge's normal do not
+         * count. */
         bool into_ground = f.nx[i] * rx + f.ny[i] * ry < -1e-3 * length;
         if (into_ground && f.separation[i] > best) {
             best = f.separation[i];
@@ -315,7 +343,7 @@ static void add_vertex(const place *k, bool right, td_terrain_manifold *out) {
         nx = out->nx;
         ny = out->ny;
     } else if (nx * ax + ny * ay < 0.0 || nx * bx + ny * by > 0.0) {
-        /* Out of the wedge: to its nearer side. */
+        /* The normal is outside of the wedge: take the nearer of its sides. */
         bool before = ny * ax - nx * ay > ny * bx - nx * by;
         nx = before ? -ay : -by;
         ny = before ? ax : bx;
@@ -324,28 +352,30 @@ static void add_vertex(const place *k, bool right, td_terrain_manifold *out) {
     if (separation <= k->margin) {
         out->nx = nx;
         out->ny = ny;
-        add(out, k, v.at.x, v.at.y, separation, right ? 5 : 4);
+        add_point(out, k, v.at.x, v.at.y, separation, right ? 5 : 4);
     }
 }
 
-/* A plank run through by a hill has neither corner in the ground nor ridge in itself, but then its
- * centre is in the ground: out through the line. */
-static void add_centre(const place *k, td_terrain_manifold *out) {
+/* Adds a contact of the box's centre, where it is in the ground and owned by the segment. A thin
+ * box through which a hill goes has neither a corner in the ground nor a vertex in a face. */
+static void add_centre(const query *k, td_terrain_manifold *out) {
     double x = k->shape->x, y = k->shape->y, above = td_above(&k->s, x, y);
     if (above < 0.0 && owner_of(k, x, y) == k->segment) {
         double nx = -k->s.ty, ny = k->s.tx;
         double separation = above - td_projected_extent(k->shape, nx, ny);
         *out = (td_terrain_manifold){.nx = nx, .ny = ny};
-        add(out, k, x - above * nx, y - above * ny, separation, 6);
+        add_point(out, k, x - above * nx, y - above * ny, separation, 6);
     }
 }
 
+/* The least separation of a manifold; 1e300 without points. */
 static double deepest(const td_terrain_manifold *m) {
     double depth = m->count > 0 ? m->point[0].separation : 1e300;
     return m->count > 1 && m->point[1].separation < depth ? m->point[1].separation : depth;
 }
 
-static void box(const place *k, td_terrain_manifold *out) {
+/* The manifold of a box: one side of the line's end replaces the segment where it is deeper. */
+static void box(const query *k, td_terrain_manifold *out) {
     corners_on_segment(k, out);
     for (int end = 0; end < 2; end++) {
         if (end ? k->last : k->first) {
@@ -370,7 +400,7 @@ static void box(const place *k, td_terrain_manifold *out) {
 void td_terrain_segment_manifold(const thud_terrain *terrain, int segment,
                                  const thud_shape_instance *shape, unsigned sealed, double margin,
                                  td_terrain_manifold *out) {
-    place k = place_of(terrain, segment, shape, sealed, margin);
+    query k = query_of(terrain, segment, shape, sealed, margin);
     *out = (td_terrain_manifold){.ny = 1.0};
     switch (shape->kind) {
     case THUD_CIRCLE:

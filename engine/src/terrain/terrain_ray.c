@@ -1,36 +1,39 @@
-/* terrain_ray.c: a ray against a ground line, from above.
+/* terrain_ray.c: a ray against a terrain, from above.
  *
- * The ray is followed from vertex to vertex. Its height over a vertex is worked out once and serves
- * the segments on both sides, so that no ray slips through between them. */
+ * The ray is followed from vertex to vertex, and its height above the line is computed at each. The
+ * height at a vertex is computed once and used for the segments on both sides, so that no ray slips
+ * through between them by rounding. */
 #include "terrain/terrain.h"
 
+/* A ray and the terrain that it is cast against. */
 typedef struct ray {
     const thud_terrain *terrain;
-    double ox, oy, dx, dy;
+    double ox, oy, dx, dy; /* start, and the vector to the end */
 } ray;
 
-/* Where the ray is over a place, and how far above the line. */
-typedef struct stop {
+/* A point of the ray: its fraction of the ray, and its height above the line there. */
+typedef struct ray_sample {
     double fraction, height;
-} stop;
+} ray_sample;
 
-static stop stop_over_vertex(const ray *r, int vertex) {
+static ray_sample sample_over_vertex(const ray *r, int vertex) {
     double fraction = (td_terrain_x(r->terrain, vertex) - r->ox) / r->dx;
-    return (stop){fraction, r->oy + fraction * r->dy - r->terrain->points[vertex].y};
+    return (ray_sample){fraction, r->oy + fraction * r->dy - r->terrain->points[vertex].y};
 }
 
-/* The ray's own start or end; false where there is no line. */
-static bool stop_at(const ray *r, double fraction, stop *out) {
+/* The sample at a fraction of the ray, its start or end; false where the line has no height
+ * there. */
+static bool sample_at(const ray *r, double fraction, ray_sample *out) {
     thud_terrain_sample sample;
     if (thud_terrain_sample_at(r->terrain, r->ox + fraction * r->dx, &sample) != THUD_OK) {
         return false;
     }
-    *out = (stop){fraction, r->oy + fraction * r->dy - sample.height};
+    *out = (ray_sample){fraction, r->oy + fraction * r->dy - sample.height};
     return true;
 }
 
-/* Does the ray come down through the line between two stops? */
-static bool comes_down(stop a, stop b, double *fraction) {
+/* Whether the ray crosses the line from above between two samples, and at which fraction. */
+static bool crosses_down(ray_sample a, ray_sample b, double *fraction) {
     if (!(a.height >= 0.0 && b.height <= 0.0 && a.height > b.height)) {
         return false;
     }
@@ -39,27 +42,29 @@ static bool comes_down(stop a, stop b, double *fraction) {
     return true;
 }
 
-static bool follow(const ray *r, int first, int last, double *fraction, int *segment) {
+/* Walks the segments `first` to `last` in the direction of the ray. False where the ray does not
+ * cross the line, or starts below it. */
+static bool walk_segments(const ray *r, int first, int last, double *fraction, int *segment) {
     bool rightward = r->dx > 0.0;
-    int step = rightward ? 1 : -1, i = rightward ? first : last, behind = rightward ? last : first;
-    stop a, b;
-    if (stop_at(r, 0.0, &a)) {
+    int step = rightward ? 1 : -1, i = rightward ? first : last, end = rightward ? last : first;
+    ray_sample a, b;
+    if (sample_at(r, 0.0, &a)) {
         if (a.height < 0.0) {
             return false;
         }
         i = td_terrain_segment_at(r->terrain, r->ox);
     } else {
-        a = stop_over_vertex(r, rightward ? 0 : r->terrain->count - 1);
+        a = sample_over_vertex(r, rightward ? 0 : r->terrain->count - 1);
     }
-    for (; (behind - i) * step >= 0; i += step) {
+    for (; (end - i) * step >= 0; i += step) {
         int vertex = rightward ? i + 1 : i;
         double reach = (td_terrain_x(r->terrain, vertex) - (r->ox + r->dx)) * step;
         if (r->dx == 0.0 || reach >= 0.0) {
             *segment = i;
-            return stop_at(r, 1.0, &b) && comes_down(a, b, fraction);
+            return sample_at(r, 1.0, &b) && crosses_down(a, b, fraction);
         }
-        b = stop_over_vertex(r, vertex);
-        if (comes_down(a, b, fraction)) {
+        b = sample_over_vertex(r, vertex);
+        if (crosses_down(a, b, fraction)) {
             *segment = i;
             return true;
         }
@@ -82,10 +87,10 @@ bool thud_terrain_cast_ray(const thud_terrain *terrain, double ox, double oy, do
     }
     if (terrain->kind == THUD_TERRAIN_FLAT) {
         double from = oy - terrain->slope * ox, fall = terrain->slope * dx - dy;
-        if (!comes_down((stop){0.0, from}, (stop){1.0, from - fall}, &found)) {
+        if (!crosses_down((ray_sample){0.0, from}, (ray_sample){1.0, from - fall}, &found)) {
             return false;
         }
-    } else if (!follow(&r, first, last, &found, &segment)) {
+    } else if (!walk_segments(&r, first, last, &found, &segment)) {
         return false;
     }
     td_segment s = td_terrain_segment(terrain, segment, 0.0, 1.0);

@@ -1,29 +1,31 @@
-/* terrain_reshape.h: the vertices that a part of a ground line gets where it is dug out or raised.
- */
+/* terrain_reshape.h: computes the vertices of a part of a terrain where it is dug out or raised.
+ * state/terrain_edit.c puts them into the world. */
 #ifndef TD_TERRAIN_RESHAPE_H
 #define TD_TERRAIN_RESHAPE_H
 
 #include "thud/thud_shapes.h"
 
-/* A circle that takes away the ground in it and above it, or a mound. Coordinates are the line's.
- */
+/* A shape of the edit: a circle, which removes the ground inside and above it, or a mound, which
+ * adds rise (1 - u^2)^2 to the height at x, with u = (x - tool.x) / radius. Coordinates are
+ * relative to the terrain's origin. */
 typedef struct td_tool {
-    bool digs;
-    double x, y; /* centre; a mound has no y */
+    bool digs;   /* a circle; false: a mound */
+    double x, y; /* centre; y is not read for a mound */
     double radius;
-    double rise; /* of a mound in its middle */
+    double rise; /* height of a mound in its middle; negative: a hollow */
 } td_tool;
 
-/* The vertices strictly within the tool's width; of a line that is not flat. */
+/* The range of vertices strictly within the tool's width; not of a flat terrain. */
 void td_tool_vertices(const thud_terrain *terrain, const td_tool *tool, int *first, int *count);
 
-/* The most that td_tool_reshape writes for so many vertices. */
+/* The greatest number of vertices that td_tool_reshape writes in place of `count`. */
 int td_tool_room(int count);
 
-/* Writes what takes the place of those vertices, and returns how many they are. A uniform line
- * keeps its grid. An irregular one gets vertices where the ground begins to differ, and between
- * them; none nearer to each other than about a sixtieth of the radius, so that digging in the same
- * place for ever does not make ever more of them. */
+/* Writes the vertices that replace the `count` ones from `first` on, and returns their number. A
+ * uniform terrain keeps its vertices' x. An irregular one also gets vertices where the ground
+ * begins to differ from what it was, and along the tool's curve. No two of them are nearer to each
+ * other than 1/64 of the radius, so that digging in the same place again and again does not add
+ * ever more. */
 int td_tool_reshape(const thud_terrain *terrain, const td_tool *tool, int first, int count,
                     thud_pos *out);
 

@@ -1,6 +1,9 @@
-/* terrain_toi.c: when a moving shape first meets the ground, and whether it is in it now.
+/* terrain_toi.c: whether a shape overlaps a terrain, and the time of impact of a moving shape with
+ * it.
  *
- * The ground is what lies on and below the line, between two upright sides under its ends. */
+ * The ground is the area on and below the line, between two upright sides under its ends. Its
+ * outline is a chain of straight pieces; the time of impact is the least of those with each piece,
+ * seen as a box of thickness 0 (geometry/toi.c). */
 #include "terrain/grown_ground.h"
 
 bool thud_terrain_overlap(const thud_terrain *t, const thud_shape_instance *shape) {
@@ -13,9 +16,10 @@ bool thud_terrain_overlap(const thud_terrain *t, const thud_shape_instance *shap
     return td_grown_highest(&grown, 0.0, 0.0, &top, &height) && height >= 0.0;
 }
 
-/* The motion against a straight piece of the ground's outline, seen as a box without thickness. */
-static void meet(const thud_shape_instance *shape, thud_motion motion, thud_pos p, thud_pos q,
-                 double target, bool *hit, double *time) {
+/* Where the motion has an impact with the edge from p to q, sets *hit, and lowers *time to the
+ * impact's time. */
+static void impact_with_edge(const thud_shape_instance *shape, thud_motion motion, thud_pos p,
+                             thud_pos q, double target, bool *hit, double *time) {
     double dx = q.x - p.x, dy = q.y - p.y, length = __builtin_sqrt(dx * dx + dy * dy);
     thud_shape_instance box = {.kind = THUD_OBB,
                                .x = p.x + 0.5 * dx,
@@ -48,7 +52,8 @@ thud_result thud_terrain_time_of_impact(const thud_terrain *t, const thud_shape_
     if (*hit) {
         return THUD_OK;
     }
-    /* Places are relative to the shape's: those far away are too coarse. */
+    /* Places are relative to the shape's centre, so that no precision is lost far from the
+     * origin. */
     double reach = td_reach(shape) + target;
     double left = (motion.dx < 0.0 ? motion.dx : 0.0) - reach;
     double right = (motion.dx > 0.0 ? motion.dx : 0.0) + reach;
@@ -58,7 +63,7 @@ thud_result thud_terrain_time_of_impact(const thud_terrain *t, const thud_shape_
     if (t->kind == THUD_TERRAIN_FLAT) {
         double height = t->slope * shape->x - shape->y;
         thud_pos p = {left, height + t->slope * left}, q = {right, height + t->slope * right};
-        meet(&here, motion, p, q, target, hit, time);
+        impact_with_edge(&here, motion, p, q, target, hit, time);
         return THUD_OK;
     }
     int first, last;
@@ -66,12 +71,12 @@ thud_result thud_terrain_time_of_impact(const thud_terrain *t, const thud_shape_
     for (int i = first; i <= last; i++) {
         td_segment s = td_terrain_segment(t, i, 0.0, 0.0);
         thud_pos p = {s.p.x - shape->x, s.p.y - shape->y}, q = {s.q.x - shape->x, s.q.y - shape->y};
-        meet(&here, motion, p, q, target, hit, time);
+        impact_with_edge(&here, motion, p, q, target, hit, time);
         if (i == 0 && low < p.y) {
-            meet(&here, motion, (thud_pos){p.x, low}, p, target, hit, time);
+            impact_with_edge(&here, motion, (thud_pos){p.x, low}, p, target, hit, time);
         }
         if (i == t->count - 2 && low < q.y) {
-            meet(&here, motion, q, (thud_pos){q.x, low}, target, hit, time);
+            impact_with_edge(&here, motion, q, (thud_pos){q.x, low}, target, hit, time);
         }
     }
     return THUD_OK;
