@@ -67,7 +67,7 @@ void td_islands_settle(struct thud_world *w);
  * length/s, under which the contact sinks in by max_error, or by sag_limit times `size`, the size
  * of the smaller body. With fewer substeps than the quality's, the quality's number counts: fewer
  * substeps must not send more islands to the direct solver. */
-float td_islands_most(const struct thud_world *w, float size);
+float td_islands_load_max(const struct thud_world *w, float size);
 /* The size of the smaller of two bodies; slot 0 (static) has none. */
 float td_islands_size(const struct thud_world *w, td_awake_slot a, td_awake_slot b);
 /* Looks for constraints whose load is above the threshold, in a part of them each step, and marks

@@ -63,8 +63,8 @@ static double spring_phase(const td_island_work *work) {
 #define CENTRED 1e-5
 
 static bool is_centred(const td_island_work *work, float cross_u, float cross_v) {
-    double most = CENTRED * (double)work->w->unit;
-    return td_abs((double)cross_u) <= most && td_abs((double)cross_v) <= most;
+    double arm_max = CENTRED * (double)work->w->unit;
+    return td_abs((double)cross_u) <= arm_max && td_abs((double)cross_v) <= arm_max;
 }
 
 /* Sets `sweeps` of a joint's bodies: whether a rotation moves an anchor, or the axis of the joint's
@@ -140,7 +140,7 @@ bool td_island_rubs(const td_island_work *work) {
     bool any = false;
     for (int i = 0; i < work->island->bodies; i++) {
         const td_direct_body *b = &work->problem.bodies[i];
-        any |= b->rubs && td_abs(b->moved[2]) > work->turn_most;
+        any |= b->rubs && td_abs(b->moved[2]) > work->turn_max;
     }
     return any;
 }
