@@ -35,21 +35,21 @@ static double weighted_square(td_direct_row *r, double unused) {
 
 /* Sets the next search direction p, in push[0], and adds it to the forces. */
 static double set_direction(td_direct_row *r, double share) {
-    r->push[0] = r->weight * residual_of(r) + (share > 0.0 ? share * r->push[0] : 0.0);
-    r->force += r->push[0];
-    return r->push[0];
+    r->direction[0] = r->weight * residual_of(r) + (share > 0.0 ? share * r->direction[0] : 0.0);
+    r->force += r->direction[0];
+    return r->direction[0];
 }
 
 /* p (J dv) */
 static double curvature(td_direct_row *r, double unused) {
     (void)unused;
-    return r->push[0] * r->change;
+    return r->direction[0] * r->change;
 }
 
 /* After a step of length `part`: the force with which the bodies are in equilibrium at their new
  * velocities, and the multiplier that gives this force by the penalty. */
 static double balance(td_direct_row *r, double part) {
-    r->force += part * (r->push[0] - r->weight * r->change) - r->push[0];
+    r->force += part * (r->direction[0] - r->weight * r->change) - r->direction[0];
     r->base = r->kind == TD_ROW_SOFT ? 0.0 : r->force - r->weight * residual_of(r);
     return 0.0;
 }

@@ -27,7 +27,7 @@ typedef struct td_islands {
                              negative: direct_islands.c says why it is in none */
     td_array before;      /* float[4], parallel to `slots`: velocity before the soft solver */
     td_array impulses;    /* float[4], parallel to `constraints`: warm-start impulses of points and
-                             tangent;    1 where they are the soft solver's, else 0 */
+                             tangent; 1 where they are the soft solver's, else 0 */
     td_array rows; /* td_direct_constraint: of the island that is being solved, as the next three */
     td_array bodies;     /* td_direct_body */
     td_array step, work; /* double[4] */

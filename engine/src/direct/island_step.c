@@ -96,7 +96,7 @@ static double approach_max(const td_island_work *work, td_lane at, int k) {
 
 /* Sets the target speeds of contact i for the velocity at the end of the part: 0 where it touches
  * or overlaps then, and -gap / (length of the next part or step) where it is apart. A contact of
- * joint_subsystems.c (`keeps`) may also close as fast as in the soft solver's result. */
+ * joint_subsystems.c (`from_soft`) may also close as fast as in the soft solver's result. */
 static void set_end_targets(td_island_work *work, int i) {
     td_direct_constraint *c = &work->problem.constraints[i];
     td_lane at = td_island_lane(work, i);
@@ -108,7 +108,7 @@ static void set_end_targets(td_island_work *work, int i) {
             if (gap > 0.0 && at.block->restitution[at.lane] > 0.0f) {
                 r->target_speed -= approach_max(work, at, k);
             }
-            if (c->keeps) {
+            if (c->from_soft) {
                 r->target_speed = td_min_double(r->target_speed, soft_speed(work, c, r));
             }
         }

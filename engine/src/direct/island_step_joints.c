@@ -212,10 +212,10 @@ static bool closes_gaps(const td_island_work *work, double tolerance) {
     return worst > tolerance + CLOSING_SHARE * __builtin_sqrt(fastest);
 }
 
-/* Keeps the impulses of equality rows that the first problem found, in `given`, and removes those
- * of all other rows from the free velocities, which the second problem solves for anew. Solving for
- * equality rows again in the directions at the end of the part would take out energy, by the square
- * of the angle by which a direction turns. */
+/* Keeps the impulses of equality rows that the first problem found, in `mean_impulse`, and removes
+ * those of all other rows from the free velocities, which the second problem solves for anew.
+ * Solving for equality rows again in the directions at the end of the part would take out energy,
+ * by the square of the angle by which a direction turns. */
 static void keep_lock_impulses(td_island_work *work) {
     td_direct *d = &work->problem;
     for (int i = 0; i < work->island->bodies; i++) {
@@ -229,8 +229,8 @@ static void keep_lock_impulses(td_island_work *work) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &c->row[k];
             bool locks = r->used && r->kind == TD_ROW_EQUALITY;
-            r->given = locks ? r->impulse : 0.0;
-            r->impulse -= r->given;
+            r->mean_impulse = locks ? r->impulse : 0.0;
+            r->impulse -= r->mean_impulse;
             if (r->used && !locks && c->a != TD_NONE) {
                 remove_impulse(&d->bodies[c->a], r->a, r->impulse);
             }
@@ -246,7 +246,7 @@ static void restore_lock_impulses(td_island_work *work) {
     for (int i = 0; i < work->island->constraints; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &work->problem.constraints[i].row[k];
-            r->impulse += r->given;
+            r->impulse += r->mean_impulse;
         }
     }
 }
@@ -421,8 +421,8 @@ double td_island_solve_joints(td_island_work *work, double tolerance) {
     work->time = work->elapsed = whole;
     /* Long lever arms may have made numbers overflow; and a body that has contacts must not have
      * turned further than the contacts' arms are good for. */
-    missing =
-        td_finite(energy_of(work, false)) && !td_island_rubs(work) ? missing : __builtin_inf();
+    missing = td_finite(energy_of(work, false)) && !td_island_turns_too_far(work) ? missing
+                                                                                  : __builtin_inf();
     work->turn_max = __builtin_inf();
     if (td_finite(missing) && missing > tolerance && !td_island_is_joints(work) &&
         td_island_sinks(work, tolerance * whole)) {

@@ -155,9 +155,9 @@ static void add_contact(td_direct_body *b, td_awake_slot slot, td_lane at, int p
     }
     double cross =
         sign * (double)(first ? block->tangent_cross_a : block->tangent_cross_b)[at.lane];
-    bool rubs = block->friction[at.lane] > 0.0f;
+    bool has_friction = block->friction[at.lane] > 0.0f;
     double impulse = (double)td_surface_at(block, points)->total[at.lane];
-    add_impulse(b, y, -x, cross, rubs ? impulse : 0.0);
+    add_impulse(b, y, -x, cross, has_friction ? impulse : 0.0);
 }
 
 /* Lists the contacts of a linkage behind its joints, each once. False where there are too many. */
@@ -189,7 +189,7 @@ static void set_contact_rows(td_island_work *work) {
             continue;
         }
         td_lane at = td_island_lane(work, i);
-        c->keeps = true;
+        c->from_soft = true;
         for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
             double gap = (double)at.block->point[k].base[at.lane];
             c->row[k].impulse = 0.0;
