@@ -39,16 +39,16 @@
  * optimises for size. */
 #define TD_INLINE_SMALL static inline __attribute__((always_inline))
 
-#define TD_LANES                                                                      \
-    8 /* lanes of a block and of a vector: eight on every processor, since the number \
-         decides the order of solving, and so the bits */
+/* Lanes of a block and of a vector. Eight on every processor, since the number decides the order of
+ * solving, and with it the bits of the result. */
+#define TD_LANES 8
 #define TD_NONE (-1) /* "no index", in every field that is an index or a link */
 
 #define TD_PI 3.14159265358979323846
 
 /* Speculative margin, L: a pair has contact points from this distance on, so that the solver can
- * stop bodies that close before they overlap. Chosen, the same as Box2D's B2_SPECULATIVE_DISTANCE.
- */
+ * stop bodies that close before they overlap. Chosen, the same as Box2D's
+ * B2_SPECULATIVE_DISTANCE. */
 #define TD_SPECULATIVE 0.02f
 /* Small overlap, L, that counts as none: half of the overlap at which continuous detection stops a
  * body, so that the next step finds a contact; and the depth from which on the error statistics

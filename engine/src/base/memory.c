@@ -63,8 +63,7 @@ bool td_array_reserve(td_memory *memory, td_array *array, int capacity) {
         return true;
     }
     size_t stride = (size_t)array->stride;
-    /* Capacities double, so that appending n elements moves O(n) of them. The limit is 2^27
-     * elements. */
+    /* Capacities double, so that appending n elements moves O(n) of them. They stay below 2^27. */
     int64_t grown = td_max_int(array->capacity, 8);
     while (grown < capacity) {
         grown *= 2;
