@@ -19,7 +19,8 @@ static char *put(char *to, const char *text) {
 enum { DIGITS = 7, DECIMALS = 9 };
 #define SCALED_MIN 1e6 /* 10^(DIGITS - 1) */
 
-/* Writes a number. Returns the end of the text. */
+/* Writes a number. Returns the end of the text. The number is scaled to n 10^power, where n has
+ * DIGITS digits; then zeros at the end of n move into the power. */
 static char *put_number(char *to, double x) {
     if (x != x) {
         return put(to, "NaN");

@@ -185,7 +185,8 @@ static bool update_multipliers(td_direct *d, double hysteresis, multiplier_updat
 }
 
 /* Updates impulses and activities from the penalties, and returns how many rows changed their
- * activity. With `keeps` such rows get their activity back. */
+ * activity. With `keeps` the active set stays: such rows get their activity back, and an inactive
+ * row the impulse of its multiplier. */
 static int update_active_set(td_direct *d, double hysteresis, bool keeps) {
     int changed = 0;
     for (int i = 0; i < d->constraint_count; i++) {

@@ -2,13 +2,16 @@
  * Mehrotra's predictor-corrector ("On the implementation of a primal-dual interior point method",
  * 1992; Nocedal and Wright, Numerical Optimization, 2006, algorithm 16.4).
  *
- * unilateral row:  slack s = J v - target and impulse l, both > 0; the product s l goes to zero.
- * friction row:    impulse y within its bounds; the distances low = max + y and high = max - y
- * have slacks s0, s1 > 0 with s0 - s1 = J v - target; both products s0 low and s1 high go to zero.
- * spring with a greatest force: as a friction row, with s0 - s1 = J v - target + y / weight, so
- * that it is a spring between its bounds. equality row:    a penalty of weight STIFFNESS x mass,
- * whose multiplier is its impulse so far. spring without a greatest force: a penalty of its own
- * weight, without a multiplier.
+ * The conditions of each kind of row, with multiplier (impulse) y:
+ *
+ * - Unilateral: slack s = J v - target and impulse y, both > 0; the product s y goes to zero.
+ * - Friction: y within its bounds. The distances low = max + y and high = max - y have slacks s0,
+ *   s1 > 0 with s0 - s1 = J v - target; both products s0 low and s1 high go to zero.
+ * - Spring with a greatest force: as friction, with s0 - s1 = J v - target + y / weight, so that
+ *   it is a spring between its bounds.
+ * - Equality: a penalty of weight STIFFNESS times the effective mass, whose multiplier is the
+ *   row's impulse so far.
+ * - Spring without a greatest force: a penalty of its own weight, without a multiplier.
  *
  * Each iteration linearises these conditions and the equilibrium of the bodies. Eliminating
  * impulses and slacks leaves the equations of td_direct_step, where a row has weight = impulse /
