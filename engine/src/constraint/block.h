@@ -50,7 +50,10 @@ typedef struct td_point {
 } td_point;
 
 /* The fields of a contact point that few passes need, apart from td_point so that it stays small.
- * In the blocks of a joint's lock and rod the fields hold what joints/joint_brace.c needs. */
+ * Blocks of locks and rods use them for bracing (joints/joint_brace.c): `approach` of point 0 is
+ * the number of the lane's ring, that of point 1 says in lane 0 whether all lanes have the same
+ * ring; `total` is impulse times speed, before (point 0) and after the impulse (point 1), and at
+ * last, in point 0, the share of the impulse that is kept. */
 typedef struct td_point_history {
     f8 approach; /* normal velocity at the start of the step, length/s; negative: closing */
     f8 total;    /* normal impulse of all substeps; valid where td_solve_context.keep_totals */
