@@ -1,4 +1,9 @@
-/* step.c: the whole engine at a glance. Data flows one way; stages meet in the world's state. */
+/* step.c: a step of a world: the order of its stages (run_stages). docs/architecture.md describes
+ * them one by one.
+ *
+ * Everything that can fail for want of memory comes first, and leaves every body as it was. From
+ * ask_listeners on a step cannot fail. Rules, listeners, joints, direct islands and detection are
+ * plugged in by tables of functions that are null in worlds that do not use them. */
 #include "constraint/joint_hooks.h"
 #include "detection/sensing.h"
 #include "listeners/listener_hooks.h"
@@ -7,8 +12,9 @@
 #include "state/handles.h"
 #include "api/step.h"
 
-/* Events are handed over whole: what edits ended before the step, and what a step met that ran out
- * of memory, waits in `events` for the first step that is done. */
+/* Makes the events of this step the ones that callers read, and begins empty lists. The lists hold
+ * the events of a whole step: those of contacts that edits ended before it, and those of a step
+ * that ran out of memory, are in `events` until the next step that succeeds. */
 static void publish_events(thud_world *w) {
     td_event_lists published = w->events;
     w->events = w->published;
@@ -21,8 +27,8 @@ static void publish_events(thud_world *w) {
     next->sensor_begin_time.count = next->sensor_end_time.count = 0;
 }
 
-/* Time since the last mark goes to the stage. */
-static void mark(thud_world *w, thud_stage stage, double *last) {
+/* Records the time since *last as that of the stage, where the caller has given a clock. */
+static void record_time(thud_world *w, thud_stage stage, double *last) {
     if (w->def.clock) {
         double now = w->def.clock(w->def.clock_context);
         w->stats.stage_seconds[stage] = now - *last;
@@ -30,8 +36,8 @@ static void mark(thud_world *w, thud_stage stage, double *last) {
     }
 }
 
-/* The stage that the detection of a rank runs in, or null where one of a lower rank has the same:
- * each stage runs once, whichever detections share it. */
+/* The stage of the detection of a rank, or null where a detection of a lower rank has the same one:
+ * a stage that several detections share runs once. */
 static const td_detection_stage *stage_of(const thud_world *w, int rank) {
     const td_detection_stage *stage = w->detections[rank] ? w->detections[rank]->stage : NULL;
     for (int lower = 0; lower < rank && stage; lower++) {
@@ -42,6 +48,7 @@ static const td_detection_stage *stage_of(const thud_world *w, int rank) {
     return stage;
 }
 
+/* Reserves memory for the stages of detection. False when it is short. */
 static bool reserve_detection(thud_world *w) {
     bool done = true;
     for (int rank = 0; rank < TD_RANK_COUNT && done; rank++) {
@@ -51,6 +58,7 @@ static bool reserve_detection(thud_world *w) {
     return done;
 }
 
+/* Runs what the stages of detection do at this moment of the step. */
 static void detect(thud_world *w, td_moment moment) {
     for (int rank = 0; rank < TD_RANK_COUNT; rank++) {
         const td_detection_stage *stage = stage_of(w, rank);
@@ -60,7 +68,8 @@ static void detect(thud_world *w, td_moment moment) {
     }
 }
 
-static void forget_motions(thud_world *w) {
+/* Clears the statistics and lists that detection fills. */
+static void clear_detection(thud_world *w) {
     w->stats.impacts = w->stats.held_bodies = w->stats.unbisectable = 0;
     w->stats.motion_pairs = w->stats.motion_circles = w->stats.motion_boxes = 0;
     w->stats.motion_exact = 0;
@@ -68,7 +77,8 @@ static void forget_motions(thud_world *w) {
     w->scratch.legs.count = w->scratch.first_legs.count = 0;
 }
 
-/* A sensor that a callback makes takes part from the next step on. */
+/* Reserves memory for sensors; sensed_room stays 0 in a world without them, so that sensors which a
+ * callback makes in this step wait for the next one. False when memory is short. */
 static bool reserve_sensing(thud_world *w) {
     const td_sensing *sensing = td_sensing_of(w);
     w->scratch.sensed_room = 0;
@@ -76,8 +86,9 @@ static bool reserve_sensing(thud_world *w) {
            (td_sensed_reserve(w) && td_sensors_reserve(w) && (!sensing || sensing->reserve(w)));
 }
 
-/* Sensors go by where bodies stand now: what was passed on the way first, then what is there. */
-static void sense(thud_world *w) {
+/* Makes the events of sensors: first for shapes that passed through a sensor within the step, then
+ * for the poses at the end of the step. */
+static void test_sensors(thud_world *w) {
     if (w->scratch.sensed_room == 0) {
         return;
     }
@@ -90,11 +101,15 @@ static void sense(thud_world *w) {
     td_sensors_test(w);
 }
 
+/* Finds the islands that are solved directly. False when memory is short. */
 static bool find_islands(thud_world *w) {
     return !w->quality.islands || w->quality.islands->find(w);
 }
 
-/* Direct islands are solved twice: by the soft solver like all others, and then as a whole. */
+/* Runs the soft solver on all islands, then the direct solver on some of them, which keeps the
+ * better result of each. Of joints, `forget` first drops warm-start impulses that pressed bodies
+ * into static shapes, `share_caps` bounds springs and motors of two directions, and `yield` at last
+ * takes back the motion by which a joint pressed a body into a static shape. */
 static void solve(thud_world *w) {
     w->stats.direct_islands = w->stats.direct_bodies = w->stats.soft_islands = w->stats.factorings =
         0;
@@ -115,8 +130,8 @@ static void solve(thud_world *w) {
     }
 }
 
-/* The rules first, so that the prologue has the last word. */
-static void ask(thud_world *w) {
+/* Applies rules, then asks listeners (the prologue, pre-solve), whose answer overrules a rule. */
+static void ask_listeners(thud_world *w) {
     if (w->rule_hooks) {
         w->rule_hooks->decide(w);
     }
@@ -125,7 +140,8 @@ static void ask(thud_world *w) {
     }
 }
 
-static void tell(thud_world *w) {
+/* Makes the events of rules, then calls listeners (the epilogue, post-solve). */
+static void tell_listeners(thud_world *w) {
     if (w->rule_hooks) {
         w->rule_hooks->tell(w);
     }
@@ -134,47 +150,50 @@ static void tell(thud_world *w) {
     }
 }
 
+/* All stages. THUD_ERROR_MEMORY: no body has moved. */
 static thud_result run_stages(thud_world *w) {
     double start = w->def.clock ? w->def.clock(w->def.clock_context) : 0.0, last = start;
 
-    /* May run out of memory, and then leave every body as it was. */
+    /* These stages may run out of memory. */
     bool done = td_changes_apply(w);
-    mark(w, THUD_STAGE_CHANGES, &last);
+    record_time(w, THUD_STAGE_CHANGES, &last);
     done = done && (w->paired || td_broadphase(w));
     w->paired |= done;
-    mark(w, THUD_STAGE_BROADPHASE, &last);
+    record_time(w, THUD_STAGE_BROADPHASE, &last);
     done = done && td_broadphase_refresh(w) && td_narrowphase(w) && find_islands(w) &&
            td_finalize_reserve(w) && reserve_detection(w) && reserve_sensing(w) &&
            td_sleep_reserve(w) && (!w->rule_hooks || w->rule_hooks->reserve(w)) &&
            (!w->listener_hooks || w->listener_hooks->reserve(w)) && (!w->gather || w->gather(w));
-    mark(w, THUD_STAGE_NARROWPHASE, &last);
+    record_time(w, THUD_STAGE_NARROWPHASE, &last);
     if (!done) {
         return td_refuse(w, THUD_ERROR_MEMORY, "step: out of memory; nothing has moved");
     }
 
-    w->paired = false; /* a step that runs out of memory goes on where these two say */
+    /* From here on the step cannot fail. A step that fails keeps these two, and the next one goes
+     * on with the stage that they name. */
+    w->paired = false;
     w->narrowed = 0;
-    ask(w);
+    ask_listeners(w);
     detect(w, TD_BEFORE_SOLVING);
     td_contacts_hit(w);
-    mark(w, THUD_STAGE_CONTACTS, &last);
+    record_time(w, THUD_STAGE_CONTACTS, &last);
     w->stats.substeps = w->substeps;
     solve(w);
     detect(w, TD_BEFORE_MOVING);
-    mark(w, THUD_STAGE_SOLVE, &last);
+    record_time(w, THUD_STAGE_SOLVE, &last);
     td_finalize(w);
-    mark(w, THUD_STAGE_FINALIZE, &last);
-    forget_motions(w);
+    record_time(w, THUD_STAGE_FINALIZE, &last);
+    clear_detection(w);
     detect(w, TD_AFTER_MOVING);
-    mark(w, THUD_STAGE_CONTINUOUS, &last);
-    sense(w);
-    tell(w);
+    record_time(w, THUD_STAGE_CONTINUOUS, &last);
+    test_sensors(w);
+    tell_listeners(w);
     if (w->joint_hooks) {
         w->joint_hooks->break_up(w);
     }
-    mark(w, THUD_STAGE_EVENTS, &last);
+    record_time(w, THUD_STAGE_EVENTS, &last);
     td_sleep(w);
-    mark(w, THUD_STAGE_SLEEP, &last);
+    record_time(w, THUD_STAGE_SLEEP, &last);
     publish_events(w);
     w->stats.step_seconds = last - start;
     td_budget_keep(w);
@@ -183,8 +202,9 @@ static thud_result run_stages(thud_world *w) {
 
 thud_result td_step(thud_world *w) {
     uint64_t allocations = w->memory.allocations;
-    w->locked =
-        true; /* whatever of the caller's it calls: callbacks, log, clock, job system, allocator */
+    /* The caller's functions (callbacks, log, clock, job system, allocator) must not edit the
+     * world. */
+    w->locked = true;
     thud_result result = run_stages(w);
     w->locked = false;
     w->steps += result == THUD_OK;

@@ -1,41 +1,49 @@
-/* step.h: the stages of a step, in the order in which step.c runs them. They meet in the world's
- * state alone and never call each other, detection's among them: see td_detection_stage. A stage
- * that returns false is out of memory: nothing has moved then and no event is told, and the step
- * that is tried again goes on there, so that it ends as it would have. After td_narrowphase only
- * reservations can fail. */
+/* step.h: the stages of a step, in the order in which step.c runs them. Stages read and write the
+ * state of the world, and never call each other; those of detection are td_detection_stage.
+ *
+ * A stage that returns false is out of memory. Then no body has moved and no event is published,
+ * and the next call of thud_world_step goes on with the stage that failed (thud_world.paired,
+ * narrowed), so that its result is the same as if there had been memory. After td_narrowphase only
+ * reservations can fail; after them the step cannot fail. */
 #ifndef TD_STEP_H
 #define TD_STEP_H
 
 #include "state/world.h"
 
-/* step.c: a whole step of a world that is not in one. */
+/* step.c: makes a step of a world that is not in a step. */
 thud_result td_step(thud_world *w);
 
-/* changes.c: applies what the API and callbacks asked for since the last step. */
+/* changes.c: applies the edits that the API and callbacks made since the last step. */
 bool td_changes_apply(thud_world *w);
-/* broadphase.c: makes a contact of each new pair of overlapping fat bounds. */
+/* broadphase.c: makes a contact, which waits, of each new pair of overlapping fat bounds. */
 bool td_broadphase(thud_world *w);
-bool td_broadphase_refresh(thud_world *w); /* both grids hold the present bounds */
-/* narrowphase.c: which pairs touch; lanes, begin and end events; manifolds of all lanes. */
+/* Builds both proxy sets, of awake bodies and of bodies at rest, for the present bounds where they
+ * are out of date. */
+bool td_broadphase_refresh(thud_world *w);
+/* narrowphase.c: finds the pairs that touch, which get lanes, and those that do not any more; makes
+ * their begin and end events; computes the manifolds of all lanes. */
 bool td_narrowphase(thud_world *w);
-/* contact_view.c: hit events of what the solver will stop. */
+/* contact_view.c: makes hit events of contacts that have begun and close faster than hit_speed. */
 void td_contacts_hit(thud_world *w);
-/* solve.c: substeps. */
+/* solve.c: the soft solver: computes the velocities at the end of the step, and the motions. */
 void td_solve(thud_world *w);
-/* finalize.c: motion becomes pose; shapes, bounds, idle times; quarantine. */
+/* finalize.c: adds motions to poses; updates shapes, bounds and idle times; quarantines bodies
+ * whose numbers are not finite. */
 void td_finalize(thud_world *w);
-/* sensed_pairs.c: lists the bodies with sensors that are awake; and makes a contact of each new
- * pair of a sensor. Where memory is short the next step does, and tells of it. */
+/* sensed_pairs.c: reserves room for sensors; lists the awake bodies that have sensors; makes a
+ * contact of each new pair of a sensor and a shape. Where memory is short for that, the next step
+ * makes it, and its event. */
 bool td_sensed_reserve(thud_world *w);
 void td_sensed_list(thud_world *w);
 bool td_sensed_pairs(thud_world *w);
-/* sensor_events.c: what is in sensors, by where bodies stand now. */
+/* sensor_events.c: reserves room; makes begin and end events of sensors, for the poses at the end
+ * of the step. */
 bool td_sensors_reserve(thud_world *w);
 void td_sensors_test(thud_world *w);
-/* sleep.c: islands at rest fall asleep. */
+/* sleep.c: puts islands to sleep whose bodies have all been at rest for TD_SLEEP_TIME. */
 void td_sleep(thud_world *w);
 
-/* Room for what the stages after the narrowphase note down, so that they cannot fail. */
+/* Reserve what the stages after the narrowphase need, so that they cannot fail. */
 bool td_finalize_reserve(thud_world *w);
 bool td_sleep_reserve(thud_world *w);
 

@@ -1,7 +1,8 @@
 /* base.h: constants and helpers that every file may use.
  *
- * Lengths named here are multiples of the world's length scale L, the power of two nearest to the
- * caller's length_scale. */
+ * Constants that are lengths are multiples of the world's length scale L (thud_world.unit): the
+ * greatest power of two that is not above the caller's length_scale. L is about the size of a
+ * typical body, and a power of two, so that multiplying by it is exact. */
 #ifndef TD_BASE_H
 #define TD_BASE_H
 
@@ -11,59 +12,75 @@
 #include <assert.h>
 #include <float.h>
 
-/* Every operation rounds to its own type, or the bits would be the compiler's to choose. */
+/* The engine gives the same bits on all platforms. This needs every operation to round to its own
+ * type: with excess precision the result depends on which values the compiler keeps in registers.
+ */
 #if FLT_EVAL_METHOD != 0
 #error "thud needs float and double arithmetic without excess precision: x86 of 32 bits with \
 -msse2 -mfpmath=sse (the x87 cannot), s390x with -fexcess-precision=fast"
 #endif
 
-/* Nor may a compiler put sums in another order, take reciprocals or forget not-a-number. The flags
- * of thud_engine_flags see to it; whoever compiles the files with others is told. */
+/* For the same reason the compiler must not reorder sums, use reciprocals or ignore not-a-number.
+ * thud_engine_flags in cmake/thud.cmake sets the flags; a build with other flags stops here. */
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
     (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "thud needs exact arithmetic: compile the engine with -fno-fast-math after -Ofast, \
 -ffast-math and their parts; programs that call it may have them"
 #endif
 
-/* The wide files are compiled once more for AVX2; but not by gcc for Windows, which keeps vectors
- * of 32 bytes on a stack that is aligned to 16. See thud_wide_sources. */
+/* The wide files (wide_*.c) are compiled a second time for AVX2 (thud_wide_sources in
+ * cmake/thud.cmake); not by gcc for Windows, which puts vectors of 32 bytes on a stack that is
+ * aligned to 16. */
 #if defined(__x86_64__) && (defined(__clang__) || !defined(_WIN32))
 #define TD_HAS_AVX2
 #endif
 
-/* A function whose body is smaller than its call, so that it is taken inline for size as well. */
+/* For functions whose body is smaller than a call: they are inlined even where the compiler
+ * optimises for size. */
 #define TD_INLINE_SMALL static inline __attribute__((always_inline))
 
-#define TD_LANES 8   /* contacts and bodies are worked on eight at a time, whatever the CPU */
-#define TD_NONE (-1) /* "no index" in every integer link */
+/* Lanes of a block and of a vector. Eight on every processor, since the number decides the order of
+ * solving, and with it the bits of the result. */
+#define TD_LANES 8
+#define TD_NONE (-1) /* "no index", in every field that is an index or a link */
 
 #define TD_PI 3.14159265358979323846
 
-/* Contacts exist from this distance on, so that a pair closing in is caught before it overlaps
- * (speculative margin). */
+/* Speculative margin, L: a pair has contact points from this distance on, so that the solver can
+ * stop bodies that close before they overlap. Chosen, the same as Box2D's
+ * B2_SPECULATIVE_DISTANCE. */
 #define TD_SPECULATIVE 0.02f
-/* Overlap that the continuous stage leaves, so that the next step finds a contact. */
+/* Small overlap, L, that counts as none: half of the overlap at which continuous detection stops a
+ * body, so that the next step finds a contact; and the depth from which on the error statistics
+ * count an overlap. Chosen, the same as Box2D's B2_LINEAR_SLOP. */
 #define TD_SLOP 0.005f
-/* Separation of a point that is not there: no motion brings it near. */
+/* Separation of a contact point that does not exist, a length: no motion makes it negative. */
 #define TD_APART 1e18f
-/* In a world that is bisected or swept, contacts rest this far apart, so that what load presses
- * together does not overlap. */
+/* Distance, L, at which contacts rest in a world that is bisected or swept, so that bodies under
+ * load do not overlap although soft contacts give way. Where all islands are solved directly it is
+ * TD_MEET. Chosen. */
 #define TD_SKIN 0.004f
-/* Swept shapes count as met at this distance, unless they are nearer to begin with. */
+/* Distance, L, at which the time of impact of two shapes ends, unless they are nearer already.
+ * Chosen.
+ */
 #define TD_MEET 0.001f
-/* Fat bounds exceed tight ones by TD_MARGIN + min(TD_MARGIN_MORE, extent / 8) when they are made:
- * small enough that few pairs are carried in vain. Shapes drift to the edge of their own, so that
- * those of a touching pair may part: see td_pairs_create. */
+/* When fat bounds are made, they exceed the tight bounds by TD_MARGIN + min(TD_MARGIN_MORE, extent
+ * / 8), L. TD_MARGIN is a little more than half of TD_SPECULATIVE, so that the fat bounds of two
+ * shapes overlap before they are as near as that. (Shapes then drift within their fat bounds, so
+ * that the bounds of a touching pair may part: td_pairs_create.) Larger margins mean that bounds
+ * are made less often, but that more pairs are kept that do not touch. Chosen. */
 #define TD_MARGIN 0.0101f
 #define TD_MARGIN_MORE 0.02f
-/* A body is at rest below this speed, L/s, of its centre and of its rim. */
+/* A body is at rest below this speed, L/s, of its centre of mass, and by rotation of its farthest
+ * point. Chosen, the same as Box2D's default sleepThreshold. */
 #define TD_SLEEP_SPEED 0.05f
-/* An island sleeps once all its bodies were at rest for this long, s. wide_finalize.c adds up the
- * time and counts the bodies that reach it; sleep.c asks whether a whole island has; and a body
- * that a caller puts to sleep is given it at once, in changes.c. */
+/* An island falls asleep when all its bodies have been at rest for this time, s. wide_finalize.c
+ * counts the time, sleep.c compares it; a body that the caller puts to sleep gets it at once
+ * (changes.c). Chosen, the same as Box2D's B2_TIME_TO_SLEEP. */
 #define TD_SLEEP_TIME 0.5f
 
-/* What default functions leave in defs, and a zeroed one lacks. */
+/* The value of `cookie` that default functions set in defs ("thud" in ASCII). A def without it was
+ * not made by its default function, and is refused. */
 #define TD_COOKIE 0x74687564u
 
 static inline int td_min_int(int a, int b) {

@@ -1,4 +1,4 @@
-/* event_queue.c: see event_queue.h. */
+/* event_queue.c: the heap of event_queue.h. */
 #include "base/event_queue.h"
 
 #define ARRAY(name, element) TD_ARRAY_PLACE(td_event_queue, name, element)
@@ -26,17 +26,19 @@ void td_event_queue_clear(td_event_queue *a, int count) {
     a->heap.count = 0;
 }
 
+/* Whether a number comes before another one: by time, then by number. */
 static bool before(const td_event_queue *a, int number, int other) {
     const double *time = a->time.data;
     return time[number] < time[other] || (time[number] == time[other] && number < other);
 }
 
+/* Puts a number at an index of the heap. */
 static void put(td_event_queue *a, int at, int number) {
     ((int *)a->heap.data)[at] = number;
     ((int *)a->spot.data)[number] = at;
 }
 
-/* From `at`, towards the front as long as it comes before what stands there. */
+/* Places a number at index `at`, or nearer to the front: parents that come after it move down. */
 static void rise(td_event_queue *a, int at, int number) {
     const int *heap = a->heap.data;
     for (; at > 0 && before(a, number, heap[(at - 1) / 2]); at = (at - 1) / 2) {
@@ -45,6 +47,8 @@ static void rise(td_event_queue *a, int at, int number) {
     put(a, at, number);
 }
 
+/* Places a number at index `at`, or further back: children that come before it move up; then nearer
+ * to the front, for a number whose time has been brought forward. */
 static void sink(td_event_queue *a, int at, int number) {
     const int *heap = a->heap.data;
     for (;;) {

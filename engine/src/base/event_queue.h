@@ -1,5 +1,7 @@
-/* event_queue.h: which of many things comes next: a binary heap of numbers with a time each, that
- * may be brought forward, deferred or struck out. Equal times come in the order of the numbers. */
+/* event_queue.h: a priority queue of events, as an indexed binary heap: each number 0 .. count - 1
+ * may be in the queue once, with a time that can be changed (J. W. J. Williams, "Algorithm 232:
+ * Heapsort", 1964). Equal times come in the order of the numbers, so that the order is the same
+ * everywhere. All operations but clearing take O(log n). */
 #ifndef TD_EVENT_QUEUE_H
 #define TD_EVENT_QUEUE_H
 
@@ -7,20 +9,22 @@
 
 typedef struct td_event_queue {
     td_array time; /* double, by number */
-    td_array spot; /* int, by number: where it stands in the heap, or TD_NONE */
-    td_array heap; /* int: numbers */
+    td_array spot; /* int, by number: its index in `heap`, or TD_NONE: not in the queue */
+    td_array heap; /* int: numbers; heap[i] comes no later than heap[2 i + 1] and heap[2 i + 2] */
 } td_event_queue;
 
 void td_event_queue_init(td_event_queue *queue);
-/* Room for the numbers below `count`. False when memory is short. */
+/* Makes room for the numbers below `count`. False when memory is short. */
 bool td_event_queue_reserve(td_memory *memory, td_event_queue *queue, int count);
 void td_event_queue_free(td_memory *memory, td_event_queue *queue);
 
-/* Empty, for numbers below `count`, for which there is room. */
+/* Empties the queue, for numbers below `count`; there must be room for them. */
 void td_event_queue_clear(td_event_queue *queue, int count);
+/* Puts a number into the queue, or changes its time. */
 void td_event_queue_set(td_event_queue *queue, int number, double time);
-void td_event_queue_strike(td_event_queue *queue, int number); /* fine if it is not there */
-/* The number that comes first, taken out, or TD_NONE. */
+/* Takes a number out of the queue, if it is there. */
+void td_event_queue_strike(td_event_queue *queue, int number);
+/* Takes the number with the earliest time out, and returns it; TD_NONE where the queue is empty. */
 int td_event_queue_next(td_event_queue *queue, double *time);
 
 #endif

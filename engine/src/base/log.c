@@ -1,5 +1,5 @@
-/* log.c: a log that is ready to use. Alone in its file: a program that does not name it does not
- * link the C library's output. */
+/* log.c: a log function for callers, which writes to stderr. It has a file of its own, so that a
+ * program that does not name it does not link the C library's output functions. */
 #include "thud/thud_hooks.h"
 
 #include <stdio.h>

@@ -1,12 +1,13 @@
-/* memory.c: see memory.h. */
+/* memory.c: see memory.h. Here are the default allocator, growth by doubling, chunks of slots with
+ * a free list, and a heap sort. */
 #include "base/memory.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* Zeroed by calloc: what a system hands out as fresh pages is zero already, and stays untouched, so
- * that room that nothing is in yet costs neither time nor memory. In front of the block stands what
- * calloc returned. */
+/* The default allocator: blocks that are aligned to 64 bytes and zeroed. calloc does not touch
+ * fresh pages of the system, which are zero already, so that room that is not used yet costs
+ * neither time nor memory. The word before the block is the pointer that calloc returned. */
 static void *library_allocate(size_t bytes, void *context) {
     (void)context;
     char *whole = calloc(1, bytes + 64);
@@ -32,6 +33,7 @@ td_memory td_memory_make(thud_allocator hooks) {
     return memory;
 }
 
+/* A size in whole cache lines. */
 static size_t rounded(size_t bytes) {
     return (bytes + 63) & ~(size_t)63;
 }
@@ -61,15 +63,15 @@ bool td_array_reserve(td_memory *memory, td_array *array, int capacity) {
         return true;
     }
     size_t stride = (size_t)array->stride;
-    /* Doubling keeps the number of moves logarithmic; a world at rest never comes here. */
-    int64_t wanted = td_max_int(array->capacity, 8);
-    while (wanted < capacity) {
-        wanted *= 2;
+    /* Capacities double, so that appending n elements moves O(n) of them. They stay below 2^27. */
+    int64_t grown = td_max_int(array->capacity, 8);
+    while (grown < capacity) {
+        grown *= 2;
     }
-    if (wanted > INT32_MAX / 16) {
+    if (grown > INT32_MAX / 16) {
         return false;
     }
-    void *data = td_memory_get(memory, (size_t)wanted * stride);
+    void *data = td_memory_get(memory, (size_t)grown * stride);
     if (!data) {
         return false;
     }
@@ -78,7 +80,7 @@ bool td_array_reserve(td_memory *memory, td_array *array, int capacity) {
         td_memory_put(memory, array->data, (size_t)array->capacity * stride);
     }
     array->data = data;
-    array->capacity = (int)wanted;
+    array->capacity = (int)grown;
     return true;
 }
 
@@ -121,6 +123,7 @@ void td_slots_init(td_slots *slots, int stride) {
     slots->free_head = TD_NONE;
 }
 
+/* Bytes of a chunk of TD_CHUNK elements. */
 static size_t chunk_bytes(const td_slots *slots) {
     return TD_CHUNK * (size_t)slots->stride;
 }
@@ -163,8 +166,8 @@ void td_slots_free(td_memory *memory, td_slots *slots) {
     td_array_free(memory, &slots->chunks);
 }
 
-/* Lets the value at `at` sink in a heap of `count`, the greatest on top. */
-static void sink(int *heap, int at, int count) {
+/* Restores the order of a heap, the greatest value on top, below index `at`. */
+static void sift_down(int *heap, int at, int count) {
     int value = heap[at];
     for (int child = 2 * at + 1; child < count; child = 2 * at + 1) {
         child += child + 1 < count && heap[child + 1] > heap[child];
@@ -177,16 +180,16 @@ static void sink(int *heap, int at, int count) {
     heap[at] = value;
 }
 
-/* A heap sort: a tenth of the code that the C library's qsort links. */
+/* Heap sort (Williams, 1964): a tenth of the code that the C library's qsort links. */
 void td_sort_ints(td_array *array) {
     int *heap = array->data;
     for (int i = array->count / 2 - 1; i >= 0; i--) {
-        sink(heap, i, array->count);
+        sift_down(heap, i, array->count);
     }
     for (int last = array->count - 1; last > 0; last--) {
         int greatest = heap[0];
         heap[0] = heap[last];
-        sink(heap, 0, last);
+        sift_down(heap, 0, last);
         heap[last] = greatest;
     }
 }

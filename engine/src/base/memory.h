@@ -1,7 +1,7 @@
-/* memory.h: the allocator hooks, and growable arrays that remember their stride.
+/* memory.h: allocation by the caller's hooks, growable arrays, and slots (pools of records).
  *
- * Arrays hold indices, never pointers into each other, so that growing one moves nothing that
- * anybody else holds and a snapshot is a copy of the arrays. */
+ * Records refer to each other by index, never by pointer, so that an array may move when it grows,
+ * and so that a snapshot is a copy of the arrays. */
 #ifndef TD_MEMORY_H
 #define TD_MEMORY_H
 
@@ -10,19 +10,23 @@
 
 typedef struct td_memory {
     thud_allocator hooks;
-    uint64_t bytes;       /* held now */
-    uint64_t allocations; /* ever made */
+    uint64_t bytes;       /* allocated at present */
+    uint64_t allocations; /* number of allocations so far */
 } td_memory;
 
+/* A growable array. The owner sets `stride` before the first use. */
 typedef struct td_array {
-    void *data; /* 64-byte aligned */
-    int count, capacity;
-    int stride; /* bytes an element */
+    void *data;   /* 64-byte aligned; null while capacity is 0 */
+    int count;    /* elements in use */
+    int capacity; /* elements that there is room for */
+    int stride;   /* bytes of an element */
 } td_array;
 
-/* Fills in the C library's allocator where the caller gave none. */
+/* Memory by the caller's hooks; where they are null, by the C library's allocator. */
 td_memory td_memory_make(thud_allocator hooks);
-void *td_memory_get(td_memory *memory, size_t bytes); /* zeroed, 64-byte aligned; null on failure */
+/* Allocates a block, zeroed and 64-byte aligned; null when memory is short. */
+void *td_memory_get(td_memory *memory, size_t bytes);
+/* Frees a block of that size; null is allowed. */
 void td_memory_put(td_memory *memory, void *block, size_t bytes);
 
 /* Makes room for `capacity` elements; new room is zeroed. False when memory is short, and the
@@ -30,7 +34,8 @@ void td_memory_put(td_memory *memory, void *block, size_t bytes);
 bool td_array_reserve(td_memory *memory, td_array *array, int capacity);
 void td_array_free(td_memory *memory, td_array *array);
 
-/* Where in its owner an array is, and how many bytes its elements have. */
+/* Describes an array that is a member of a struct, its owner: offset of the array, bytes of an
+ * element. */
 typedef struct td_array_place {
     uint16_t at, stride;
 } td_array_place;
@@ -38,31 +43,37 @@ typedef struct td_array_place {
 #define TD_ARRAY_PLACE(owner, name, element) \
     { offsetof(owner, name), sizeof(element) }
 
-/* Sets the strides of all arrays of an owner; makes room in all; frees them all. */
+/* For all listed arrays of an owner: set the strides; make room (false when memory is short); free.
+ */
 void td_arrays_init(void *owner, const td_array_place *places, size_t count);
 bool td_arrays_reserve(td_memory *memory, void *owner, const td_array_place *places, size_t count,
                        int capacity);
 void td_arrays_free(td_memory *memory, void *owner, const td_array_place *places, size_t count);
 
-enum { TD_CHUNK = 64 };
+enum { TD_CHUNK = 64 }; /* elements of a chunk of td_slots. Chosen. */
 
-/* Elements that are handed out one by one, the lowest freed last, and never move: they lie in
- * chunks, so that growing costs little whatever is there already. The free ones are chained through
- * their first int. */
+/* A pool of records of one size, which are taken and given back one by one and never move: they lie
+ * in chunks, so that the pool grows without copying. Free records form a list, last given first
+ * taken, linked through their first int. */
 typedef struct td_slots {
     td_array chunks; /* void *: TD_CHUNK elements each */
-    int stride;      /* bytes an element */
-    int count;       /* ever handed out */
-    int free_head;   /* TD_NONE when none */
-    int live;
+    int stride;      /* bytes of an element */
+    int count;       /* indices 0 .. count - 1 have been taken at some time */
+    int free_head;   /* first free record below `count`, or TD_NONE */
+    int live;        /* records that are taken at present */
 } td_slots;
 
 void td_slots_init(td_slots *slots, int stride);
-bool td_slots_reserve(td_memory *memory, td_slots *slots, int more); /* room for `more` new ones */
-int td_slots_take(td_slots *slots); /* after td_slots_reserve; contents as they were left */
+/* Makes room for `more` records. False when memory is short. */
+bool td_slots_reserve(td_memory *memory, td_slots *slots, int more);
+/* Takes a record, for which there must be room, and returns its index. Its contents are those of
+ * the record that was given back, or zeros. */
+int td_slots_take(td_slots *slots);
+/* Gives a record back; its first int is overwritten. */
 void td_slots_give(td_slots *slots, int index);
 void td_slots_free(td_memory *memory, td_slots *slots);
 
+/* Element `index` of an array, below its capacity. */
 static inline void *td_at(const td_array *array, int index) {
     assert(index >= 0 && index < array->capacity);
     return (char *)array->data + (size_t)index * (size_t)array->stride;
@@ -72,6 +83,7 @@ static inline int td_slots_capacity(const td_slots *slots) {
     return slots->chunks.count * TD_CHUNK;
 }
 
+/* Record `index` of a pool; `stride` is passed so that it may be a constant. */
 static inline void *td_slot_of(const td_slots *slots, int index, size_t stride) {
     assert(index >= 0 && index < td_slots_capacity(slots));
     char *chunk = ((void **)slots->chunks.data)[(unsigned)index / TD_CHUNK];
@@ -82,8 +94,8 @@ static inline void *td_slot_at(const td_slots *slots, int index) {
     return td_slot_of(slots, index, (size_t)slots->stride);
 }
 
-/* An element of an array of a type; what has elements of another size is noticed where assertions
- * are on. */
+/* Element `index` of an array, as a pointer to its type. An assertion compares the size of the type
+ * with the stride. */
 #define TD_AT(type, array, index) ((type *)td_element_at((array), (index), sizeof(type)))
 
 static inline void *td_element_at(const td_array *array, int index, size_t bytes) {
@@ -91,13 +103,14 @@ static inline void *td_element_at(const td_array *array, int index, size_t bytes
     return (char *)array->data + (size_t)index * bytes;
 }
 
-/* The element behind the last one of an array with room reserved, which then counts. */
+/* The new last element of an array that has room, as an lvalue: TD_PUSH(int, &list) = 3. */
 #define TD_PUSH(type, array) (*(type *)td_append((array), sizeof(type)))
 
 static inline void *td_append(td_array *array, size_t bytes) {
     return td_element_at(array, array->count++, bytes);
 }
 
+/* Element `index` of an array of ints. */
 static inline int td_int_at(const td_array *array, int index) {
     return *TD_AT(int, array, index);
 }
@@ -106,12 +119,12 @@ static inline void td_int_set(td_array *array, int index, int value) {
     *TD_AT(int, array, index) = value;
 }
 
-/* Appends one int to an array of ints with room reserved. */
+/* Appends an int to an array of ints that has room. */
 static inline void td_push_int(td_array *array, int value) {
     TD_PUSH(int, array) = value;
 }
 
-/* Into rising order, whichever one they were found in. */
+/* Sorts an array of ints in rising order. */
 void td_sort_ints(td_array *array);
 
 #endif

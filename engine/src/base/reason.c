@@ -1,11 +1,11 @@
-/* reason.c: see reason.h. Numbers are written here, since the C library's output would take more
- * than a small program's engine. */
+/* reason.c: see reason.h. It formats numbers itself: the C library's output functions would take
+ * more code than the whole engine of a small program. */
 #include "base/reason.h"
 
 #include <assert.h>
 #include <float.h>
 
-/* Returns where the text ends. */
+/* Copies a text. Returns the end of the copy. */
 static char *put(char *to, const char *text) {
     while ((*to = *text++)) {
         to++;
@@ -13,11 +13,14 @@ static char *put(char *to, const char *text) {
     return to;
 }
 
-/* So many digits tell a float as it was written: 0.1f as 0.1. Numbers of more, or of so many more
- * decimals, are written as 1.5e-12. */
+/* Significant digits: seven show a float as it was written (0.1f as 0.1). Numbers that would need
+ * more than DIGITS digits before the point, or more than DECIMALS behind it, are written
+ * as 1.5e-12. */
 enum { DIGITS = 7, DECIMALS = 9 };
-#define LAST 1e6 /* 10 to the power of DIGITS - 1 */
+#define SCALED_MIN 1e6 /* 10^(DIGITS - 1) */
 
+/* Writes a number. Returns the end of the text. The number is scaled to n 10^power, where n has
+ * DIGITS digits; then zeros at the end of n move into the power. */
 static char *put_number(char *to, double x) {
     if (x != x) {
         return put(to, "NaN");
@@ -30,10 +33,10 @@ static char *put_number(char *to, double x) {
         return put(to, "infinity");
     }
     int power = 0, exponent = 0, count = 0;
-    for (; x >= 10.0 * LAST; x /= 10.0) {
+    for (; x >= 10.0 * SCALED_MIN; x /= 10.0) {
         power++;
     }
-    for (; x > 0.0 && x < LAST; x *= 10.0) {
+    for (; x > 0.0 && x < SCALED_MIN; x *= 10.0) {
         power--;
     }
     unsigned n = (unsigned)(x + 0.5);
@@ -63,9 +66,9 @@ static char *put_number(char *to, double x) {
     return exponent ? put_number(put(to, "e"), exponent) : to;
 }
 
-/* False, as it is said of what is not in the range. */
-static bool say(td_reason *why, const char *name, double x, double low, const char *opened,
-                double high) {
+/* Writes the whole text. Returns false, which the checks return. */
+static bool refuse(td_reason *why, const char *name, double x, double low, const char *opened,
+                   double high) {
     char *to = put(why->text, name);
     assert(to - why->text <= TD_NAME_MAX);
     to = put_number(put(to, " is "), x);
@@ -75,7 +78,7 @@ static bool say(td_reason *why, const char *name, double x, double low, const ch
 }
 
 bool td_in(td_reason *why, const char *name, double x, double low, double high) {
-    return (x >= low && x <= high) || say(why, name, x, low, ", not in [", high);
+    return (x >= low && x <= high) || refuse(why, name, x, low, ", not in [", high);
 }
 
 bool td_float_in(td_reason *why, const char *name, float x, float low, float high) {
@@ -83,7 +86,7 @@ bool td_float_in(td_reason *why, const char *name, float x, float low, float hig
 }
 
 bool td_above_0(td_reason *why, const char *name, double x, double high) {
-    return (x > 0.0 && x <= high) || say(why, name, x, 0.0, ", not in (", high);
+    return (x > 0.0 && x <= high) || refuse(why, name, x, 0.0, ", not in (", high);
 }
 
 bool td_all_finite(td_reason *why, const char *name, float x, float y, float z) {

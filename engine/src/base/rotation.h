@@ -1,16 +1,18 @@
-/* rotation.h: angles as 32-bit fractions of a turn, and their cosine and sine in single precision.
+/* rotation.h: angles in 32-bit fixed point, and their cosine and sine in single precision.
  *
- * The polynomials are the Taylor series on an eighth of a turn to either side, cut where the next
- * term is below half a unit in the last place of 1; the wide version in wide_finalize.c does the
- * same operations in the same order. */
+ * An angle is an integer in quanta of 2^-32 turns, so that it wraps around at a full turn by
+ * itself. Cosine and sine are Taylor series for angles up to an eighth of a turn, after reduction
+ * to the nearest quarter turn; they end where the next term is below half a unit in the last place
+ * of 1. solver/wide_finalize.c does the same operations in the same order, for the same bits. */
 #ifndef TD_ROTATION_H
 #define TD_ROTATION_H
 
 #include "base/fixed.h"
 
-#define TD_TURN 4294967296.0
+#define TD_TURN 4294967296.0 /* angle quanta in a full turn */
 #define TD_RADIANS_A_QUANTUM (2.0 * TD_PI / TD_TURN)
 
+/* Coefficients of the Taylor series, by power. */
 #define TD_SIN3 (-1.0f / 6.0f)
 #define TD_SIN5 (1.0f / 120.0f)
 #define TD_SIN7 (-1.0f / 5040.0f)
@@ -20,7 +22,7 @@
 #define TD_COS6 (-1.0f / 720.0f)
 #define TD_COS8 (1.0f / 40320.0f)
 
-/* |radians| <= THUD_ANGLE_MAX */
+/* The angle of radians, |radians| <= THUD_ANGLE_MAX. */
 static inline uint32_t td_angle_from(double radians) {
     double turns = radians * (1.0 / (2.0 * TD_PI));
     double whole = (double)(int64_t)turns;
@@ -28,7 +30,7 @@ static inline uint32_t td_angle_from(double radians) {
     return (uint32_t)(uint64_t)(int64_t)((part < 0.0 ? part + 1.0 : part) * TD_TURN + 0.5);
 }
 
-/* A turn within a step, which may be many whole ones, as a difference of angles. */
+/* The difference of angles for a rotation in radians, which may be several full turns. */
 static inline uint32_t td_angle_between(float radians) {
     double quanta = (double)radians * (1.0 / TD_RADIANS_A_QUANTUM);
     double turns = (double)(int64_t)(quanta * (1.0 / TD_TURN));
@@ -41,8 +43,9 @@ static inline double td_angle_radians(uint32_t angle) {
     return angle == 0x80000000u ? -radians : radians;
 }
 
+/* Cosine and sine of an angle. */
 static inline void td_angle_turn(uint32_t angle, float *c, float *s) {
-    /* The nearest quarter turn, and what is left of it, within an eighth. */
+    /* The nearest quarter turn, and the rest, at most an eighth of a turn either way. */
     uint32_t quarter = (angle + 0x20000000u) >> 30;
     float x = (float)(int32_t)(angle - (quarter << 30)) * (float)TD_RADIANS_A_QUANTUM;
     float xx = x * x;

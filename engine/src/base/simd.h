@@ -1,15 +1,19 @@
-/* simd.h: eight floats or ints at once, by the compilers' vector extensions.
+/* simd.h: vectors of eight floats or ints, by the vector extensions of gcc and clang.
  *
- * Every operation works on each lane by itself and is exact or correctly rounded (no fused
- * multiply-add, no approximate reciprocal), so that SSE2, AVX2, NEON, wasm SIMD128 and plain scalar
- * code give the same bits. The only intrinsics of the engine stand here. */
+ * Every operation works on each lane separately and is exact or correctly rounded (no fused
+ * multiply-add, no approximate reciprocal), so that SSE2, AVX2, NEON, wasm SIMD128 and scalar code
+ * give the same bits. All intrinsics of the engine are in this file.
+ *
+ * Types: f, i, u, d, l, v are float, int32_t, uint32_t, double, int64_t, uint64_t; the digit is the
+ * number of lanes. A mask is an i8 whose lanes are all ones (-1) or all zeros, as comparisons give
+ * it. */
 #ifndef TD_SIMD_H
 #define TD_SIMD_H
 
 #include "base/base.h"
 
-/* Of x86's headers the least: the one that has them all takes longer to read than most files of the
- * engine take to compile. */
+/* The smallest header that has the instruction set: <immintrin.h> takes longer to parse than most
+ * files of the engine take to compile. */
 #if defined(__AVX2__)
 #include <immintrin.h>
 #elif defined(__SSSE3__)
@@ -21,19 +25,22 @@
 #endif
 
 #if defined(__GNUC__) && !defined(__clang__)
-/* Vectors are only passed to functions that are inlined, so the calling convention is moot. */
+/* The warning is about the calling convention of vectors; they are passed to inlined functions
+ * alone. */
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
 
-/* Exported names of a wide file carry the instruction set it was compiled for. */
+/* TD_WIDE(name) in a wide file is the name with the suffix of the instruction set for which the
+ * file is compiled (TD_ISA: base or avx2). */
 #define TD_JOIN_(a, b) a##_##b
 #define TD_JOIN(a, b) TD_JOIN_(a, b)
 #ifdef TD_ISA
 #define TD_WIDE(name) TD_JOIN(name, TD_ISA)
 #endif
 
-/* Wide files exist once for every processor and, on x86-64, once more for AVX2; TD_PICK_WIDE
- * picks one at run time: `of` says in a field `wide` whether AVX2 may run. */
+/* Wide files are compiled for every processor and, on x86-64, again for AVX2. TD_PICK_WIDE chooses
+ * one at run time: `of` is a pointer to a struct whose field `wide` says whether AVX2 may be used.
+ */
 #if defined(TD_HAS_AVX2)
 #define TD_PICK_WIDE(of, name) (*((of)->wide ? &TD_JOIN(name, avx2) : &TD_JOIN(name, base)))
 #define TD_DECLARE_WIDE(type, name) extern type TD_JOIN(name, base), TD_JOIN(name, avx2)
@@ -54,15 +61,16 @@ typedef int64_t l2 __attribute__((vector_size(16)));
 typedef uint64_t v2 __attribute__((vector_size(16)));
 typedef uint64_t v4 __attribute__((vector_size(32)));
 
-/* Kernels are made of small pieces; where size counts more than time, the compiler may share them.
- * Pieces of one or two instructions a vector are TD_INLINE_SMALL: eight lanes are passed and
- * returned through memory, so that a call takes more bytes than they do. */
+/* For the functions of which kernels are made: always inlined, unless the compiler optimises for
+ * size. Functions of one or two instructions are TD_INLINE_SMALL: vectors of eight are passed
+ * through memory, so that a call would take more bytes than the function. */
 #if defined(__OPTIMIZE_SIZE__)
 #define TD_INLINE static inline
 #else
 #define TD_INLINE static inline __attribute__((always_inline))
 #endif
 
+/* A vector with all lanes x. */
 TD_INLINE_SMALL f8 f8_all(float x) {
     return (f8){x, x, x, x, x, x, x, x};
 }
@@ -71,7 +79,7 @@ TD_INLINE_SMALL i8 i8_all(int32_t x) {
     return (i8){x, x, x, x, x, x, x, x};
 }
 
-/* In a loop that waits for another thread. */
+/* For loops that wait for another thread: tells the processor so. */
 TD_INLINE void td_pause(void) {
 #if defined(__SSE2__)
     _mm_pause();
@@ -80,16 +88,17 @@ TD_INLINE void td_pause(void) {
 
 /* ---- the floating-point mode ----
  *
- * Threads of games and of audio have denormals flushed to zero, round otherwise, or trap: bits
- * would follow. So whatever computes what a world keeps does it in one mode, every rounding to
- * nearest, denormals kept, nothing trapped, and gives the thread its own back. wasm has no other
- * mode; where a processor is none of these, the caller's must be the usual one. */
+ * The calling thread may flush denormals to zero, round in another direction, or trap exceptions,
+ * which would change results. API functions that compute the state of a world therefore set one
+ * mode (round to nearest, keep denormals, trap nothing) and restore the thread's own when they
+ * return. wasm has this mode alone. On processors other than those below the caller must have it
+ * set. */
 #if defined(__SSE2__)
 typedef unsigned td_mode;
 #define TD_MODE_GET(mode) __asm__ volatile("stmxcsr %0" : "+m"(mode)::"memory")
 #define TD_MODE_SET(mode) __asm__ volatile("ldmxcsr %0" ::"m"(mode) : "memory")
 #define TD_MODE_OWN 0x1f80u
-#define TD_MODE_NOTES 0x3fu /* which exceptions were met since: no part of the mode */
+#define TD_MODE_NOTES 0x3fu /* sticky flags of exceptions that occurred: no part of the mode */
 #elif defined(__aarch64__)
 typedef uint64_t td_mode;
 #define TD_MODE_GET(mode) __asm__ volatile("mrs %0, fpcr" : "=r"(mode)::"memory")
@@ -99,8 +108,9 @@ typedef uint64_t td_mode;
 #endif
 
 #if defined(TD_MODE_OWN)
-/* Setting it waits for all that is under way, hence only where it differs. The first value is for
- * clang's memory sanitizer, which does not see what assembly writes. */
+/* Sets the engine's mode, and returns the one before. Writing the register waits for all operations
+ * under way, so that it is written only where the mode differs. `mode` is initialised for clang's
+ * memory sanitizer, which does not see that the assembly writes it. */
 static inline td_mode td_mode_take(void) {
     td_mode mode = TD_MODE_OWN, own = TD_MODE_OWN;
     TD_MODE_GET(mode);
@@ -110,13 +120,14 @@ static inline td_mode td_mode_take(void) {
     return mode;
 }
 
+/* Restores the mode that td_mode_take returned. */
 static inline void td_mode_give_back(const td_mode *mode) {
     if (__builtin_expect((*mode & ~(td_mode)TD_MODE_NOTES) != TD_MODE_OWN, 0)) {
         TD_MODE_SET(*mode);
     }
 }
 
-/* The first line of a function: from here to its end in the engine's mode. */
+/* Stands as the first line of a function, which then runs in the engine's mode until it returns. */
 #define TD_IN_OWN_MODE                                                                       \
     __attribute__((cleanup(td_mode_give_back))) const td_mode callers_mode = td_mode_take(); \
     (void)callers_mode
@@ -124,7 +135,7 @@ static inline void td_mode_give_back(const td_mode *mode) {
 #define TD_IN_OWN_MODE (void)0
 #endif
 
-/* Masks are all ones or all zeros a lane, as comparisons give them. */
+/* `yes` in the lanes of the mask, `no` in the others. */
 TD_INLINE_SMALL f8 f8_pick(i8 mask, f8 yes, f8 no) {
 #if defined(__AVX2__)
     return (f8)_mm256_blendv_ps((__m256)no, (__m256)yes, (__m256)mask);
@@ -142,7 +153,7 @@ TD_INLINE_SMALL f8 f8_keep(i8 mask, f8 x) /* x where the mask is set, else 0 */
     return (f8)(mask & (i8)x);
 }
 
-TD_INLINE f8 f8_min(f8 a, f8 b) /* b where unordered, as x86 has it */
+TD_INLINE f8 f8_min(f8 a, f8 b) /* b where a lane is not-a-number, as on x86 */
 {
 #if defined(__AVX2__)
     return (f8)_mm256_min_ps((__m256)a, (__m256)b);
@@ -151,7 +162,8 @@ TD_INLINE f8 f8_min(f8 a, f8 b) /* b where unordered, as x86 has it */
 #endif
 }
 
-TD_INLINE f8 f8_max(f8 a, f8 b) {
+TD_INLINE f8 f8_max(f8 a, f8 b) /* likewise */
+{
 #if defined(__AVX2__)
     return (f8)_mm256_max_ps((__m256)a, (__m256)b);
 #else
@@ -196,17 +208,17 @@ TD_INLINE f8 f8_sqrt(f8 x) {
 #endif
 }
 
-/* Sums of lanes i and i + 4; exact, but for the one addition. */
+/* The sums of lanes i and i + 4, rounded to float, as doubles. */
 TD_INLINE d4 d4_folded(f8 x) {
     f4 sums = __builtin_shufflevector(x, x, 0, 1, 2, 3) + __builtin_shufflevector(x, x, 4, 5, 6, 7);
 #if defined(__AVX2__)
-    return (d4)_mm256_cvtps_pd((__m128)sums); /* which gcc does not find by itself */
+    return (d4)_mm256_cvtps_pd((__m128)sums); /* gcc does not find this instruction itself */
 #else
     return __builtin_convertvector(sums, d4);
 #endif
 }
 
-/* Bit i is set where lane i is negative (masks are -1). */
+/* An integer in which bit i is set where lane i is negative: the bits of a mask. */
 TD_INLINE unsigned i8_bits(i8 x) {
 #if defined(__AVX2__)
     return (unsigned)_mm256_movemask_ps((__m256)x);
@@ -228,7 +240,7 @@ TD_INLINE unsigned i8_bits(i8 x) {
 #endif
 }
 
-TD_INLINE_SMALL i8 i8_wrap_sub(i8 a, i8 b) /* wraps around, as bounds do */
+TD_INLINE_SMALL i8 i8_wrap_sub(i8 a, i8 b) /* modulo 2^32 */
 {
     return (i8)((u8)a - (u8)b);
 }
@@ -239,15 +251,15 @@ TD_INLINE_SMALL f8 f8_load(const float *p) {
     return r;
 }
 
-TD_INLINE i8 i8_load(const int32_t *p) /* any alignment of int32_t */
+TD_INLINE i8 i8_load(const int32_t *p) /* p needs no alignment of a vector */
 {
     i8 r;
     __builtin_memcpy(&r, p, sizeof r);
     return r;
 }
 
-/* Writes the ints at `from` whose bit is set one after the other; returns how many. May write up to
- * eight ints, whatever their number. */
+/* Packs: copies those of the eight ints at `from` whose bit is set to `to`, one after the other,
+ * and returns their number. It may write all eight ints of `to`. */
 TD_INLINE int i8_pack(int32_t *to, const int32_t *from, unsigned bits) {
 #if defined(__SSSE3__) || defined(__wasm_simd128__)
 #define TD_BYTES(i) 4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3
@@ -284,11 +296,13 @@ TD_INLINE int i8_pack(int32_t *to, const int32_t *from, unsigned bits) {
 #endif
 }
 
-/* Eight records of four floats turned into four vectors of eight. */
+/* Eight records of four floats as four vectors of eight: x has the first floats of all records, and
+ * so on. */
 typedef struct td_rows {
     f8 x, y, z, w;
 } td_rows;
 
+/* A vector of four floats at `low` and four at `high`. */
 TD_INLINE_SMALL f8 f8_two(const float *low, const float *high) {
     f4 a, b;
     __builtin_memcpy(&a, low, sizeof a);
@@ -296,7 +310,7 @@ TD_INLINE_SMALL f8 f8_two(const float *low, const float *high) {
     return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 
-/* Turns vectors of the records (0, 4), (1, 5), (2, 6), (3, 7) into vectors of their members. */
+/* Transposes: r0 has the records 0 and 4, r1 the records 1 and 5, r2 2 and 6, r3 3 and 7. */
 TD_INLINE td_rows td_turn(f8 r0, f8 r1, f8 r2, f8 r3) {
     f8 t0 = __builtin_shufflevector(r0, r1, 0, 8, 1, 9, 4, 12, 5, 13);
     f8 t1 = __builtin_shufflevector(r2, r3, 0, 8, 1, 9, 4, 12, 5, 13);
@@ -310,7 +324,8 @@ TD_INLINE td_rows td_turn(f8 r0, f8 r1, f8 r2, f8 r3) {
     };
 }
 
-/* `offset` counts bytes from the first record: addresses are a tenth of what a pass computes. */
+/* Reads the records at eight offsets. They are in bytes, not in records: computing addresses would
+ * be a tenth of a solver pass otherwise. */
 TD_INLINE td_rows td_gather(const float (*records)[4], const uint32_t *offset) {
     const char *base = (const char *)records;
     const float *r[8];
@@ -320,13 +335,13 @@ TD_INLINE td_rows td_gather(const float (*records)[4], const uint32_t *offset) {
     return td_turn(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]), f8_two(r[3], r[7]));
 }
 
-/* Eight records that follow each other. */
+/* Reads eight consecutive records. */
 TD_INLINE td_rows td_load_rows(const float (*records)[4]) {
     return td_turn(f8_two(records[0], records[4]), f8_two(records[1], records[5]),
                    f8_two(records[2], records[6]), f8_two(records[3], records[7]));
 }
 
-/* The other way around: `out` gets the eight records. */
+/* The inverse of td_turn: `out` gets the eight records in their order. */
 TD_INLINE void td_turn_back(td_rows v, f4 out[8]) {
     f8 t0 = __builtin_shufflevector(v.x, v.y, 0, 8, 1, 9, 4, 12, 5, 13);
     f8 t1 = __builtin_shufflevector(v.x, v.y, 2, 10, 3, 11, 6, 14, 7, 15);
@@ -342,6 +357,7 @@ TD_INLINE void td_turn_back(td_rows v, f4 out[8]) {
     }
 }
 
+/* Writes eight records to offsets in bytes. Where two offsets are equal, the later lane's stays. */
 TD_INLINE void td_scatter(float (*records)[4], const uint32_t *offset, td_rows v) {
     f4 r[8];
     td_turn_back(v, r);

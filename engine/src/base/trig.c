@@ -1,10 +1,10 @@
-/* trig.c: see trig.h. Only + - * /, in a fixed order. */
+/* trig.c: see trig.h. It uses + - * / alone, in a fixed order, which IEEE 754 rounds correctly. */
 #include "base/trig.h"
 #include "base/base.h"
 
-/* A quarter turn as a sum, after Cody and Waite (Software Manual for the Elementary Functions,
- * 1980): the first two parts have 33 bits, so that their products with a count of quarters below
- * 2^20 are exact, and only the last subtractions round. */
+/* pi / 2 as a sum of three doubles, for the argument reduction of Cody and Waite (Software Manual
+ * for the Elementary Functions, 1980): the first two have 33 bits, so that their products with a
+ * number of quarter turns below 2^20 are exact, and only the last subtractions round. */
 #define QUARTER_1 0x1.921fb544p+0
 #define QUARTER_2 0x1.0b4611a6p-34
 #define QUARTER_3 0x1.3198a2e037073p-69
@@ -15,8 +15,8 @@ void td_sincos(double angle, double *s, double *c) {
     double n = (double)quarters;
     double x = ((angle - n * QUARTER_1) - n * QUARTER_2) - n * QUARTER_3;
     double z = x * x;
-    /* Taylor series on an eighth of a turn to either side, cut where the next term is below half a
-     * unit in the last place of the sum. */
+    /* Taylor series for |x| <= pi / 4, which end where the next term is below half a unit in the
+     * last place of the sum. */
     double sine =
         x + x * z *
                 (-1.0 / 6.0 +

@@ -1,9 +1,20 @@
-/* block.h: eight constraints side by side, the unit of narrowphase and solver.
+/* block.h: blocks, which hold eight constraints side by side as a structure of arrays: the unit of
+ * the narrowphase and of the solver (Box2D v3's src/contact_solver.c has the same as wide
+ * contacts).
  *
- * A constraint that acts, as a contact does that touches, holds one lane of a block for as long as
- * it acts. Blocks of one bin (kind, static or not, graph colour) never name a moving body twice, so
- * that eight lanes are solved at once. Slot 0 of the awake bodies is a dummy at rest: static sides
- * and empty lanes point to it, and have zero mass. */
+ * A constraint that acts (a contact that touches, a part of a joint that is in force) holds one
+ * lane of a block. Invariants:
+ * - The lanes of a bin (kind of constraint, side a static or not, graph colour) name no moving body
+ *   twice, so that eight lanes are read, solved and written back at once.
+ * - Slot 0 of the awake bodies is a dummy at rest with inverse mass 0. Static sides and empty lanes
+ *   point to it, and write it back unchanged.
+ *
+ * In memory a block is a td_block, whose last member is its one or two td_points, then a
+ * td_point_history for each point, a td_surface, and what its form adds (td_block_form): a
+ * td_manifold_cache, or the rows of a joint. All of it consists of rows of eight 32-bit words, one
+ * word a lane, so that lanes.c can copy a lane without knowing its meaning.
+ *
+ * Units: lengths, times and masses of the caller; angles in radians. f8 values are by lane. */
 #ifndef TD_BLOCK_H
 #define TD_BLOCK_H
 
@@ -15,155 +26,171 @@
 #include <stddef.h>
 #include <string.h>
 
-/* A shape as it stands in the world. It fills one cache line, and has all of the geometry that the
- * wide kernels of td_finalize, of the grids and of the narrowphase read of a shape. */
+/* A shape as it stands in the world: all of the geometry that the wide kernels of td_finalize, of
+ * the broadphase and of the narrowphase read of it, in one cache line. */
 typedef struct td_shape_proxy {
-    td_position center;
-    float c, s;           /* rotation; 1, 0 where it cannot matter */
-    float half_x, half_y; /* half extents, of a circle both its radius: td_kind_half_y */
-    float x, y;           /* offset of the centre from the body's centre of mass, in the world */
+    td_position center;   /* of the shape, position quanta (base/fixed.h) */
+    float c, s;           /* cosine and sine of the rotation; 1, 0 for kinds that do not turn */
+    float half_x, half_y; /* half extents; of a circle both are its radius (td_kind_half_y) */
+    float x, y;           /* offset of the centre from the body's centre of mass, world axes */
     float turns;          /* 1 where the bounds depend on the rotation, else 0 */
     int32_t margin;       /* by which the fat bounds exceed the tight ones, bounds quanta */
-    td_bounds fat;
+    td_bounds fat;        /* bounds with that margin */
 } td_shape_proxy;
 
-/* A contact point of eight lanes. A cross is r x n, where r is the arm from a body's centre of mass
- * to the point and n the normal. The solver is bound by the bytes that it moves, so that what it
- * reads of a point stands together, in three cache lines. */
+/* A contact point of eight lanes; wide_solve.h has the equations. The solver is bound by memory
+ * traffic, so that the fields that it reads in each pass stand together, in three cache lines. */
 typedef struct td_point {
-    f8 separation;  /* now: the relax pass leaves it for the next solve pass */
-    f8 normal_mass; /* 0: no point here */
-    f8 normal_impulse;
-    f8 cross_a, cross_b;
-    f8 base; /* separation at the start of the step */
+    f8 separation;     /* at present, less the skin (thud_world.skin); negative: overlap. The relax
+                          pass writes it for the next solve pass. TD_APART: no point here */
+    f8 normal_mass;    /* effective mass along the normal; 0: no point here */
+    f8 normal_impulse; /* of one substep, >= 0 for contacts */
+    f8 cross_a, cross_b; /* r x n: the lever arm r from the body's centre of mass to the point */
+    f8 base;             /* separation at the start of the step */
 } td_point;
 
-/* The part of a contact point that the passes of a substep mostly leave alone, kept apart so that
- * td_point stays small. Of what joints lock it has rings and powers: joints/joint_brace.c. */
+/* The fields of a contact point that few passes need, apart from td_point so that it stays small.
+ * Blocks of locks and rods use them for bracing (joints/joint_brace.c): `approach` of point 0 is
+ * the number of the lane's ring, that of point 1 says in lane 0 whether all lanes have the same
+ * ring; `total` is impulse times speed, before (point 0) and after the impulse (point 1), and at
+ * last, in point 0, the share of the impulse that is kept. */
 typedef struct td_point_history {
-    f8 approach; /* normal velocity at the start of the step; negative: closing */
-    f8 total;    /* normal impulse of the step; kept only where td_solve_context asks */
+    f8 approach; /* normal velocity at the start of the step, length/s; negative: closing */
+    f8 total;    /* normal impulse of all substeps; valid where td_solve_context.keep_totals */
 } td_point_history;
 
-/* The part of friction and restitution that most contacts do not need, kept apart for the same
- * reason. */
+/* The fields of friction and restitution that few contacts need. */
 typedef struct td_surface {
-    f8 speed;  /* at which b is driven along t; read only where td_solve_context.surface_speeds */
-    f8 total;  /* tangent impulse of all substeps; kept only where keep_tangents */
-    f8 energy; /* twice the pair's kinetic energy before it bounced in this step, < 0 where it has
-                  not; set in bouncy blocks alone */
+    f8 speed;  /* surface speed (a belt's): target of b's sliding speed along t, length/s; read only
+                  where td_solve_context.surface_speeds */
+    f8 total;  /* tangent impulse of all substeps; valid where td_solve_context.keep_tangents */
+    f8 energy; /* in blocks that are bouncy: twice the pair's kinetic energy before it bounced in
+                  this step; < 0: it has not bounced */
 } td_surface;
 
-/* The poses for which a lane's manifold was worked out. While both shapes stay near them, relative
- * to each other and in the world, the manifold is kept and only its separations follow: see
- * wide_manifold_cache.h. */
+/* The poses for which a lane's manifold was computed. While both shapes stay near them, relative to
+ * each other and in the world, the manifold is kept, and only its separations are updated:
+ * contact/wide_manifold_cache.h. */
 typedef struct td_manifold_cache {
-    f8 dx, dy;         /* from a's centre of mass to b's; on terrain: bits of b's place */
-    f8 ac, as, bc, bs; /* cosine and sine of both shapes */
-    f8 base[2];        /* separations then */
-    f8 limit;          /* motion up to which the manifold stays */
-    f8 reach;          /* greatest half extent: what a turn moves */
+    f8 dx, dy;         /* from a's centre of mass to b's, length; on terrain: b's position, as the
+                          bits of an int in units of 256 position quanta */
+    f8 ac, as, bc, bs; /* cosine and sine of both shapes' rotations */
+    f8 base[2];        /* separations of the points */
+    f8 limit;          /* relative motion up to which the manifold is kept, length */
+    f8 reach; /* greatest half extent: the lever arm by which a rotation counts as motion */
 } td_manifold_cache;
 
-/* What a joint gave in this substep, in the world: substeps begin with what the one before gave
- * (motion.h), and a joint that has turned since takes it back, and gives it along where it is now.
- */
+/* The impulse that a joint has given in this substep, in world axes: b gets (x, y) and moment_b, a
+ * gets the opposite of (x, y) and of moment_a. A substep begins with the impulses of the substep
+ * before (motion.h); a joint whose direction has turned since then takes that impulse back, and
+ * applies it along its present direction. */
 typedef struct td_applied_impulse {
     f8 x, y, moment_a, moment_b;
 } td_applied_impulse;
 
-/* Where a joint is fixed on its bodies. It follows from the joint and its bodies' centres of mass
- * alone, and is looked up anew where td_block.armed is set: joints/anchors.c. */
+/* The anchors of a joint. They follow from the joint and the bodies' centres of mass alone, and are
+ * looked up again where td_block.armed is set (joints/anchors.c). */
 typedef struct td_anchor_rows {
     i8 body_a, body_b;     /* td_body_index, of a static side too */
     f8 a_x, a_y, b_x, b_y; /* from the centre of mass to the anchor, in the body's frame */
-    f8 axis_c, axis_s;     /* td_joint.axis_c and .axis_s */
-    i8 turn;               /* td_joint.turn */
+    f8 axis_c, axis_s;     /* td_joint.axis_c and .axis_s: direction `along` in the frame of a */
+    i8 turn;               /* td_joint.turn: the relative angle that is 0, 2^32 a full turn */
 } td_anchor_rows;
 
-/* The rest of a joint's locked directions. Its points are `along` and `across`, off by their
- * separations, and its tangent is `turn`. */
+/* The further rows of a lock: a joint's locked directions, or a rod. The joint's frame is
+ * u = (nx, ny), v = (-ny, nx). Point 0 of the block is the row along u (`along`, or the rod), point
+ * 1 that along v (`across`), and the tangent row is the rotation (`turn`). The points' separations
+ * and `turn_apart` are the gaps that the solver closes. */
 typedef struct td_lock_rows {
     td_applied_impulse applied;
-    f8 frame;      /* 1: the directions turn with a; 0: they stay in the step as they are */
-    f8 turn_base;  /* angle by which it is off at the start of the step; of a rod its length */
-    f8 turn_sign;  /* 1, or -1 where sides have changed places */
-    f8 turn_apart; /* like separation, now */
-    f8 haste;      /* gaps close at up to so many times TD_JOINT_CLOSING in this step */
-    i8 locked;     /* td_joint.locked */
+    f8 frame;      /* 1: the frame turns with body a; 0: it is constant in the step */
+    f8 turn_base;  /* gap of `turn` at the start of the step, rad; of a rod its length */
+    f8 turn_sign;  /* 1, or -1 where td_joint.swapped: the sides are the caller's b and a */
+    f8 turn_apart; /* gap of `turn` at present, rad */
+    f8 haste;      /* gaps close at no more than so many times TD_JOINT_CLOSING in this step */
+    i8 locked;     /* td_joint.locked: bits of the locked directions */
     td_anchor_rows anchor;
 } td_lock_rows;
 
-/* The rest of a joint's driven direction. Both its points have the crosses of its frame; the first
- * one's impulse is that of the limits, the second one's of the spring, the tangent's of the motor.
- */
+/* The further rows of a drive: the limits, spring and motor of one direction of a joint. The
+ * impulse of the limits is that of point 0, the impulse of the spring that of point 1, the impulse
+ * of the motor the tangent's. The points' crosses are the lever arms crossed with u and v, as in
+ * td_lock_rows. The coordinate is a length, or an angle of direction `turn`. */
 typedef struct td_drive_rows {
     td_applied_impulse applied;
-    f8 gap_u, gap_v;      /* where b's anchor is from a's, at the start of the step */
-    f8 value_base;        /* of turn: the angle then */
-    f8 turn_sign;         /* as above */
-    f8 limit, limit_side; /* the nearer one; 1: it is the lower, -1: the upper, 0: none */
-    f8 locked;            /* 1: both are the same */
-    f8 target, frequency, damping, spring_most; /* spring_most: a force */
-    f8 motor_speed, motor_most;                 /* motor_most: a force */
-    f8 lower, upper;
-    i8 limited, across; /* masks; across: it drives THUD_ACROSS */
+    f8 gap_u, gap_v; /* from a's anchor to b's along u and v, at the start of the step */
+    f8 value_base;   /* the coordinate at the start of the step */
+    f8 turn_sign;    /* as in td_lock_rows */
+    f8 limit;        /* the limit that is nearer at present: `lower` or `upper` */
+    f8 limit_side;   /* 1: `limit` is the lower one, -1: the upper one, 0: no limits */
+    f8 locked;       /* 1: both limits are equal, so that the row is an equality row; else 0 */
+    f8 target, frequency, damping; /* of the spring; frequency in Hz, 0: none; damping ratio */
+    f8 spring_most;                /* bound of the spring's force (or torque) */
+    f8 motor_speed;                /* target speed of the motor */
+    f8 motor_most;                 /* bound of the motor's force (or torque); 0: no motor */
+    f8 lower, upper;               /* limits of the coordinate */
+    i8 limited, across;            /* masks: there are limits; the direction is THUD_ACROSS */
     td_anchor_rows anchor;
 } td_drive_rows;
 
-/* The rest of a gear's one row, whose side b has the directions of its block: that of side a. */
+/* The further row of a gear. The Jacobian of its one row has the linear part (a_x, a_y) for side a,
+ * and (nx, ny) of the block for side b. */
 typedef struct td_gear_rows {
     f8 a_x, a_y;
 } td_gear_rows;
 
-/* What a lane keeps beside its rows: as wide as an element of them, so that it is copied like one.
- */
+/* Flags and counters of a lane. Of the size of a word, so that they are copied as a row. */
 typedef struct td_lane_marks {
     uint8_t internal_edges; /* td_shape.internal_edges of shape_a, where that is static */
-    uint8_t loaded;         /* how often in succession it was found to carry too much, see
-                               direct_islands.c; and the bit TD_DIRECT */
-    uint16_t rule;          /* rules/rules.h: what a step is to look at; and the bits below */
+    uint8_t loaded;         /* times in succession that its load was above the threshold of
+                               direct/direct_islands.c, at most 2; and the bit TD_DIRECT */
+    uint16_t rule;          /* bits 0 to 9: number of the pair's rule in the table (rules/rules.h);
+                               bits 14, 15: TD_RULE_IMPULSE, TD_RULE_ONE_WAY; and the bits below */
 } td_lane_marks;
 
-/* In td_lane_marks.rule: a prologue wanted other settings; or it said no. Of a joint: it lost
- * against a static shape in the last solve; and in the one before: joints/joint_yield.c. */
+/* Bits of td_lane_marks.rule. */
 enum {
-    TD_LANE_ALTERED = 1 << 13,
-    TD_LANE_REFUSED = 1 << 12,
+    TD_LANE_ALTERED = 1 << 13, /* contact: a prologue has changed its settings */
+    TD_LANE_REFUSED = 1 << 12, /* contact: a prologue has vetoed it */
+    /* Joint: it pressed a body into a static shape in the last step, or in the one before, so that
+     * its motion was taken back (joints/joint_yield.c). */
     TD_LANE_LOST = 1 << 11,
     TD_LANE_WAS_LOST = 1 << 10
 };
 
-/* Behind its points, a block has one td_point_history for each of them, a td_surface, and, where
- * its form says so, a td_manifold_cache. */
+/* The head of a block; see above for what stands behind its points. */
 typedef struct td_block {
-    int32_t shape_a[TD_LANES], shape_b[TD_LANES];
-    int32_t constraint[TD_LANES]; /* TD_NONE: empty lane */
-    uint32_t
-        feature[TD_LANES]; /* faces in touch; impulses carry over while they stay; 0: none yet */
-    int32_t next, prev;    /* blocks of the same bin */
-    int32_t used;          /* lanes 0 .. used - 1 are in use */
-    uint32_t touching;     /* lanes with a point, by the last narrowphase */
-    int32_t bouncy;        /* a lane has restitution */
-    int32_t armed;         /* a lane's shape may be off its body's centre of mass; of joints: what
-                              a lane keeps of its joint is to be looked up anew */
-    int32_t shared;        /* a lane has a kinematic body, which other blocks may have as well */
-    uint32_t apart; /* lanes that the motion of the step surely keeps apart: detection/gaps.h */
+    int32_t shape_a[TD_LANES], shape_b[TD_LANES]; /* of joints TD_NONE */
+    int32_t constraint[TD_LANES];                 /* TD_NONE: empty lane */
+    uint32_t feature[TD_LANES]; /* the faces or corners that touch: impulses are kept as the warm
+                                   start while they stay the same; 0: none yet */
+    /* One row that belongs to the block as a whole, not to lanes. */
+    int32_t next, prev; /* indices of blocks of the same bin, or TD_NONE */
+    int32_t used;       /* lanes 0 .. used - 1 are in use */
+    uint32_t touching;  /* a bit a lane: it has a point, by the last narrowphase */
+    int32_t bouncy;     /* 1: a lane may have restitution */
+    int32_t armed;      /* contacts, 1: a shape may be off its body's centre of mass, turned against
+                           its body, or have internal edges; joints, 1: td_anchor_rows and settings
+                           must be looked up again */
+    int32_t shared;     /* 1: a lane has a kinematic body, which other blocks may have as well */
+    uint32_t apart;     /* a bit a lane: the motion of the step surely keeps its shapes apart
+                           (detection/gaps.h) */
     td_lane_marks mark[TD_LANES];
-    /* The solver's rows begin here. */
-    uint32_t a[TD_LANES], b[TD_LANES]; /* awake slots, in bytes of their records of four floats; 0:
-                                          that side is static */
-    f8 nx, ny;                         /* from a to b */
-    f8 inv_inertia_a, inv_inertia_b;
-    /* Friction acts along t = (ny, -nx), once for all points, whose tangents are the same line. */
-    f8 friction;
-    f8 tangent_mass, tangent_impulse;
-    f8 tangent_cross_a, tangent_cross_b; /* r x t, where r is the mean of the points' arms */
-    f8 restitution;
-    td_point point[]; /* one or two */
+    /* The rows that the solver reads begin here. */
+    uint32_t a[TD_LANES], b[TD_LANES]; /* awake slot times TD_AWAKE_BYTES; 0: that side is static */
+    f8 nx, ny;                         /* unit normal, from a to b; of joints direction u */
+    f8 inv_inertia_a, inv_inertia_b;   /* 0: the side does not turn */
+    /* One friction row a block, along the tangent t = (ny, -nx): the points of a contact lie on one
+     * line along t, so that friction at each of them has the same line of action. */
+    f8 friction;                         /* friction coefficient of the pair */
+    f8 tangent_mass, tangent_impulse;    /* effective mass along t; impulse of one substep */
+    f8 tangent_cross_a, tangent_cross_b; /* r x t, where r is the mean of the points' lever arms */
+    f8 restitution;                      /* coefficient of restitution of the pair */
+    td_point point[];                    /* one or two: td_form_points */
 } td_block;
 
-/* Whether a lane has one of these marks: two lanes at once, since most blocks have none. */
+/* Whether any lane of the block has one of these marks. It tests two lanes at a time, since most
+ * blocks have none. */
 static inline bool td_any_lane_marked(const td_block *block, td_lane_marks marks) {
     const td_lane_marks each[2] = {marks, marks};
     uint64_t lanes[TD_LANES / 2], mask;
@@ -174,9 +201,11 @@ static inline bool td_any_lane_marked(const td_block *block, td_lane_marks marks
 
 enum { TD_DIRECT = 128 }; /* in td_lane_marks.loaded: impulses are the direct solver's */
 
+/* Bytes of a record of an array by awake slot (float[4]). */
 enum { TD_AWAKE_BYTES = 4 * (int)sizeof(float) };
 
-/* Between an awake slot and td_block.a or .b; without a slot it is the dummy's. */
+/* The value of td_block.a or .b for an awake slot, and the other way round. A body without a slot
+ * (TD_NONE) counts as the dummy, slot 0. */
 static inline uint32_t td_side_of_slot(td_awake_slot slot) {
     return (uint32_t)td_max_int(slot.at, 0) * TD_AWAKE_BYTES;
 }
@@ -185,7 +214,11 @@ static inline td_awake_slot td_slot_of_side(uint32_t side) {
     return (td_awake_slot){(int32_t)(side / TD_AWAKE_BYTES)};
 }
 
-enum { TD_CHUNK_BLOCKS = 24 }; /* enough work for a worker to be worth taking */
+/* Blocks that a worker takes at once, 22 to 36 KB: enough work to outweigh the atomic operation
+ * that claims it, and little enough to be in the cache when the tally follows. Chosen. */
+enum { TD_CHUNK_BLOCKS = 24 };
+
+/* ---- what stands behind a block's points ---- */
 
 static inline td_point_history *td_history_of(td_block *block, int points) {
     return (td_point_history *)&block->point[points];
@@ -223,8 +256,8 @@ static inline td_gear_rows *td_gear_rows_of(td_block *block) {
     return (td_gear_rows *)(td_surface_at(block, 1) + 1);
 }
 
-/* Blocks lie where their constraints began, and the passes over them are bound by memory: the
- * solver's rows of the one after the next are asked for early. */
+/* Prefetches the solver's rows of block i + 2. Blocks of a run are not in order in memory, and the
+ * passes are bound by memory. */
 TD_INLINE void td_fetch_early(td_block *const *blocks, int i, int count, int points) {
     if (i + 2 < count) {
         const td_block *block = blocks[i + 2];
@@ -235,14 +268,14 @@ TD_INLINE void td_fetch_early(td_block *const *blocks, int i, int count, int poi
     }
 }
 
-/* The forms of blocks: how many points they have, and what stands behind their surface. */
+/* The forms of blocks: the number of their points, and what stands behind their td_surface. */
 typedef enum td_block_form {
-    TD_FORM_ONE,
-    TD_FORM_ONE_CACHED,
-    TD_FORM_TWO_CACHED,
-    TD_FORM_LOCK,
-    TD_FORM_DRIVE,
-    TD_FORM_GEAR,
+    TD_FORM_ONE,        /* one point */
+    TD_FORM_ONE_CACHED, /* one point, td_manifold_cache */
+    TD_FORM_TWO_CACHED, /* two points, td_manifold_cache */
+    TD_FORM_LOCK,       /* two points, td_lock_rows */
+    TD_FORM_DRIVE,      /* two points, td_drive_rows */
+    TD_FORM_GEAR,       /* one point, td_gear_rows */
     TD_FORM_COUNT
 } td_block_form;
 
@@ -250,6 +283,7 @@ static inline int td_form_points(td_block_form form) {
     return form == TD_FORM_ONE || form == TD_FORM_ONE_CACHED || form == TD_FORM_GEAR ? 1 : 2;
 }
 
+/* Bytes of a block of the form. */
 static inline size_t td_form_bytes(td_block_form form) {
     size_t points = (size_t)td_form_points(form);
     size_t behind = form == TD_FORM_ONE     ? 0
@@ -261,95 +295,112 @@ static inline size_t td_form_bytes(td_block_form form) {
            sizeof(td_surface) + behind;
 }
 
-/* ---- what the wide kernels are given ---- */
+/* ---- arguments of the wide kernels ---- */
 
+/* Of the narrowphase. */
 typedef struct td_collide_context {
     const td_shape_proxy *proxy; /* by shape */
-    const float (*velocity)[4];  /* by awake slot: x, y, angular, inverse mass */
-    td_block **parted;           /* gets the blocks that have a lane without a point */
-    int *parted_count;
-    int *armed;           /* set where a block is armed */
+    const float (*velocity)[4];  /* by awake slot: x, y, turn, inverse mass */
+    td_block **parted;    /* out: the blocks that have a lane without a point; has room for one
+                             more than there are blocks */
+    int *parted_count;    /* in and out: their number */
+    int *armed;           /* out: set to 1 where a block is armed */
     float quantum;        /* length of a position quantum */
-    float margin;         /* speculative */
-    float skin;           /* at which contacts rest: what the solver takes for touching */
-    float axis_tolerance; /* how much better b's face must be to be preferred */
+    float margin;         /* separation below which a pair touches (speculative margin), length */
+    float skin;           /* distance at which contacts rest, length */
+    float axis_tolerance; /* length by which the separation along a face normal of b must be larger
+                             than along those of a for b's face to be the reference face */
 } td_collide_context;
 
-/* Passes of restitution: the first and others before all substeps, and the one after them. */
+/* Passes of restitution (solver/wide_bounce.h): the first one and further ones before all substeps,
+ * and one after them. */
 typedef enum td_bounce { TD_BOUNCE_FIRST, TD_BOUNCE_AGAIN, TD_BOUNCE_LAST } td_bounce;
 
-/* Passes that keep joints that are torn from adding energy, by their warm start or by the end of a
- * substep: joints/joint_brace.c. */
+/* Passes of bracing (joints/joint_brace.c), which scales down the impulses of torn joints so that
+ * they add no energy, after the warm start and after the relax pass of a substep. In this order: */
 typedef enum td_brace {
-    TD_BRACE_GIVE,   /* give the warm start along the directions as they are now, */
-    TD_BRACE_AFTER,  /* measure their power; and where they may have added energy */
-    TD_BRACE_TAKE,   /* take back what was given, */
-    TD_BRACE_BEFORE, /* measure the power at the velocities without them, */
-    TD_BRACE_KEEP    /* and give the share of them that adds no energy */
+    TD_BRACE_GIVE, /* apply the warm start along the present directions; not in the first substep */
+    TD_BRACE_AFTER,  /* compute impulse times speed, at the speeds after the impulses */
+    TD_BRACE_TAKE,   /* where energy may have been added: take the impulses back */
+    TD_BRACE_BEFORE, /* compute impulse times speed, at the speeds without them */
+    TD_BRACE_KEEP    /* apply the share of the impulses that adds no energy */
 } td_brace;
 
-/* Walks over blocks that bracing takes, and tasks of one worker between them. */
+/* Passes over blocks that one bracing takes, and tasks of a single worker between them; by these
+ * the counters of a job are reserved (state/jobs.c). */
 enum { TD_BRACE_STAGES = TD_BRACE_KEEP + 1, TD_BRACE_TASKS = 2 };
 
-/* Length scales, or radians, a second, at which a gap of a joint closes, or so many times that
- * where it is solved softly and adds no energy by it: with less it would bear no more than so much,
- * since what it is open by is what it pulls with. Both chosen. */
+/* Greatest speed at which the gap of a joint closes, length scales/s, or rad/s of a rotation: in
+ * the direct solver, and in the soft solver in rings that are braced. Chosen, the same as the
+ * default of push_speed for contacts. */
 #define TD_JOINT_CLOSING 3.0f
+/* In the soft solver otherwise, gaps close at up to so many times TD_JOINT_CLOSING. The impulse of
+ * a soft joint grows with its gap, so that this bound also bounds the load that it bears. Chosen.
+ */
 #define TD_JOINT_HASTE 30.0f
 
-/* How soft a joint is: its angle in a substep, with a damping ratio of 1, as solve.c has them for
- * contacts; and the part of a gap that closes in a substep. What swings loses less energy the
- * stiffer joints are; from some 2.2 on chains and lattices that hang never come to rest, and shake
- * the harder. */
+/* Softness of a joint in the soft solver, h omega in the equations of solve.c: the phase of its
+ * spring in a substep, rad, with a damping ratio of 1. Bodies that swing lose less energy with
+ * stiffer joints. Measured: from some 2.2 on, hanging chains and lattices never come to rest. */
 #define TD_JOINT_ANGLE 2.0f
+/* The share of a gap that closes in a substep: h bias_rate = h omega / (2 + h omega), one half. */
 #define TD_JOINT_PULL (TD_JOINT_ANGLE / (2.0f + TD_JOINT_ANGLE))
 
-/* A spring goes on by at most this phase in a substep, rad: faster ones act as one that does. With
- * a = q (q + 2 d) of phase q and damping d a row keeps a / (1 + a) of what it corrects, and moves
- * by q / (q + 2 d) of how far it is off; of many rows that share bodies, each solved twice in a
- * substep, none adds energy while q^2 < (1 + 2 a) / (1 + a), which is above 1 for every damping. */
+/* Greatest phase q = h omega of a joint's spring in a substep, rad: a faster spring acts as one
+ * with this phase. Derived: with damping ratio d and a = q (q + 2 d), a soft row has mass_scale =
+ * a / (1 + a) and h bias_rate = q / (q + 2 d) (solve.c). Rows that share bodies, each solved twice
+ * in a substep, add no energy while q^2 < (1 + 2 a) / (1 + a), which is above 1 for every d. */
 #define TD_SPRING_PHASE 1.0f
 
-enum { TD_BOUNCE_PASSES = 64 }; /* before all substeps; each takes a row two links on at least */
+/* Greatest number of bounce passes before the substeps. A pass hands an impact on along a row of
+ * bodies by at least two contacts, so that rows of 128 bodies hand it on in one step. Chosen. */
+enum { TD_BOUNCE_PASSES = 64 };
 
+/* Of the solver's passes: constants of the step, then the state of the present pass. */
 typedef struct td_solve_context {
-    float (*velocity)[4];   /* by awake slot */
+    float (*velocity)[4];   /* by awake slot: x, y, turn, inverse mass */
     float (*delta)[4];      /* by awake slot: motion since the start of the step: x, y, angle */
     const float (*push)[4]; /* by awake slot: velocity that gravity and forces give in a substep */
-    float inv_h;            /* substeps per second */
-    float substeps;         /* in a step */
+    float inv_h;            /* 1 / h: substeps per second */
+    float substeps;         /* number of substeps of the step */
     float time_step;        /* s */
-    float push_speed;
-    float joint_closing; /* TD_JOINT_CLOSING, lengths/s */
-    float bounce_speed;  /* normal velocity, <= 0: pairs that close in more slowly do not bounce */
-    float elastic_speed; /* the same for pairs of restitution 1 */
-    float fall;          /* a length: gravity times the square of time_step */
-    float bias_rate[2];  /* soft contact against a moving [0] and a static body [1] */
+    float push_speed;       /* greatest speed at which overlap is corrected, length/s */
+    float joint_closing;    /* TD_JOINT_CLOSING, length/s */
+    float bounce_speed;  /* <= 0, length/s: a pair bounces if its normal velocity is below this */
+    float elastic_speed; /* the same for pairs with a restitution of 1 or more */
+    float fall; /* gravity times time_step^2, length: a pair bounces in this step only if its
+                   separation would be below this at the end */
+    /* Softness of contacts between moving bodies [0], and with a static body [1]: solver/solve.c.
+     */
+    float bias_rate[2]; /* 1/s */
     float mass_scale[2], impulse_scale[2];
-    bool keep_totals;     /* somebody will read td_point_history.total */
-    bool keep_tangents;   /* somebody will read td_surface.total */
-    bool surface_speeds;  /* a lane has a surface speed */
-    bool last;            /* this is the last substep, whose relax pass tallies */
-    bool again;           /* this relax pass comes on top of another one of its substep */
-    bool first;           /* this is the first substep, where totals start anew */
-    bool bounces;         /* some lane may bounce: totals of bouncy blocks began anew then */
-    td_bounce bounce;     /* which pass */
-    atomic_bool *bounced; /* set by it where a pair bounces */
-    td_brace brace;       /* which pass */
-    atomic_bool *adds;    /* set where what torn joints gave may have added energy: of this bracing
-                             and those after it in the step */
-    atomic_bool *torn;    /* set by the warm start where a joint is open by more than
-                             TD_JOINT_CLOSING takes out of it in a substep */
-    struct td_tally *tally; /* the last relax pass notes approaches there */
+    bool keep_totals;    /* td_point_history.total is summed up, since a later stage reads it */
+    bool keep_tangents;  /* td_surface.total is summed up, likewise */
+    bool surface_speeds; /* a lane has a surface speed */
+    bool last;           /* this is the last substep, whose relax pass fills `tally` */
+    bool again;          /* this is the second relax pass of its substep */
+    bool first;          /* this is the first substep, which sets totals instead of adding */
+    bool bounces;        /* a lane has restitution: bounce passes have set the totals of blocks that
+                            are bouncy */
+    td_bounce bounce;    /* the present bounce pass ... */
+    atomic_bool *bounced;   /* ... and the flag that it sets where a pair bounces */
+    td_brace brace;         /* the present pass of bracing */
+    atomic_bool *adds;      /* flag of the present bracing: impulses of torn joints may have added
+                               energy. Those of the next bracings follow it */
+    atomic_bool *torn;      /* set by the warm start where the gap of a joint is so large that the
+                               bias of one substep exceeds TD_JOINT_CLOSING */
+    struct td_tally *tally; /* error statistics of this worker */
 } td_solve_context;
 
-/* Fills normal, crosses, masses, base and separation of the blocks from the present poses, and
- * sets td_block.touching. */
+/* The narrowphase of a kind: computes normals, lever arms, effective masses and separations of the
+ * blocks for the present poses, and sets td_block.touching. */
 typedef void td_collide_fn(td_block *const *blocks, int count, const td_collide_context *context);
+/* A pass of the solver over blocks of one run. */
 typedef void td_solve_fn(td_block *const *blocks, int count, const td_solve_context *context);
 
-/* Sifts eight pairs of shapes: bits of those whose fat bounds overlap no more, and of those that
- * may touch. What is in neither is surely apart, but not for good. */
+/* The result of a quick test of eight waiting pairs, a bit a pair. parted: the fat bounds no longer
+ * overlap, and the contact ends. near: the shapes may touch, and need the exact test. A pair in
+ * neither waits on. */
 typedef struct td_sifted {
     unsigned parted, near;
 } td_sifted;
@@ -357,8 +408,8 @@ typedef struct td_sifted {
 typedef td_sifted td_sift_fn(const int32_t *shape_a, const int32_t *shape_b,
                              const td_collide_context *context);
 
-/* The passes over blocks of one number of points: [0] both sides move, [1] side a is static.
- * `brace` is null but for what joints lock. */
+/* The passes of the solver over blocks of a kind: [0] both sides move, [1] side a is static.
+ * `brace` is null except for locks and rods. */
 typedef struct td_solve_ops {
     td_solve_fn *warm_start[2], *solve[2], *relax[2], *bounce, *brace[2];
 } td_solve_ops;

@@ -1,4 +1,5 @@
-/* constraint.c: see constraint.h. */
+/* constraint.c: see constraint.h. Lists are doubly linked; waiting lists are arrays in which the
+ * last element takes the place of one that leaves. */
 #include "constraint/constraint.h"
 
 #include "constraint/joint_hooks.h"
@@ -16,6 +17,7 @@ bool td_constraints_reserve(thud_world *w, const int more[TD_CONSTRAINT_KINDS]) 
     return td_slots_reserve(&w->memory, &w->constraints, sum);
 }
 
+/* Adds an edge to the front of its body's list. */
 static void link_edge(thud_world *w, int index, int side) {
     td_constraint *constraint = td_constraint_at(w, index);
     td_body *body = td_body_at(w, constraint->body[side]);
@@ -28,6 +30,7 @@ static void link_edge(thud_world *w, int index, int side) {
     body->first_constraint = edge;
 }
 
+/* Takes an edge out of its body's list. */
 static void unlink_edge(thud_world *w, int index, int side) {
     const td_constraint *constraint = td_constraint_at(w, index);
     int next = constraint->next[side], prev = constraint->prev[side];
@@ -49,6 +52,7 @@ void td_constraint_wait(thud_world *w, int index) {
     td_push_int(waiting, index);
 }
 
+/* Takes a constraint out of its kind's waiting list. */
 static void leave_waiting(thud_world *w, const td_constraint *constraint) {
     td_array *waiting = &w->waiting[constraint->kind];
     int last = td_int_at(waiting, waiting->count - 1);

@@ -1,4 +1,7 @@
-/* constraint_ops.h: the operations of a kind of constraint. */
+/* constraint_ops.h: the operations of a kind of constraint: a table of functions that each kind of
+ * contact (contact/pair_kinds.h) and of joint (joints/) plugs into the world (thud_world.kinds).
+ * The stages that work on constraints of all kinds call them: lanes.c, the narrowphase, the solver,
+ * the direct solver. */
 #ifndef TD_CONSTRAINT_OPS_H
 #define TD_CONSTRAINT_OPS_H
 
@@ -7,59 +10,68 @@
 struct thud_world;
 
 struct td_direct_constraint;
+/* Sets the rows of a lane for the direct solver. `impulses`: the warm start of the points and the
+ * tangent, each summed over the step. direct/rows.h has the rest of the contract. */
 typedef bool td_take_rows_fn(const struct thud_world *world, td_block *block, int lane,
                              const float *impulses, struct td_direct_constraint *constraint);
 
-/* A part of a step: motions (x, y, turn) of both sides from the start of the step to the part's
- * start and, as known so far, to its end; and how long it is. */
+/* A part of a step, as island_step_joints.c divides steps of islands with joints. */
 typedef struct td_span {
+    /* Motions (x, y, turn) of sides a and b since the start of the step: [0] to the start of the
+     * part, [1] to its end, by the present iteration. */
     double a[2][3], b[2][3];
-    double time;
+    double time; /* length of the part, s; 0: an instant, at which [0] and [1] are equal */
 } td_span;
 
-/* Directions for which the work along them over the part is that of the joint's own coordinates, so
- * that what is locked takes no energy (O. Gonzalez, "Mechanical systems subject to holonomic
- * constraints: differential-algebraic formulations and conservative integration", 1999); and the
- * mean speeds that close gaps by its end. Where the part is an instant, speeds at it. */
+/* Computes the Jacobian and the target speeds of a joint's rows for a part of the step. The
+ * Jacobian is a discrete gradient: its product with the motion of the part is exactly the change of
+ * the joint's coordinate, so that the impulses of locked rows do no work (O. Gonzalez, "Mechanical
+ * systems subject to holonomic constraints: differential-algebraic formulations and conservative
+ * integration", 1999). The target speeds are the mean speeds that close the gaps by the end of the
+ * part. For an instant it is the ordinary Jacobian, and the target speeds do not close gaps. */
 typedef void td_turn_rows_fn(const struct thud_world *world, const td_block *block, int lane,
                              const td_span *span, struct td_direct_constraint *constraint);
 
-/* How a kind fills, empties and counts its lanes; the passes of the solver are td_solve_ops. The
- * bodies' awake slots and inverse inertias in a lane are set for all kinds alike. */
+/* How a kind fills, empties and counts its lanes. The bodies' awake slots and inverse inertias in a
+ * lane are set by lanes.c, for all kinds alike. */
 typedef struct td_lane_ops {
-    /* The constraint gets the lane, which is all zeros. */
+    /* The constraint takes the lane, which is all zeros: sets what the kind keeps in it. */
     void (*fill)(struct thud_world *world, td_block *block, int lane, int constraint);
-    /* The constraint loses the lane. */
+    /* The constraint gives the lane back. */
     void (*clear)(struct thud_world *world, td_block *block, int lane, int constraint);
-    /* Masses or shapes of its bodies have changed. */
+    /* Masses or shapes of its bodies have changed: the next narrowphase is to compute the lane
+     * again, whatever is cached. */
     void (*renew)(struct thud_world *world, td_block *block, int lane, int constraint);
-    /* Adds what the lanes miss to the step's errors, once the direct solver has overruled the soft
-     * one; null for contacts, which error.c counts itself. */
+    /* Adds the residuals of a block's lanes to the step's error statistics, after the direct solver
+     * has changed velocities; null for contacts, which solver/error.c counts itself. */
     void (*count)(struct thud_world *world, const td_block *block);
-    /* What a lane carries: impulse a substep over the lighter side's mass; and by what length it is
-     * *off. `size` is the smaller body's. Null for contacts. */
+    /* Returns the load of a lane: its impulse of a substep over the lighter side's mass, length/s.
+     * *off gets the length by which the joint is open. Rotations count as lengths by `size`, the
+     * size of the smaller body. Null for contacts. */
     float (*load)(const struct thud_world *world, const td_block *block, int lane, float size,
                   float *off);
-    /* The rows of a lane for the direct solver; null for contacts, whose rows it knows itself, so
-     * that a program without it does not link them: direct/rows.h. */
+    /* Null for contacts, whose function direct/rows.h names, so that a program without the direct
+     * solver does not link it. */
     td_take_rows_fn *take_rows;
-    /* Turns the rows of a lane to a part of the step's motion; null where they stay as they are. */
+    /* Null for contacts, whose rows are those of the start of the step. */
     td_turn_rows_fn *turn_rows;
 } td_lane_ops;
 
-/* Pair kinds plug theirs in when their shapes are first used (state/kinds.h), and others when the
- * first constraint of theirs is made. */
+/* All of a kind. Pair kinds plug theirs in when their shapes are first used (state/kinds.h), joints
+ * when the first one of the kind is made. */
 typedef struct td_constraint_ops {
     td_block_form form;
     const td_lane_ops *lanes; /* null: those of contacts, td_contact_lanes */
-    /* Both null where the geometry does not lie in the records of shapes, as of lines and joints:
-     * then `collide_world` does the work. `sift` looks at contacts that wait. */
+    /* The quick test of waiting contacts, and the manifolds of lanes. Both are null where shape
+     * proxies do not have all of the geometry (terrain, joints): then `collide_world` computes the
+     * lanes, and waiting contacts are tested singly. */
     td_sift_fn *sift;
     td_collide_fn *collide;
     void (*collide_world)(struct thud_world *world, td_block *const *blocks, int count,
                           const td_collide_context *context);
     const td_solve_ops *solve;
-    const td_solve_ops *solve_unarmed; /* for runs of blocks of which none is armed, see td_block */
+    const td_solve_ops *solve_unarmed; /* passes with less arithmetic, for runs in which no block is
+                                          armed (td_block.armed) */
 } td_constraint_ops;
 
 #endif

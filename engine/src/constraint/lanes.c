@@ -1,11 +1,12 @@
 /* lanes.c: see lanes.h.
  *
- * Colours are the lowest free one of both bodies; static and kinematic bodies take none, since the
- * solver never changes them. */
+ * A constraint gets the lowest colour that is free at both of its bodies (td_colours). Static and
+ * kinematic bodies take no colour, since the solver does not change them. */
 #include "constraint/lanes.h"
 
 #include <string.h>
 
+/* The pool from which the kind's blocks are taken. */
 static td_slots *pool_of(thud_world *w, int kind) {
     return &w->pool[w->kinds[kind]->form];
 }
@@ -15,7 +16,9 @@ static td_awake_slot moving_slot(const td_body *body) {
     return body->kind == THUD_DYNAMIC && body->awake.at > 0 ? body->awake : (td_awake_slot){0};
 }
 
-static void mark(thud_world *w, td_awake_slot slot, int bin, bool taken) {
+/* Sets or clears the colour of a bin at a body. Slot 0, the bin of sleeping lanes and the overflow
+ * colour have none. */
+static void mark_colour(thud_world *w, td_awake_slot slot, int bin, bool taken) {
     if (slot.at > 0 && bin != TD_SLEEPING && bin % TD_COLOURS != TD_OVERFLOW) {
         td_colours *colours = td_colours_at(w, slot);
         uint64_t *mask = bin < TD_COLOURS ? &colours->moving : &colours->fixed;
@@ -24,7 +27,7 @@ static void mark(thud_world *w, td_awake_slot slot, int bin, bool taken) {
     }
 }
 
-/* Picks the bin of a contact and takes its colour. */
+/* Chooses the bin of a constraint, and takes its colour at both bodies. */
 static int choose_bin(thud_world *w, const td_constraint *constraint) {
     const td_body *a = td_body_at(w, constraint->body[0]);
     const td_body *b = td_body_at(w, constraint->body[1]);
@@ -39,25 +42,29 @@ static int choose_bin(thud_world *w, const td_constraint *constraint) {
     }
     int colour = ~taken ? __builtin_ctzll(~taken) : TD_OVERFLOW;
     int bin = colour + (fixed ? TD_COLOURS : 0);
-    mark(w, slot_a, bin, true);
-    mark(w, slot_b, bin, true);
+    mark_colour(w, slot_a, bin, true);
+    mark_colour(w, slot_b, bin, true);
     return bin;
 }
 
+/* Gives the colour of the constraint's bin back at both bodies. */
 static void release_bin(thud_world *w, const td_constraint *constraint, int bin) {
-    mark(w, moving_slot(td_body_at(w, constraint->body[0])), bin, false);
-    mark(w, moving_slot(td_body_at(w, constraint->body[1])), bin, false);
+    mark_colour(w, moving_slot(td_body_at(w, constraint->body[0])), bin, false);
+    mark_colour(w, moving_slot(td_body_at(w, constraint->body[1])), bin, false);
 }
 
+/* The number of lanes that blocks of the bin use. */
 static int lanes_a_block(int bin) {
     return bin != TD_SLEEPING && bin % TD_COLOURS == TD_OVERFLOW ? 1 : TD_LANES;
 }
 
+/* The number of blocks that so many lanes of the bin need. */
 static int blocks_for(int bin, int lanes) {
     int size = lanes_a_block(bin);
     return (lanes + size - 1) / size;
 }
 
+/* Takes an empty block from the pool, which has room. Returns its index. */
 static int take_block(thud_world *w, int kind) {
     td_slots *pool = pool_of(w, kind);
     int index = td_slots_take(pool);
@@ -69,10 +76,12 @@ static int take_block(thud_world *w, int kind) {
     return index;
 }
 
-/* A block is rows of eight words, all but the one that is the block's own. */
+/* Bytes of a row of eight words, one a lane; and the index of the one row that belongs to the block
+ * as a whole (td_block.next and what follows). */
 enum { ROW = (int)sizeof(f8), OWN_ROW = (int)offsetof(td_block, next) / ROW };
 
-/* Copies that row along and puts it back, which takes no test in each row. */
+/* Copies the first `bytes` of a block, as far as they belong to the lane. The block's own row is
+ * copied like the others and then restored, which saves a test in each row. */
 static void copy_lane(td_block *to, int to_lane, const td_block *from, int from_lane, int bytes) {
     uint32_t *t = (uint32_t *)to + to_lane;
     const uint32_t *f = (const uint32_t *)from + from_lane;
@@ -88,7 +97,7 @@ static void copy_lane(td_block *to, int to_lane, const td_block *from, int from_
         (to->touching & ~(1u << to_lane)) | ((from->touching >> from_lane & 1u) << to_lane);
 }
 
-/* An empty lane: no contact, no mass, and both bodies the dummy. */
+/* Makes a lane empty: all zeros, so that it has no mass and both sides are the dummy. */
 static void clear_lane(td_block *block, int lane, int bytes) {
     uint32_t *t = (uint32_t *)block + lane, own = t[OWN_ROW * TD_LANES];
     for (int row = 0; row < bytes / ROW; row++) {
@@ -99,7 +108,7 @@ static void clear_lane(td_block *block, int lane, int bytes) {
     block->touching &= ~(1u << lane);
 }
 
-/* Returns the block; *lane is the new last lane of the bin. */
+/* Adds a lane to the end of a bin. Returns the index of its block; *lane is its number there. */
 static int bin_grow(thud_world *w, int kind, int index, int *lane) {
     td_bin *bin = &w->bins[kind][index];
     bool full = bin->lanes == 0 || td_block_at(w, kind, bin->tail)->used == lanes_a_block(index);
@@ -121,7 +130,7 @@ static int bin_grow(thud_world *w, int kind, int index, int *lane) {
     return bin->tail;
 }
 
-/* Takes a lane out of its bin; the last lane of the bin fills the hole. */
+/* Takes a lane out of its bin; the last lane of the bin moves into its place. */
 static void bin_shrink(thud_world *w, int kind, int index, int slot) {
     td_bin *bin = &w->bins[kind][index];
     td_slots *pool = pool_of(w, kind);
@@ -147,6 +156,7 @@ static void bin_shrink(thud_world *w, int kind, int index, int slot) {
     }
 }
 
+/* Sets the sides' awake slots and inverse inertias in a lane. */
 static void set_slots(thud_world *w, td_block *block, int lane, const td_constraint *constraint) {
     const td_body *a = td_body_at(w, constraint->body[0]);
     const td_body *b = td_body_at(w, constraint->body[1]);
@@ -156,6 +166,7 @@ static void set_slots(thud_world *w, td_block *block, int lane, const td_constra
     block->inv_inertia_b[lane] = b->inv_inertia;
 }
 
+/* Puts a constraint into a bin: from the lane that it has, or a new one that its kind fills. */
 static void place(thud_world *w, int index, int bin) {
     td_constraint *constraint = td_constraint_at(w, index);
     int kind = constraint->kind, lane;
@@ -183,10 +194,10 @@ static void place(thud_world *w, int index, int bin) {
     constraint->slot = block * TD_LANES + lane;
 }
 
-/* Lanes by which each bin is to grow. */
+/* Numbers of lanes by which bins are to grow. */
 typedef int lane_counts[TD_CONSTRAINT_KINDS][TD_BINS_A_KIND];
 
-/* Blocks needed when every bin grows by `grown`, per pool. */
+/* Reserves the blocks that bins need when they grow by `grown`. False when memory is short. */
 static bool reserve_grown(thud_world *w, lane_counts grown) {
     int more[TD_FORM_COUNT] = {0};
     for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
@@ -206,9 +217,9 @@ static bool reserve_grown(thud_world *w, lane_counts grown) {
     return true;
 }
 
-/* Blocks that lanes need on their way to the sleepers' bins: they give as many lanes back as they
- * take, so that no more are in use at any time than now, a last block of each bin that loses lanes,
- * and one of sleepers. */
+/* While lanes move to the bin of sleeping lanes, a kind gives as many lanes back as it takes.
+ * Besides the blocks in use, it needs at any time at most one for the last, partly filled block of
+ * each bin that loses lanes, and one in the bin of sleeping lanes. */
 bool td_lanes_reserve_sleeping(thud_world *w) {
     int more[TD_FORM_COUNT] = {0};
     for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
@@ -285,9 +296,9 @@ void td_lane_renew(thud_world *w, int index) {
     td_lane_ops_of(w, constraint->kind)->renew(w, at.block, at.lane, index);
 }
 
-/* A chain of blocks is walked by what each of them says of the next one, and they lie all over
- * memory: what the list had a little further on when it was last made is asked for early. */
-static void fetch_listed(const td_array *blocks) {
+/* Prefetches a block that the list had eight places further on when it was last made. It is most
+ * likely there again; following the links of blocks all over memory would wait for each of them. */
+static void prefetch_listed(const td_array *blocks) {
     int ahead = blocks->count + 8;
     if (ahead < blocks->capacity) {
         uintptr_t block = (uintptr_t)*TD_AT(td_block *, blocks, ahead);
@@ -295,6 +306,7 @@ static void fetch_listed(const td_array *blocks) {
     }
 }
 
+/* Appends the run of a kind's bin to scratch.runs, and its blocks to scratch.blocks. */
 static void list_bin(thud_world *w, int kind, int bin) {
     if (!w->bins[kind][bin].lanes) {
         return;
@@ -305,7 +317,7 @@ static void list_bin(thud_world *w, int kind, int bin) {
     for (int i = w->bins[kind][bin].head; i != TD_NONE;) {
         td_block *block = td_block_at(w, kind, i);
         TD_PUSH(td_block *, blocks) = block;
-        fetch_listed(blocks);
+        prefetch_listed(blocks);
         run->count++;
         run->armed |= block->armed;
         run->shared |= block->shared;
@@ -313,12 +325,13 @@ static void list_bin(thud_world *w, int kind, int bin) {
     }
 }
 
-/* Alone a worker takes whole runs. */
+/* Divides runs into chunks; with a single worker, a chunk is a whole run. False when memory is
+ * short. */
 static bool cut_chunks(thud_world *w) {
     td_array *chunks = &w->scratch.chunks;
     int size = w->def.job_system.workers > 1 ? TD_CHUNK_BLOCKS : INT32_MAX;
-    int most = w->scratch.runs.count + w->scratch.blocks.count / size;
-    if (!td_array_reserve(&w->memory, chunks, most)) {
+    int chunks_max = w->scratch.runs.count + w->scratch.blocks.count / size;
+    if (!td_array_reserve(&w->memory, chunks, chunks_max)) {
         return false;
     }
     chunks->count = 0;
@@ -334,8 +347,8 @@ static bool cut_chunks(thud_world *w) {
     return true;
 }
 
-/* The kinds that have blocks. Contacts last: what they keep apart shall not be pulled together
- * again. */
+/* Lists the kinds that have blocks, in the order of solving within a colour. Contacts come last, so
+ * that joints do not leave bodies overlapping that contacts have separated. */
 static int kinds_in_order(const thud_world *w, int kinds[TD_CONSTRAINT_KINDS]) {
     int count = 0;
     for (int i = 0; i < TD_CONSTRAINT_KINDS; i++) {
@@ -348,15 +361,15 @@ static int kinds_in_order(const thud_world *w, int kinds[TD_CONSTRAINT_KINDS]) {
 }
 
 bool td_lanes_sequence(thud_world *w) {
-    int most = 0;
+    int blocks_max = 0;
     for (int form = 0; form < TD_FORM_COUNT; form++) {
-        most += w->pool[form].live;
+        blocks_max += w->pool[form].live;
     }
     if (w->scratch.sequenced) {
         return true;
     }
-    if (!td_array_reserve(&w->memory, &w->scratch.blocks, most) ||
-        !td_array_reserve(&w->memory, &w->scratch.parted, 2 * most + 1) ||
+    if (!td_array_reserve(&w->memory, &w->scratch.blocks, blocks_max) ||
+        !td_array_reserve(&w->memory, &w->scratch.parted, 2 * blocks_max + 1) ||
         !td_array_reserve(&w->memory, &w->scratch.runs, 2 * TD_COLOURS * TD_CONSTRAINT_KINDS)) {
         return false;
     }

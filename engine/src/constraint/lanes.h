@@ -1,7 +1,14 @@
-/* lanes.h: where constraints that act live: lanes of blocks, blocks in bins.
+/* lanes.h: gives constraints that act a lane of a block, and lists the blocks for the solver.
  *
- * Bins stay dense: a lane that leaves is filled by the bin's last one. Which lane a constraint has
- * follows from the history of the world alone, never from addresses. */
+ * The graph of constraints is coloured greedily, as in Box2D v3's src/constraint_graph.c:
+ * constraints of one colour share no moving body, so that they are solved in parallel. A bin is the
+ * doubly linked list of the blocks of one kind of constraint, one colour, and side a static or not;
+ * one more bin of each kind has the lanes of sleeping bodies. A constraint that finds no free
+ * colour goes to the overflow colour, whose blocks have one lane each.
+ *
+ * Invariants: all blocks of a bin but the last are full (a lane that is given back is filled with
+ * the bin's last lane). Which lane a constraint has depends on the history of the world alone,
+ * never on addresses or workers. */
 #ifndef TD_LANES_H
 #define TD_LANES_H
 
@@ -10,24 +17,27 @@
 /* A run of blocks of one bin, in the order of solving. */
 typedef struct td_run {
     int32_t kind, fixed; /* kind of the constraints; `fixed` 1: side a is static */
-    int32_t bin;         /* runs of the same bin have no moving body in common, but in overflow */
-    int32_t first, count;
-    int32_t armed;  /* one of its blocks is */
-    int32_t shared; /* one of its blocks is: no two workers at once */
+    int32_t bin; /* colour, + TD_COLOURS where fixed: runs of the same bin, of whatever kinds,
+                    have no moving body in common, except in the overflow colour */
+    int32_t first, count; /* blocks, in scratch.blocks */
+    int32_t armed;        /* 1: one of its blocks is armed */
+    int32_t shared;       /* 1: one of its blocks is shared, so that only one worker may solve it */
 } td_run;
 
-/* Whether blocks of a run may name the same body: those of the overflow, and those with kinematic
- * bodies, which take no colours. */
+/* Whether two blocks of the run may name the same body, so that the run is not divided among
+ * workers: in the overflow colour, and where there are kinematic bodies, which take no colours. */
 static inline bool td_run_is_single(const td_run *run) {
     return run->shared || run->bin % TD_COLOURS == TD_OVERFLOW;
 }
 
-/* A piece of a run, and what the narrowphase found of it. */
+/* A part of a run, which one worker takes, and the result of its narrowphase. */
 typedef struct td_chunk {
-    int32_t run, first, count; /* blocks */
-    int32_t armed, parted;     /* whether one is armed; how many have a lane that touches no more */
+    int32_t run, first, count; /* index of the run; blocks, in scratch.blocks */
+    int32_t armed;             /* 1: one of its blocks is armed */
+    int32_t parted;            /* number of blocks with a lane that no longer touches */
 } td_chunk;
 
+/* The block with this index in the pool of its kind's form. */
 static inline td_block *td_block_at(const thud_world *w, int kind, int index) {
     return td_slot_at(&w->pool[w->kinds[kind]->form], index);
 }
@@ -40,8 +50,8 @@ static inline const td_lane_ops *td_lane_ops_of(const thud_world *w, int kind) {
     return own ? own : &td_contact_lanes;
 }
 
-/* Where a constraint lives that acts. A type of its own, so that nobody takes td_constraint.slot,
- * which is a place in a list while the constraint waits, for the one or the other half of it. */
+/* The lane of a constraint that acts. It is a type of its own since td_constraint.slot packs block
+ * and lane into one number, and means something else while the constraint waits. */
 typedef struct td_lane {
     td_block *block;
     int lane;
@@ -53,23 +63,27 @@ static inline td_lane td_lane_of(const thud_world *w, const td_constraint *const
                      constraint->slot % TD_LANES};
 }
 
-/* Gives each of the constraints a lane by its graph colour. What has a lane already takes its
- * impulses along. False when memory is short, and nothing has changed. */
+/* Gives each of the constraints a lane, by its graph colour. The contents of a constraint that has
+ * a lane already (of a sleeping body) move along. False when memory is short, and nothing has
+ * changed.
+ */
 bool td_lanes_place(thud_world *w, const int *constraints, int count);
-/* Moves lanes to their kinds' bins of sleepers, impulses and all, after td_lanes_reserve_sleeping,
- * which makes room for any of them. */
+/* Moves the lanes of the constraints, contents and all, to their kinds' bins of sleeping lanes.
+ * td_lanes_reserve_sleeping must have been called before; it makes room for any number of them. */
 void td_lanes_put_to_sleep(thud_world *w, const int *constraints, int count);
 bool td_lanes_reserve_sleeping(thud_world *w);
+/* The constraint gives its lane back. */
 void td_lane_remove(thud_world *w, int constraint);
 
-/* Lists the blocks in the order of solving: colours with moving bodies first and static ones last,
- * so that the ground has the last word. */
+/* Lists blocks, runs and chunks in the order of solving, in scratch, unless they are listed
+ * already. Bins of pairs of moving bodies come first and those with a static side last, so that
+ * contacts with the ground are solved last and are left with the smallest error. False when memory
+ * is short. */
 bool td_lanes_sequence(thud_world *w);
 
-/* The awake slot of one of its bodies changed. */
+/* Updates the awake slots and inverse inertias of a lane, after those of a body have changed. */
 void td_lane_refresh(thud_world *w, int constraint);
-/* Does what td_lane_refresh does, and has the manifold and the masses worked out anew in the next
- * narrowphase. */
+/* The same, and makes the next narrowphase compute its manifold and effective masses again. */
 void td_lane_renew(thud_world *w, int constraint);
 
 #endif

@@ -153,7 +153,8 @@ static bool keeps_sliding(const td_direct_row *r, double hysteresis) {
 typedef enum multiplier_update {
     FROM_LAST_STEP,  /* the impulses are the warm start */
     FROM_THIS_SOLVE, /* the impulses are those of the Newton steps so far */
-    KEEP_ACTIVE_SET /* no row changes its activity; impulses are copied to `guess`, to go back to */
+    KEEP_ACTIVE_SET  /* no row changes its activity; impulses are copied to `warm_start`, to go back
+                        to */
 } multiplier_update;
 
 /* Sets the multipliers to the impulses. A friction row whose bound has grown by much since it slid
@@ -165,7 +166,7 @@ static bool update_multipliers(td_direct *d, double hysteresis, multiplier_updat
             td_direct_row *r = &d->constraints[i].row[k];
             bool before = r->active;
             if (how == KEEP_ACTIVE_SET) {
-                r->guess = r->impulse;
+                r->warm_start = r->impulse;
             } else if (r->kind == TD_ROW_FRICTION && keeps_sliding(r, hysteresis)) {
                 r->active = false;
                 r->impulse = r->impulse < 0.0 ? -r->max_impulse : r->max_impulse;
@@ -184,7 +185,8 @@ static bool update_multipliers(td_direct *d, double hysteresis, multiplier_updat
 }
 
 /* Updates impulses and activities from the penalties, and returns how many rows changed their
- * activity. With `keeps` such rows get their activity back. */
+ * activity. With `keeps` the active set stays: such rows get their activity back, and an inactive
+ * row the impulse of its multiplier. */
 static int update_active_set(td_direct *d, double hysteresis, bool keeps) {
     int changed = 0;
     for (int i = 0; i < d->constraint_count; i++) {

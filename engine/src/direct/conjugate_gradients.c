@@ -8,9 +8,16 @@
  * for solving linear systems", 1952), with the penalties D as preconditioner, converge in about as
  * many iterations as there are such modes. One iteration:
  *
- *     rho = sum r D r;   p = D r + (rho / rho_before) p;   dv from M dv + ... = J' p
- * (td_direct_step) alpha = rho / sum p (J dv);   v += alpha dv;   y += alpha (p - D J dv) (balance)
- */
+ *     rho = sum r D r
+ *     p   = D r + (rho / rho_before) p
+ *     dv  from  (M + sum D J' J) dv = J' p            (td_direct_step)
+ *     alpha = rho / sum p (J dv)
+ *     v  += alpha dv
+ *     f  += alpha (p - D J dv),  y = f - D r          (balance)
+ *
+ * The residual r, the direction p, the force f and the multiplier y have a number for each active
+ * row; D is the diagonal of the rows' penalty weights. The forces f hold the bodies in equilibrium
+ * at the velocities v: M (v - v*) = J' f. In the code alpha is `part`. */
 #include "direct/direct.h"
 
 /* Iterations at most. Chosen; each costs one solve with the factor that stands. */
@@ -33,23 +40,23 @@ static double weighted_square(td_direct_row *r, double unused) {
     return residual_of(r) * r->weight * residual_of(r);
 }
 
-/* Sets the next search direction p, in push[0], and adds it to the forces. */
+/* Sets the next search direction p, in direction[0], and adds it to the forces. */
 static double set_direction(td_direct_row *r, double share) {
-    r->push[0] = r->weight * residual_of(r) + (share > 0.0 ? share * r->push[0] : 0.0);
-    r->force += r->push[0];
-    return r->push[0];
+    r->direction[0] = r->weight * residual_of(r) + (share > 0.0 ? share * r->direction[0] : 0.0);
+    r->force += r->direction[0];
+    return r->direction[0];
 }
 
 /* p (J dv) */
 static double curvature(td_direct_row *r, double unused) {
     (void)unused;
-    return r->push[0] * r->change;
+    return r->direction[0] * r->change;
 }
 
 /* After a step of length `part`: the force with which the bodies are in equilibrium at their new
  * velocities, and the multiplier that gives this force by the penalty. */
 static double balance(td_direct_row *r, double part) {
-    r->force += part * (r->push[0] - r->weight * r->change) - r->push[0];
+    r->force += part * (r->direction[0] - r->weight * r->change) - r->direction[0];
     r->base = r->kind == TD_ROW_SOFT ? 0.0 : r->force - r->weight * residual_of(r);
     return 0.0;
 }

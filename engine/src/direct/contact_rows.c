@@ -2,9 +2,11 @@
  * friction row along the tangent.
  *
  * With the separation s of a point (beyond the skin at which contacts rest) and the time step h,
- * its row wants, as the mean speed of the step, s > blur:   -s / h                          no
- * closing past contact (a speculative contact) |s| < blur:  0                              no
- * closing overlap:     min(PUSH_SHARE d / h, push_speed), d the depth   (Baumgarte stabilisation)
+ * the target speed of its row, as the mean speed of the step, is
+ *     s > blur:    -s / h   (a speculative contact: the gap closes to contact and no further),
+ *     else, with the depth d = -(s + skin) of the overlap,
+ *     d < blur:    0,
+ *     d >= blur:   min(PUSH_SHARE (d - blur) / h, push_speed)   (Baumgarte stabilisation).
  */
 #include "direct/rows.h"
 
@@ -21,8 +23,8 @@
 
 enum { TANGENT = TD_DIRECT_TANGENT };
 
-/* The wanted mean speed of a point; `gap` is its separation beyond the skin. */
-static double wanted_of(const thud_world *w, double gap, double blur) {
+/* The target speed of a point, see above, length/s; `gap` is its separation beyond the skin. */
+static double target_speed_of(const thud_world *w, double gap, double blur) {
     double push_max = (double)(w->def.push_speed * w->unit), time = w->def.time_step;
     if (gap > blur) {
         return -gap / time;
@@ -56,7 +58,7 @@ bool td_contact_take_rows(const thud_world *w, td_block *block, int lane, const 
         td_row_set(&c->row[k], TD_ROW_UNILATERAL, x, y, turns_a * (double)p->cross_a[lane],
                    turns_b * (double)p->cross_b[lane]);
         c->row[k].impulse = 0.5 * (double)impulses[k];
-        c->row[k].target_speed = wanted_of(w, (double)p->base[lane], blur_of(w, &c->row[k]));
+        c->row[k].target_speed = target_speed_of(w, (double)p->base[lane], blur_of(w, &c->row[k]));
         bounces |=
             block->restitution[lane] > 0.0f && td_surface_at(block, points)->energy[lane] >= 0.0f;
     }

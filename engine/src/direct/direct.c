@@ -18,7 +18,7 @@ static void set_effective_masses(td_direct *d) {
                              (c->b == TD_NONE ? 0.0 : inverse_share(r->b, &d->bodies[c->b]));
             r->used = r->used && inverse > 0.0;
             r->mass = inverse > 0.0 ? 1.0 / inverse : 0.0;
-            r->guess = r->impulse;
+            r->warm_start = r->impulse;
         }
     }
 }

@@ -19,7 +19,7 @@
  *
  * Two methods solve the problem, both by Newton steps with one sparse Cholesky factorisation each:
  * - active_set.c, an active set with augmented Lagrangian penalties. It starts from the rows
- * that were active in the last step and takes one or two factorisations where few of them change.
+ *   that were active in the last step and takes one or two factorisations where few of them change.
  * - interior_point.c, a primal-dual interior point. It needs no start and takes ten to twenty
  *   factorisations. */
 #ifndef TD_DIRECT_H
@@ -32,19 +32,20 @@ enum {
     TD_DIRECT_TANGENT = 2 /* index of a contact's friction row */
 };
 
-/* The order matters: odd kinds are active from the start, and from TD_ROW_FRICTION on a row is
- * allowed to miss its target speed. */
+/* The order of the kinds matters: odd kinds are active from the start, and a row from
+ * TD_ROW_FRICTION on is allowed to miss its target speed. */
 typedef enum td_row_kind {
-    TD_ROW_UNILATERAL, /* unilateral (a contact point, a joint's limit): impulse >= 0, speed >=
-                    target_speed, and one of both with equality. Never the last row of a constraint.
-                  */
-    TD_ROW_EQUALITY, /* equality (a joint's lock): speed = target_speed, with an impulse of any size
-                      */
-    TD_ROW_FRICTION, /* friction or a motor: |impulse| <= max_impulse, and less only where speed =
-                      * target_speed
-                      */
-    TD_ROW_SOFT      /* spring: impulse = weight * (target_speed - speed), cut off at |impulse| <=
-                        max_impulse,      which is infinite for a spring without a greatest force */
+    /* A contact point or a joint's limit: impulse >= 0 and speed >= target_speed, and one of both
+     * with equality. Never the last row of a constraint. */
+    TD_ROW_UNILATERAL,
+    /* A joint's lock: speed = target_speed, with an impulse of any size. */
+    TD_ROW_EQUALITY,
+    /* Friction or a motor: |impulse| <= max_impulse, with equality where speed differs from
+     * target_speed. */
+    TD_ROW_FRICTION,
+    /* A spring: impulse = weight * (target_speed - speed), clamped to |impulse| <= max_impulse,
+     * which is infinite for a spring without a greatest force. */
+    TD_ROW_SOFT
 } td_row_kind;
 
 /* Lengths, masses and times are the world's own units; angles are radians. */
@@ -59,8 +60,8 @@ typedef struct td_direct_body {
     double own_inverse_inertia; /* inverse_inertia without that */
     double gain[3];             /* velocity that gravity, forces and damping add in one part */
     bool sweeps;                /* the body's rotation moves an anchor or the axis of a joint */
-    bool rubs; /* the body has a contact, and is no disc about its centre of mass (a wheel): its
-                  rotation changes the manifold */
+    bool turn_limited; /* the body has a contact, and is no disc about its centre of mass (a wheel):
+                  its rotation changes the manifold */
 } td_direct_body;
 
 typedef struct td_direct_row {
@@ -69,24 +70,24 @@ typedef struct td_direct_row {
     double target_speed; /* target speed along the row; of a friction row that of the surfaces */
     double known_speed;  /* speed along the row of bodies that are no variables */
     double impulse;      /* in: the warm start; out: the solution */
-    double guess;        /* copy of the warm start */
+    double warm_start;   /* copy of the warm start */
     double closing; /* islands with joints: speed at which the row closes a joint's gap within the
                        part of the step, or pushes apart a contact that overlaps as the step
                        begins */
-    double given;   /* islands with joints: impulse of the mean-velocity problem, while the
-                       velocity at the end of a part is solved for; island_step_joints.c */
-    bool used;      /* the constraint has this row */
-    bool active;    /* the row is in the matrix, with `weight` */
-    double mass;    /* effective mass, 1 / (J M^-1 J') */
-    double weight;  /* factor of J' J in the matrix: a penalty, or the stiffness of a soft row */
-    double base;    /* active set: the multiplier; interior point: the weight of a soft row */
+    double mean_impulse; /* islands with joints: impulse of the mean-velocity problem, while the
+                     velocity at the end of a part is solved for; island_step_joints.c */
+    bool used;           /* the constraint has this row */
+    bool active;         /* the row is in the matrix, with `weight` */
+    double mass;         /* effective mass, 1 / (J M^-1 J') */
+    double weight; /* factor of J' J in the matrix: a penalty, or the stiffness of a soft row */
+    double base;   /* active set: the multiplier; interior point: the weight of a soft row */
     double max_impulse; /* bound of |impulse| of a friction or soft row */
     double speed;       /* J v + known */
     double force;       /* impulse on the right side of the Newton step's equations */
     double change;      /* J dv: change of the speed by the whole Newton step */
     double slack[2]; /* interior point: slack of the speed (unilateral), of both bounds (others) */
-    double push[3];  /* interior point: Newton step of the impulse and of the slacks;
-                        conjugate_gradients.c: [0] is the search direction */
+    double direction[3]; /* interior point: Newton step of the impulse and of the slacks;
+                       conjugate_gradients.c: [0] is the search direction */
 } td_direct_row;
 
 typedef struct td_direct_constraint {
@@ -95,8 +96,8 @@ typedef struct td_direct_constraint {
     bool b_later;    /* b is eliminated after a: the block's rows are b's, its columns a's */
     double friction; /* friction coefficient of the friction row, times the normal impulses */
     double bound;    /* constant bound of the friction row, added to that: a motor's */
-    bool keeps;      /* a contact whose impulses are those of the soft solver, and whose rows only
-                        keep it from closing further: joint_subsystems.c */
+    bool from_soft;  /* a contact whose impulses are those of the soft solver, and whose rows only
+                    keep it from closing further: joint_subsystems.c */
     double stiff[2]; /* of a joint: geometric stiffness against the rotation of a and b */
     td_direct_row row[TD_DIRECT_ROWS];
 } td_direct_constraint;

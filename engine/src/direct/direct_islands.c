@@ -2,11 +2,11 @@
  *
  * An island is a connected component of dynamic bodies and the constraints that act between them.
  * It is direct if one of its bodies is marked (direct_steps). td_islands_watch marks the bodies of
- * a contact whose load is above the threshold of td_islands_most twice in succession, while both
- * bodies are nearly at rest: an impact is as heavy, but passes, and a heap in motion is solved as
- * well by the soft solver for less. It looks at an eighth of the blocks in each step. Where a heavy
- * body lies on a light one, which sinks in at once, half the load found once is enough. A joint is
- * marked when its load is found once, and its island is solved directly in the same step
+ * a contact whose load is above the threshold of td_islands_load_max twice in succession, while
+ * both bodies are nearly at rest: an impact is as heavy, but passes, and a heap in motion is solved
+ * as well by the soft solver for less. It looks at an eighth of the blocks in each step. Where a
+ * heavy body lies on a light one, which sinks in at once, half the load found once is enough. A
+ * joint is marked when its load is found once, and its island is solved directly in the same step
  * (direct/yielding_joints.c). With sag_limit 0 every island is direct. */
 #include "direct/direct_islands.h"
 
@@ -244,7 +244,7 @@ static void mark_direct(thud_world *w, uint32_t record) {
  * h, and h is time_step / substeps, so that  impulse / mass = s (2 pi contact_stiffness)^2 substeps
  * / time_step; the limits of s are given for the quality's own number of substeps, and a max_error
  * for the present one: sinking is proportional to h^2. */
-float td_islands_most(const thud_world *w, float size) {
+float td_islands_load_max(const thud_world *w, float size) {
     float steps = (float)w->substeps, own = td_max_float(steps, (float)w->quality.substeps);
     float sag = w->quality.sag_limit * size * (own * own);
     float omega = 2.0f * (float)TD_PI * w->quality.contact_stiffness; /* rad a substep */
@@ -282,7 +282,7 @@ static bool watch_block(thud_world *w, td_block *block, int kind) {
         float inverse_a = td_row(&w->velocity, a)[3], inverse_b = td_row(&w->velocity, b)[3];
         float light = td_max_float(inverse_a, inverse_b),
               other = td_min_float(inverse_a, inverse_b);
-        float size = td_islands_size(w, a, b), threshold = td_islands_most(w, size);
+        float size = td_islands_size(w, a, b), threshold = td_islands_load_max(w, size);
         float load = 0.0f, off = 0.0f;
         for (int k = 0; contact && k < points; k++) {
             load += block->point[k].normal_impulse[lane];

@@ -27,7 +27,7 @@ typedef struct td_islands {
                              negative: direct_islands.c says why it is in none */
     td_array before;      /* float[4], parallel to `slots`: velocity before the soft solver */
     td_array impulses;    /* float[4], parallel to `constraints`: warm-start impulses of points and
-                             tangent;    1 where they are the soft solver's, else 0 */
+                             tangent; 1 where they are the soft solver's, else 0 */
     td_array rows; /* td_direct_constraint: of the island that is being solved, as the next three */
     td_array bodies;     /* td_direct_body */
     td_array step, work; /* double[4] */
@@ -67,7 +67,7 @@ void td_islands_settle(struct thud_world *w);
  * length/s, under which the contact sinks in by max_error, or by sag_limit times `size`, the size
  * of the smaller body. With fewer substeps than the quality's, the quality's number counts: fewer
  * substeps must not send more islands to the direct solver. */
-float td_islands_most(const struct thud_world *w, float size);
+float td_islands_load_max(const struct thud_world *w, float size);
 /* The size of the smaller of two bodies; slot 0 (static) has none. */
 float td_islands_size(const struct thud_world *w, td_awake_slot a, td_awake_slot b);
 /* Looks for constraints whose load is above the threshold, in a part of them each step, and marks

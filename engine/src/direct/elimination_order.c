@@ -57,7 +57,7 @@ static bool is_same_topology(const td_islands *s) {
                   (size_t)s->topology.count * sizeof(int)) == 0;
 }
 
-bool td_island_order(thud_world *w, const td_island *island, const int *ties, int most) {
+bool td_island_order(thud_world *w, const td_island *island, const int *ties, int entries_max) {
     td_islands *s = &w->islands;
     if (!td_sparse_begin(&w->memory, &s->matrix, island->bodies)) {
         return false;
@@ -67,7 +67,7 @@ bool td_island_order(thud_world *w, const td_island *island, const int *ties, in
             td_sparse_tie(&s->matrix, ties[2 * i], ties[2 * i + 1]);
         }
     }
-    return td_sparse_order(&w->memory, &s->matrix, most);
+    return td_sparse_order(&w->memory, &s->matrix, entries_max);
 }
 
 /* Finds the order of every island, or keeps those of the last step where no graph has changed.

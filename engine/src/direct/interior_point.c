@@ -2,13 +2,16 @@
  * Mehrotra's predictor-corrector ("On the implementation of a primal-dual interior point method",
  * 1992; Nocedal and Wright, Numerical Optimization, 2006, algorithm 16.4).
  *
- * unilateral row:  slack s = J v - target and impulse l, both > 0; the product s l goes to zero.
- * friction row:    impulse y within its bounds; the distances low = max + y and high = max - y
- * have slacks s0, s1 > 0 with s0 - s1 = J v - target; both products s0 low and s1 high go to zero.
- * spring with a greatest force: as a friction row, with s0 - s1 = J v - target + y / weight, so
- * that it is a spring between its bounds. equality row:    a penalty of weight STIFFNESS x mass,
- * whose multiplier is its impulse so far. spring without a greatest force: a penalty of its own
- * weight, without a multiplier.
+ * The conditions of each kind of row, with multiplier (impulse) y:
+ *
+ * - Unilateral: slack s = J v - target and impulse y, both > 0; the product s y goes to zero.
+ * - Friction: y within its bounds. The distances low = max + y and high = max - y have slacks s0,
+ *   s1 > 0 with s0 - s1 = J v - target; both products s0 low and s1 high go to zero.
+ * - Spring with a greatest force: as friction, with s0 - s1 = J v - target + y / weight, so that
+ *   it is a spring between its bounds.
+ * - Equality: a penalty of weight STIFFNESS times the effective mass, whose multiplier is the
+ *   row's impulse so far.
+ * - Spring without a greatest force: a penalty of its own weight, without a multiplier.
  *
  * Each iteration linearises these conditions and the equilibrium of the bodies. Eliminating
  * impulses and slacks leaves the equations of td_direct_step, where a row has weight = impulse /
@@ -97,7 +100,7 @@ static void start(td_direct *d) {
             double over = r->speed - r->target_speed;
             r->base = r->weight;
             if (is_unbound(r)) {
-                r->slack[0] = r->slack[1] = r->push[1] = r->push[2] = r->impulse = 0.0;
+                r->slack[0] = r->slack[1] = r->direction[1] = r->direction[2] = r->impulse = 0.0;
             } else if (r->kind == TD_ROW_UNILATERAL) {
                 r->slack[0] = td_max_double(over, typical);
                 r->impulse = r->mass * typical;
@@ -123,12 +126,12 @@ static double complementarity_gap(const td_direct *d, double part) {
             if (!r->active || is_unbound(r)) {
                 continue;
             }
-            double impulse = part * r->push[0], first = r->slack[0] + part * r->push[1];
+            double impulse = part * r->direction[0], first = r->slack[0] + part * r->direction[1];
             if (r->kind == TD_ROW_UNILATERAL) {
                 sum += first * (r->impulse + impulse) / r->mass;
                 products++;
             } else {
-                double second = r->slack[1] + part * r->push[2];
+                double second = r->slack[1] + part * r->direction[2];
                 sum += (first * (bound_distance(r, 0) + impulse) +
                         second * (bound_distance(r, 1) - impulse)) /
                        r->mass;
@@ -140,8 +143,8 @@ static double complementarity_gap(const td_direct *d, double part) {
 }
 
 /* Sets the row's weight in the matrix and its force on the right side. `aim` is what products per
- * mass are to become; with `second_order` 1 the products of the predictor's steps (in `push`) are
- * taken into account, with 0 they are not. */
+ * mass are to become; with `second_order` 1 the products of the predictor's steps (in `direction`)
+ * are taken into account, with 0 they are not. */
 static void linearise_row(td_direct_row *r, double aim, double second_order) {
     double over = r->speed - r->target_speed;
     if (is_unbound(r)) {
@@ -152,16 +155,18 @@ static void linearise_row(td_direct_row *r, double aim, double second_order) {
     }
     if (r->kind == TD_ROW_UNILATERAL) {
         double lack = over - r->slack[0];
-        double product =
-            aim * r->mass - r->slack[0] * r->impulse - second_order * r->push[0] * r->push[1];
+        double product = aim * r->mass - r->slack[0] * r->impulse -
+                         second_order * r->direction[0] * r->direction[1];
         r->weight = r->impulse / r->slack[0];
         r->force = r->impulse + product / r->slack[0] - r->weight * lack;
         return;
     }
     double low = bound_distance(r, 0), high = bound_distance(r, 1);
     double lack = slack_difference(r) - (r->slack[0] - r->slack[1]);
-    double first = aim * r->mass - r->slack[0] * low - second_order * r->push[0] * r->push[1];
-    double second = aim * r->mass - r->slack[1] * high + second_order * r->push[0] * r->push[2];
+    double first =
+        aim * r->mass - r->slack[0] * low - second_order * r->direction[0] * r->direction[1];
+    double second =
+        aim * r->mass - r->slack[1] * high + second_order * r->direction[0] * r->direction[2];
     r->weight = 1.0 / (r->slack[0] / low + r->slack[1] / high + compliance(r));
     r->force = r->impulse + r->weight * (first / low - second / high - lack);
 }
@@ -169,20 +174,20 @@ static void linearise_row(td_direct_row *r, double aim, double second_order) {
 /* The steps of the row's impulse and slacks, from the change of its speed, by substitution into the
  * linearised conditions. */
 static void substitute_row(td_direct_row *r, double aim, double second_order) {
-    double over = r->speed - r->target_speed, old = r->push[0];
-    r->push[0] = r->force - r->impulse - r->weight * r->change;
+    double over = r->speed - r->target_speed, old = r->direction[0];
+    r->direction[0] = r->force - r->impulse - r->weight * r->change;
     if (is_unbound(r)) {
         return;
     }
     if (r->kind == TD_ROW_UNILATERAL) {
-        r->push[1] = r->change + over - r->slack[0];
+        r->direction[1] = r->change + over - r->slack[0];
         return;
     }
     double low = bound_distance(r, 0), high = bound_distance(r, 1);
-    double first = aim * r->mass - r->slack[0] * low - second_order * old * r->push[1];
-    double second = aim * r->mass - r->slack[1] * high + second_order * old * r->push[2];
-    r->push[1] = (first - r->slack[0] * r->push[0]) / low;
-    r->push[2] = (second + r->slack[1] * r->push[0]) / high;
+    double first = aim * r->mass - r->slack[0] * low - second_order * old * r->direction[1];
+    double second = aim * r->mass - r->slack[1] * high + second_order * old * r->direction[2];
+    r->direction[1] = (first - r->slack[0] * r->direction[0]) / low;
+    r->direction[2] = (second + r->slack[1] * r->direction[0]) / high;
 }
 
 /* Shortens a step so that value + part * change is not negative. */
@@ -200,13 +205,13 @@ static double step_to_boundary(const td_direct *d, double max) {
             if (!r->active || is_unbound(r)) {
                 continue;
             }
-            part = shorten(part, r->slack[0], r->push[1]);
+            part = shorten(part, r->slack[0], r->direction[1]);
             if (r->kind == TD_ROW_UNILATERAL) {
-                part = shorten(part, r->impulse, r->push[0]);
+                part = shorten(part, r->impulse, r->direction[0]);
             } else {
-                part = shorten(part, r->slack[1], r->push[2]);
-                part = shorten(part, bound_distance(r, 0), r->push[0]);
-                part = shorten(part, bound_distance(r, 1), -r->push[0]);
+                part = shorten(part, r->slack[1], r->direction[2]);
+                part = shorten(part, bound_distance(r, 0), r->direction[0]);
+                part = shorten(part, bound_distance(r, 1), -r->direction[0]);
             }
         }
     }
@@ -228,9 +233,9 @@ static void for_rows(td_direct *d, void (*each)(td_direct_row *, double, double)
 
 static void advance_row(td_direct_row *r, double part, double unused) {
     (void)unused;
-    r->impulse += part * r->push[0];
-    r->slack[0] += part * r->push[1];
-    r->slack[1] += part * r->push[2];
+    r->impulse += part * r->direction[0];
+    r->slack[0] += part * r->direction[1];
+    r->slack[1] += part * r->direction[2];
 }
 
 /* Takes a part of the step. False where a velocity is not finite. */

@@ -17,7 +17,7 @@ enum { FACTORINGS_MAX = 200 }; /* of an island in a step, whatever the quality a
 
 /* Lanes whose impulses are the direct solver's begin without a warm start in the soft solver: it
  * cannot take back such an impulse within a step where a light body is between heavy ones. */
-void td_island_note(thud_world *w) {
+void td_island_store_start(thud_world *w) {
     td_islands *s = &w->islands;
     for (int i = 0; i < s->slots.count; i++) {
         memcpy(td_at(&s->before, i), td_row(&w->velocity, td_slot_in(&s->slots, i)),
@@ -27,7 +27,7 @@ void td_island_note(thud_world *w) {
         const td_constraint *constraint = td_constraint_at(w, td_int_at(&s->constraints, i));
         td_lane at = td_lane_of(w, constraint);
         float kept = at.block->mark[at.lane].loaded & TD_DIRECT ? 0.0f : 1.0f;
-        td_island_guess(w, i, kept);
+        td_island_store_impulses(w, i, kept);
         for (int k = 0; k < td_island_points(w, constraint); k++) {
             at.block->point[k].normal_impulse[at.lane] *= kept;
         }
@@ -36,7 +36,7 @@ void td_island_note(thud_world *w) {
     }
 }
 
-void td_island_guess(thud_world *w, int i, float soft) {
+void td_island_store_impulses(thud_world *w, int i, float soft) {
     const td_constraint *constraint = td_constraint_at(w, td_int_at(&w->islands.constraints, i));
     td_lane at = td_lane_of(w, constraint);
     float *impulses = td_at(&w->islands.impulses, i), steps = (float)w->substeps;
@@ -119,7 +119,7 @@ static void take_constraint(td_island_work *work, int i) {
         set_known(c, r, known);
         if (r->kind < TD_ROW_FRICTION) {
             double speed = r->kind == TD_ROW_EQUALITY ? td_abs(r->target_speed) : r->target_speed;
-            work->pushed = td_max_double(work->pushed, speed);
+            work->correction_speed = td_max_double(work->correction_speed, speed);
         }
     }
 }
@@ -148,7 +148,7 @@ static td_direct problem_of(thud_world *w, const td_island *island) {
                        .unit_speed = w->def.time_step * __builtin_sqrt(x * x + y * y)};
 }
 
-td_island_work td_island_take(thud_world *w, const td_island *island) {
+td_island_work td_island_set_up(thud_world *w, const td_island *island) {
     td_islands *s = &w->islands;
     td_island_work work = {.w = w,
                            .island = island,
@@ -159,7 +159,7 @@ td_island_work td_island_take(thud_world *w, const td_island *island) {
                            .time = w->def.time_step,
                            .elapsed = w->def.time_step,
                            .next = w->def.time_step,
-                           .turn_most = TURN_MAX};
+                           .turn_max = TURN_MAX};
     for (int i = 0; i < island->bodies; i++) {
         take_body(&work, i);
     }

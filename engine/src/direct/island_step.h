@@ -1,4 +1,6 @@
-/* island_step.h: the data of one island while the direct solver works on it, and its steps. */
+/* island_step.h: the data of one island while the direct solver works on it, and the functions that
+ * solve one step of it: set up (island_problem.c), solve and write (island_step.c), and the same
+ * for islands with joints (island_step_joints.c). */
 #ifndef TD_ISLAND_DIRECT_H
 #define TD_ISLAND_DIRECT_H
 
@@ -11,47 +13,52 @@ typedef struct td_island_work {
     td_direct problem;
     const td_awake_slot *slots;
     const int *constraints;
-    double time;      /* length of the step, or of the part of it that is being solved, s */
-    double elapsed;   /* time from the start of the step to the end of the part, s */
-    double next;      /* length of the part that follows, or of a step after the last part, s */
-    bool bounces;     /* the soft solver lets a contact bounce in this step */
-    double pushed;    /* greatest speed at which a row corrects an overlap or a gap, length/s */
-    int joints;       /* number of constraints that are no contacts */
-    double turn_most; /* greatest rotation in the step for which contacts' arms are good, rad */
+    double time;    /* length of the step, or of the part of it that is being solved, s */
+    double elapsed; /* time from the start of the step to the end of the part, s */
+    double next;    /* length of the part that follows, or of a step after the last part, s */
+    bool bounces;   /* the soft solver lets a contact bounce in this step */
+    double correction_speed; /* greatest speed at which a row corrects an overlap or a gap,
+                                length/s; infinite: motions and impulses are not checked */
+    int joints;              /* number of constraints that are no contacts */
+    double turn_max; /* greatest rotation in the step for which contacts' arms are good, rad */
 } td_island_work;
 
 /* island_problem.c: stores velocities and impulses of all listed islands, before the soft solver
  * changes them. */
-void td_island_note(thud_world *w);
+void td_island_store_start(thud_world *w);
 /* Stores the warm-start impulses of constraint i in td_islands.impulses, summed over a whole step;
  * `soft`: 1 where they are the soft solver's, 0 where they are the direct solver's. */
-void td_island_guess(thud_world *w, int i, float soft);
+void td_island_store_impulses(thud_world *w, int i, float soft);
 /* The number of factorisations that are left for the island in this step. */
 int td_island_factoring_budget(const thud_world *w, const td_island *island);
 /* The problem of direct.h for the island, from the stored velocities and impulses. */
-td_island_work td_island_take(thud_world *w, const td_island *island);
+td_island_work td_island_set_up(thud_world *w, const td_island *island);
 
 /* island_step.c: solves an island directly and writes the result. False where the soft solver's
  * result stands. */
 bool td_island_solve(thud_world *w, const td_island *island);
-/* The same for a problem that is set up already; writes nothing. */
-bool td_island_work_out(td_island_work *work);
-/* The tolerance of residuals, a speed. */
+/* The same for a problem that is set up already: computes the result and checks it, but writes
+ * nothing. False where the soft solver's result is to stand. */
+bool td_island_compute(td_island_work *work);
+/* The tolerance of residuals, length/s. */
 double td_island_tolerance(const thud_world *w);
-/* Writes velocities and motions of the bodies. */
+/* Writes the velocities at the end of the step and the motions of the bodies to the world. */
 void td_island_write_bodies(const td_island_work *work);
-/* The part of thud_islands_direct before the soft solver. */
+/* thud_island_solver.begin: what the direct solver does before the soft solver runs. */
 void td_islands_begin(thud_world *w);
 /* Adds the motion of the part, at the mean velocities, to td_direct_body.moved. */
-void td_island_move_on(td_island_work *work);
-/* The separation of row k at time `elapsed`; `before` is that at the start of the step. */
+void td_island_add_motion(td_island_work *work);
+/* The separation of row k at time `elapsed`, to first order in the motion so far (`moved`);
+ * `before` is that at the start of the step. */
 double td_island_gap(const td_island_work *work, const td_direct_constraint *c, int k,
                      double before);
 /* Whether a body is a single circle about its centre of mass, so that its rotation moves no
  * contact. */
 bool td_island_is_disc(const td_island_work *work, int body);
-/* Replaces mean velocities v by those at the end of the part, 2 v - v_before. */
-void td_island_carry_on(td_island_work *work);
+/* Replaces the mean velocities v by those at the end of the part, 2 v - v_before, doubles the
+ * impulses, which were those of the mean velocity, and sets the target speeds of contacts for the
+ * end of the part. */
+void td_island_extrapolate(td_island_work *work);
 
 /* island_step_joints.c, linked only with joints: solves the step of an island with joints. Returns
  * the residual, as td_direct_solve. */
@@ -65,6 +72,7 @@ static inline bool td_island_is_joints(const td_island_work *work) {
     return work->joints == work->island->constraints;
 }
 
+/* The number of points of a constraint's lanes, 1 or 2. */
 static inline int td_island_points(const thud_world *w, const td_constraint *constraint) {
     return td_form_points(w->kinds[constraint->kind]->form);
 }

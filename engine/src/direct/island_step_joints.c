@@ -31,8 +31,8 @@
 enum { BUDGET_OF_JOINTS = 8, BUDGET_WITH_CONTACTS = 2 };
 /* Newton iterations of a part. Chosen; each is one or more factorisations. */
 enum { NEWTON_ITERATIONS_MAX = 12 };
-/* Least geometric stiffness, in moments of inertia: a negative one makes the body turn more easily,
- * and at -1 the matrix would not be positive definite. Chosen. */
+/* Minimum of the geometric stiffness, in moments of inertia: a negative one makes the body turn
+ * more easily, and at -1 the matrix would not be positive definite. Chosen. */
 #define STIFFNESS_MIN (-0.5)
 /* Residual of Newton's method, in tolerances: at qualities that solve every island directly, and at
  * others. With contacts, whose active set may change from iteration to iteration, it is 1. Chosen.
@@ -212,10 +212,10 @@ static bool closes_gaps(const td_island_work *work, double tolerance) {
     return worst > tolerance + CLOSING_SHARE * __builtin_sqrt(fastest);
 }
 
-/* Keeps the impulses of equality rows that the first problem found, in `given`, and removes those
- * of all other rows from the free velocities, which the second problem solves for anew. Solving for
- * equality rows again in the directions at the end of the part would take out energy, by the square
- * of the angle by which a direction turns. */
+/* Keeps the impulses of equality rows that the first problem found, in `mean_impulse`, and removes
+ * those of all other rows from the free velocities, which the second problem solves for anew.
+ * Solving for equality rows again in the directions at the end of the part would take out energy,
+ * by the square of the angle by which a direction turns. */
 static void keep_lock_impulses(td_island_work *work) {
     td_direct *d = &work->problem;
     for (int i = 0; i < work->island->bodies; i++) {
@@ -229,8 +229,8 @@ static void keep_lock_impulses(td_island_work *work) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &c->row[k];
             bool locks = r->used && r->kind == TD_ROW_EQUALITY;
-            r->given = locks ? r->impulse : 0.0;
-            r->impulse -= r->given;
+            r->mean_impulse = locks ? r->impulse : 0.0;
+            r->impulse -= r->mean_impulse;
             if (r->used && !locks && c->a != TD_NONE) {
                 remove_impulse(&d->bodies[c->a], r->a, r->impulse);
             }
@@ -246,7 +246,7 @@ static void restore_lock_impulses(td_island_work *work) {
     for (int i = 0; i < work->island->constraints; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &work->problem.constraints[i].row[k];
-            r->impulse += r->given;
+            r->impulse += r->mean_impulse;
         }
     }
 }
@@ -270,7 +270,7 @@ static bool has_only_locks_and_springs(const td_island_work *work) {
  * than END_ERROR_MAX g h. Returns the residual, as a speed. */
 static double solve_end_velocity(td_island_work *work, double start, double tolerance) {
     td_direct *d = &work->problem;
-    td_island_carry_on(work);
+    td_island_extrapolate(work);
     for (int i = 0; i < work->island->constraints; i++) {
         set_end_drives(&d->constraints[i]);
     }
@@ -377,7 +377,7 @@ static double energy_of_drives(const td_island_work *work) {
  * at the start of the last part, since a motor may move more than its own two bodies; and what
  * closing gaps and overlaps may add. Equality rows do no work themselves. */
 static bool gains_energy(const td_island_work *work, double there) {
-    double mass = 0.0, pushed = work->pushed + work->problem.unit_speed;
+    double mass = 0.0, pushed = work->correction_speed + work->problem.unit_speed;
     for (int i = 0; i < work->island->bodies; i++) {
         mass += 1.0 / work->problem.bodies[i].inverse_mass;
     }
@@ -409,7 +409,7 @@ double td_island_solve_joints(td_island_work *work, double tolerance) {
         work->next = part + 1 < parts ? work->time : whole;
         double then = solve_mean_velocity(work, part * work->time, tolerance);
         remove_geometric_stiffness(work);
-        td_island_move_on(work);
+        td_island_add_motion(work);
         missing = td_max_double(missing, then);
         if (td_finite(missing)) {
             then = solve_end_velocity(work, (part + 1) * work->time, tolerance);
@@ -421,16 +421,16 @@ double td_island_solve_joints(td_island_work *work, double tolerance) {
     work->time = work->elapsed = whole;
     /* Long lever arms may have made numbers overflow; and a body that has contacts must not have
      * turned further than the contacts' arms are good for. */
-    missing =
-        td_finite(energy_of(work, false)) && !td_island_rubs(work) ? missing : __builtin_inf();
-    work->turn_most = __builtin_inf();
+    missing = td_finite(energy_of(work, false)) && !td_island_turns_too_far(work) ? missing
+                                                                                  : __builtin_inf();
+    work->turn_max = __builtin_inf();
     if (td_finite(missing) && missing > tolerance && !td_island_is_joints(work) &&
         td_island_sinks(work, tolerance * whole)) {
         missing = __builtin_inf();
     }
     if (td_island_is_joints(work)) {
         missing = gains_energy(work, there) ? __builtin_inf() : missing;
-        work->pushed = __builtin_inf();
+        work->correction_speed = __builtin_inf();
         /* Their factorisations depend on how fast they turn, and are not held against the island as
          * a sign that it will be too dear again. */
         work->w->stats.factorings += work->problem.factorings;

@@ -1,4 +1,5 @@
-/* joint_islands.c: see joint_islands.h. */
+/* joint_islands.c: the island solver of a world with joints, whose order joint_islands.h gives; and
+ * the budget of work that islands with joints share in a step. */
 #include "direct/joint_islands.h"
 
 #include "direct/elimination_order.h"
@@ -8,45 +9,55 @@
 
 /* ---- before the soft solver ---- */
 
-/* A system of the greatest size is begun, and forgotten. */
+/* Reserves room for one more system of the greatest size: a system is begun, which makes its arrays
+ * grow, and dropped. False when memory is short. */
 static bool reserve_system(thud_world *w) {
     td_sparse *s = &w->islands.matrix;
     td_memory *memory = &w->memory;
     td_system now = s->now;
-    bool room = td_sparse_reserve(memory, s, w->body_of.count + TD_LATE_BODIES) &&
-                td_sparse_begin(memory, s, TD_LATE_BODIES);
+    bool room = td_sparse_reserve(memory, s, w->body_of.count + TD_LATE_BODIES_MAX) &&
+                td_sparse_begin(memory, s, TD_LATE_BODIES_MAX);
     s->now = now;
-    return room && td_array_reserve(memory, &s->row, s->row.count + TD_LATE_ENTRIES) &&
-           td_array_reserve(memory, &s->entry, TD_LATE_ENTRIES);
+    return room && td_array_reserve(memory, &s->row, s->row.count + TD_LATE_ENTRIES_MAX) &&
+           td_array_reserve(memory, &s->entry, TD_LATE_ENTRIES_MAX);
 }
 
+/* thud_island_solver.find: lists the islands of 1., and reserves memory for one island of 2. and 3.
+ * False when memory is short. */
 static bool find(thud_world *w) {
     td_islands *s = &w->islands;
     return td_islands_find(w) && td_array_reserve(&w->memory, &s->start, w->body_of.count) &&
-           td_islands_room(w, &s->topology, s->topology.count + 2 * TD_LATE_CONSTRAINTS) &&
-           td_islands_room(w, &s->rows, TD_LATE_CONSTRAINTS) &&
-           td_islands_room(w, &s->bodies, TD_LATE_BODIES) &&
-           td_islands_room(w, &s->step, TD_LATE_BODIES) &&
-           td_islands_room(w, &s->work, TD_LATE_BODIES) && reserve_system(w);
+           td_islands_room(w, &s->topology, s->topology.count + 2 * TD_LATE_CONSTRAINTS_MAX) &&
+           td_islands_room(w, &s->rows, TD_LATE_CONSTRAINTS_MAX) &&
+           td_islands_room(w, &s->bodies, TD_LATE_BODIES_MAX) &&
+           td_islands_room(w, &s->step, TD_LATE_BODIES_MAX) &&
+           td_islands_room(w, &s->work, TD_LATE_BODIES_MAX) && reserve_system(w);
 }
 
-/* Effort of islands with joints in a step, in operations of some 7 ns each, whatever their quality
- * allows: loops that are stretched may take any number of Newton steps, and a matrix in which each
- * body is tied to many takes the cube of their number. It is EFFORT_OF_BODY for each body of the
- * world, or of MANY bodies where there are fewer. */
-enum { EFFORT_OF_BODY = 4000, MANY = 1000 };
+/* Budget of work (td_direct.effort) of islands with joints in a step, whatever the quality allows,
+ * in operations on 3 x 3 blocks of some 7 ns each: EFFORT_OF_BODY for each body of the world, and
+ * as for EFFORT_BODIES_MIN bodies where there are fewer, which is some 30 ms. Loops of joints that
+ * are stretched may take any number of Newton steps, and a body that is joined to many others makes
+ * a factorisation take the cube of their number: without a budget a hub with 900 rods took up to a
+ * second in one step at exact. Both numbers are chosen; half of them sends islands to the soft
+ * solver at half that time, twice as much allows a frame of 60 ms. */
+enum { EFFORT_OF_BODY = 4000, EFFORT_BODIES_MIN = 1000 };
 
+/* thud_island_solver.begin: sets the budget, and stores the velocities at the start of the step, to
+ * which islands of 2. and 3. return. */
 static void begin(thud_world *w) {
     td_islands_begin(w);
-    w->islands.effort = (int64_t)EFFORT_OF_BODY * td_max_int(w->body_of.count, MANY);
+    w->islands.effort = (int64_t)EFFORT_OF_BODY * td_max_int(w->body_of.count, EFFORT_BODIES_MIN);
     memcpy(w->islands.start.data, w->velocity.data, (size_t)w->body_of.count * sizeof(float[4]));
-    w->islands.adds_up = w->islands.island.count || td_linkages_may_come(w);
+    w->islands.adds_up = w->islands.island.count || td_joint_subsystems_possible(w);
 }
 
 /* ---- after it ---- */
 
-/* Each island may take what its own bodies bring, and what islands before it have left: a heap that
- * takes all it can leaves those that come after it their share. */
+/* Solves the islands of 1. An island may spend EFFORT_OF_BODY for each body of its own, and what
+ * the islands before it have not spent: `kept` is the share of the islands after it. Without it, a
+ * heap that spent the whole budget sent all islands after it to the soft solver. Returns the last
+ * system, behind which further ones are put. */
 static td_system solve_found(thud_world *w) {
     td_islands *s = &w->islands;
     td_system last = {0};
@@ -65,14 +76,15 @@ static td_system solve_found(thud_world *w) {
     return last;
 }
 
+/* thud_island_solver.end: the islands of 1., 2. and 3. */
 static void end(thud_world *w) {
     td_islands *s = &w->islands;
     td_system last = solve_found(w);
     if (td_islands_watch(w)) {
-        td_late_solve(w, last);
+        td_yielding_islands_solve(w, last);
     }
     if (s->adds_up) {
-        td_linkages_solve(w, last);
+        td_joint_subsystems_solve(w, last);
         s->adds_up = false;
     }
     if (w->stats.direct_islands > w->stats.soft_islands) {

@@ -18,9 +18,9 @@ extern const thud_island_solver td_islands_of_joints;
  * the step moves any body, since a step cannot fail later. Larger ones are found before the next
  * step, or stay soft. Chosen. */
 enum {
-    TD_LATE_BODIES = 128,
-    TD_LATE_CONSTRAINTS = 512,
-    TD_LATE_ENTRIES = 8 * TD_LATE_BODIES /* blocks of the factor below its diagonal */
+    TD_LATE_BODIES_MAX = 128,
+    TD_LATE_CONSTRAINTS_MAX = 512,
+    TD_LATE_ENTRIES_MAX = 8 * TD_LATE_BODIES_MAX /* blocks of the factor below its diagonal */
 };
 
 /* Takes the island back to the velocities at the start of the step, with the soft solver's impulses
@@ -35,11 +35,11 @@ void td_joint_island_solve(thud_world *w, const td_island *island);
 enum { TD_ISLAND_SOFT = -4 };
 
 /* yielding_joints.c: 2. above. `last` is the last system of the islands of 1. */
-void td_late_solve(thud_world *w, td_system last);
+void td_yielding_islands_solve(thud_world *w, td_system last);
 /* joint_subsystems.c: 3. above. It uses the lists of td_islands for its own, and leaves them
  * invalid. */
-void td_linkages_solve(thud_world *w, td_system last);
+void td_joint_subsystems_solve(thud_world *w, td_system last);
 /* Whether 3. may be needed: some island has been left to the soft solver in the last steps. */
-bool td_linkages_may_come(const thud_world *w);
+bool td_joint_subsystems_possible(const thud_world *w);
 
 #endif

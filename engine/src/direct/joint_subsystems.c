@@ -31,7 +31,7 @@ enum { YIELDING_PART = 2 };
 /* The value of td_islands.local of bodies whose linkage is not fit to be solved. */
 enum { UNFIT = -5 };
 
-bool td_linkages_may_come(const thud_world *w) {
+bool td_joint_subsystems_possible(const thud_world *w) {
     const uint8_t *direct_steps = w->direct_steps.data;
     const uint16_t *slow_steps = w->slow_steps.data;
     int any = 0;
@@ -76,7 +76,7 @@ static bool yields(const thud_world *w, const td_block *block, int lane, int kin
     td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
     float size = td_islands_size(w, a, b), off = 0.0f;
     float load = w->kinds[kind]->lanes->load(w, block, lane, size, &off);
-    return load > td_islands_most(w, size);
+    return load > td_islands_load_max(w, size);
 }
 
 /* Adds the joints of a body and the bodies at their other ends. Counts its contacts with moving
@@ -107,7 +107,7 @@ static bool add_joints_of(thud_world *w, td_island *linkage, td_awake_slot slot,
             *yielding += yields(w, at.block, at.lane, constraint->kind);
         }
     }
-    return linkage->bodies <= TD_LATE_BODIES && linkage->constraints <= TD_LATE_CONSTRAINTS;
+    return linkage->bodies <= TD_LATE_BODIES_MAX && linkage->constraints <= TD_LATE_CONSTRAINTS_MAX;
 }
 
 /* Collects the linkage of a body, breadth first. False, with its bodies marked as unfit, where it
@@ -155,9 +155,9 @@ static void add_contact(td_direct_body *b, td_awake_slot slot, td_lane at, int p
     }
     double cross =
         sign * (double)(first ? block->tangent_cross_a : block->tangent_cross_b)[at.lane];
-    bool rubs = block->friction[at.lane] > 0.0f;
+    bool has_friction = block->friction[at.lane] > 0.0f;
     double impulse = (double)td_surface_at(block, points)->total[at.lane];
-    add_impulse(b, y, -x, cross, rubs ? impulse : 0.0);
+    add_impulse(b, y, -x, cross, has_friction ? impulse : 0.0);
 }
 
 /* Lists the contacts of a linkage behind its joints, each once. False where there are too many. */
@@ -169,7 +169,7 @@ static bool list_contacts(thud_world *w, td_island *linkage) {
             td_awake_slot other = td_island_neighbour(w, constraint, e & 1);
             bool first = !(e & 1) || !other.at || td_island_number(w, linkage, other) == TD_NONE;
             if (constraint->state == TD_TOUCHING && td_is_contact(constraint) && first) {
-                if (linkage->constraints == TD_LATE_CONSTRAINTS) {
+                if (linkage->constraints == TD_LATE_CONSTRAINTS_MAX) {
                     return false;
                 }
                 td_push_int(&w->islands.constraints, e / 2);
@@ -189,7 +189,7 @@ static void set_contact_rows(td_island_work *work) {
             continue;
         }
         td_lane at = td_island_lane(work, i);
-        c->keeps = true;
+        c->from_soft = true;
         for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
             double gap = (double)at.block->point[k].base[at.lane];
             c->row[k].impulse = 0.0;
@@ -249,12 +249,12 @@ static void solve_one(thud_world *w, td_awake_slot seed) {
         !td_joint_island_begin(w, &linkage)) {
         return;
     }
-    td_island_work work = td_island_take(w, &linkage);
+    td_island_work work = td_island_set_up(w, &linkage);
     work.problem.factoring_budget = LINKAGE_FACTORINGS;
-    double pushed = work.pushed + work.problem.unit_speed;
+    double pushed = work.correction_speed + work.problem.unit_speed;
     add_contacts(&work);
     set_contact_rows(&work);
-    bool solved = td_island_work_out(&work) && !gains_energy(&work, pushed);
+    bool solved = td_island_compute(&work) && !gains_energy(&work, pushed);
     note_outcome(w, &linkage, solved);
     if (solved) {
         td_island_write_bodies(&work);
@@ -283,7 +283,7 @@ static bool list_seeds(thud_world *w, td_awake_slot *seeds, int *count) {
     return true;
 }
 
-void td_linkages_solve(thud_world *w, td_system last) {
+void td_joint_subsystems_solve(thud_world *w, td_system last) {
     td_islands *s = &w->islands;
     int rows = s->matrix.row.count, count = 0;
     td_awake_slot seeds[YIELDING_MAX];

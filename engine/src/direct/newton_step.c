@@ -50,7 +50,7 @@ void td_direct_update_friction(td_direct *d) {
 void td_direct_restore(td_direct *d) {
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
-            d->constraints[i].row[k].impulse = d->constraints[i].row[k].guess;
+            d->constraints[i].row[k].impulse = d->constraints[i].row[k].warm_start;
         }
     }
     td_direct_update_speeds(d);

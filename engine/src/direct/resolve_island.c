@@ -13,7 +13,7 @@ static bool order(thud_world *w, td_island *island) {
     int first = s->topology.count;
     td_island_list_ties(w, island);
     const int *ties = (const int *)s->topology.data + first;
-    bool ordered = td_island_order(w, island, ties, TD_LATE_ENTRIES);
+    bool ordered = td_island_order(w, island, ties, TD_LATE_ENTRIES_MAX);
     s->topology.count = first;
     island->system = s->matrix.now;
     return ordered;
@@ -22,7 +22,7 @@ static bool order(thud_world *w, td_island *island) {
 /* Of this step only the soft solver's impulses are known, which serve as the warm start. */
 bool td_joint_island_begin(thud_world *w, td_island *island) {
     td_islands *s = &w->islands;
-    if (island->bodies > TD_LATE_BODIES || island->constraints > TD_LATE_CONSTRAINTS ||
+    if (island->bodies > TD_LATE_BODIES_MAX || island->constraints > TD_LATE_CONSTRAINTS_MAX ||
         !order(w, island)) {
         return false;
     }
@@ -30,7 +30,7 @@ bool td_joint_island_begin(thud_world *w, td_island *island) {
         memcpy(td_at(&s->before, i), td_row(&s->start, td_slot_in(&s->slots, i)), sizeof(float[4]));
     }
     for (int i = island->first_constraint; i < s->constraints.count; i++) {
-        td_island_guess(w, i, 1.0f);
+        td_island_store_impulses(w, i, 1.0f);
     }
     return true;
 }

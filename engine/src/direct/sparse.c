@@ -1,7 +1,7 @@
 /* sparse.c: the symbolic part of sparse.h: minimum-degree ordering and the structure of L.
  *
  * Ordering simulates the elimination on the graph of the nodes (Tinney and Walker, 1967): the node
- * of least degree goes next, and its neighbours become neighbours of each other, which are the
+ * of minimum degree goes next, and its neighbours become neighbours of each other, which are the
  * blocks that fill in. The graph is a matrix of bits, so that an elimination is an OR of rows;
  * nodes of equal degree are taken in the order in which they got that degree, last first, which is
  * the same everywhere. */
@@ -169,7 +169,7 @@ static void sort_column(td_sparse *s, int first, int end) {
     }
 }
 
-bool td_sparse_order(td_memory *memory, td_sparse *s, int most) {
+bool td_sparse_order(td_memory *memory, td_sparse *s, int entries_max) {
     int size = s->now.size;
     for (int degree = 0; degree <= size; degree++) {
         ints(&s->head)[degree] = TD_NONE;
@@ -189,7 +189,7 @@ bool td_sparse_order(td_memory *memory, td_sparse *s, int most) {
         nodes(s)[place] = node;
         places(s)[node] = place;
         int entries = columns(s)[place] + ints(&s->degree)[node];
-        if (entries > most || !eliminate(memory, s, node)) {
+        if (entries > entries_max || !eliminate(memory, s, node)) {
             return false;
         }
         degree_min = td_max_int(degree_min - 1, 0); /* neighbours lose at most one neighbour */

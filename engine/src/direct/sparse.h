@@ -58,8 +58,8 @@ bool td_sparse_begin(td_memory *memory, td_sparse *s, int size);
 /* Declares that the block between the two nodes may be other than zero. */
 void td_sparse_tie(td_sparse *s, int a, int b);
 /* Orders the nodes and makes room for all blocks of L. False when memory is short, or when L would
- * have more than `max_impulse` blocks below its diagonal. */
-bool td_sparse_order(td_memory *memory, td_sparse *s, int most);
+ * have more than `entries_max` blocks below its diagonal. */
+bool td_sparse_order(td_memory *memory, td_sparse *s, int entries_max);
 
 /* Index of the block between two nodes that were declared; its rows are those of the node that is
  * eliminated later. */

@@ -63,8 +63,8 @@ static double spring_phase(const td_island_work *work) {
 #define CENTRED 1e-5
 
 static bool is_centred(const td_island_work *work, float cross_u, float cross_v) {
-    double most = CENTRED * (double)work->w->unit;
-    return td_abs((double)cross_u) <= most && td_abs((double)cross_v) <= most;
+    double arm_max = CENTRED * (double)work->w->unit;
+    return td_abs((double)cross_u) <= arm_max && td_abs((double)cross_v) <= arm_max;
 }
 
 /* Sets `sweeps` of a joint's bodies: whether a rotation moves an anchor, or the axis of the joint's
@@ -90,10 +90,10 @@ static void set_sweeps(td_island_work *work, int i) {
     }
 }
 
-/* Sets `sweeps` and `rubs` of all bodies. */
+/* Sets `sweeps` and `turn_limited` of all bodies. */
 static void set_turn_flags(td_island_work *work) {
     for (int i = 0; i < work->island->bodies; i++) {
-        work->problem.bodies[i].rubs = false;
+        work->problem.bodies[i].turn_limited = false;
     }
     for (int i = 0; i < work->island->constraints; i++) {
         const td_direct_constraint *c = &work->problem.constraints[i];
@@ -104,7 +104,8 @@ static void set_turn_flags(td_island_work *work) {
         }
         for (int side = 0; side < 2; side++) {
             if (sides[side] != TD_NONE) {
-                work->problem.bodies[sides[side]].rubs |= !td_island_is_disc(work, sides[side]);
+                work->problem.bodies[sides[side]].turn_limited |=
+                    !td_island_is_disc(work, sides[side]);
             }
         }
     }
@@ -136,11 +137,11 @@ int td_island_parts(td_island_work *work) {
     return whole < PARTS_MAX && whole < parts ? whole + 1 : whole;
 }
 
-bool td_island_rubs(const td_island_work *work) {
+bool td_island_turns_too_far(const td_island_work *work) {
     bool any = false;
     for (int i = 0; i < work->island->bodies; i++) {
         const td_direct_body *b = &work->problem.bodies[i];
-        any |= b->rubs && td_abs(b->moved[2]) > work->turn_most;
+        any |= b->turn_limited && td_abs(b->moved[2]) > work->turn_max;
     }
     return any;
 }

@@ -38,7 +38,7 @@ static void solve_one(thud_world *w, td_awake_slot slot) {
     s->matrix.row.count = rows;
 }
 
-void td_late_solve(thud_world *w, td_system last) {
+void td_yielding_islands_solve(thud_world *w, td_system last) {
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         if (is_late(w, slot)) {
             w->islands.matrix.now = last;

@@ -46,11 +46,11 @@ static lane lane_of(const thud_world *w, td_block *block, int index) {
     int kind = td_constraint_at(w, block->constraint[index])->kind;
     lane l = {block, index, td_form_points(w->kinds[kind]->form), false};
     float x = w->def.gravity.x, y = w->def.gravity.y;
-    float least =
+    float speed_min =
         LOAD_SHARE * __builtin_sqrtf(x * x + y * y) * (float)(w->def.time_step / w->substeps);
     for (int k = 0; k < l.points; k++) {
         const td_point *p = &block->point[k];
-        l.loaded |= p->normal_impulse[index] > p->normal_mass[index] * least;
+        l.loaded |= p->normal_impulse[index] > p->normal_mass[index] * speed_min;
     }
     return l;
 }

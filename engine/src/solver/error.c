@@ -24,7 +24,7 @@ void td_error_add(thud_world *w, const td_tally *found) {
     for (int i = 0; i < TD_LANES; i++) {
         e->points += found->points[i];
         e->overlaps += found->overlaps[i];
-        e->deepest = td_max_float(e->deepest, -found->least[i]);
+        e->deepest = td_max_float(e->deepest, -found->min_distance[i]);
         e->residual = td_max_float(e->residual, -found->slowest[i]);
     }
     e->depth += found->depth[0] + found->depth[1] + found->depth[2] + found->depth[3];

@@ -20,7 +20,7 @@ static inline void td_error_follow(thud_world *w, td_awake_slot slot, float x, f
 }
 
 /* After detection has changed velocities: sums up the kinetic energy anew. Contact points are
- * counted anew by td_error_of_step, when somebody asks. */
+ * counted anew by td_error_of_step, on request. */
 void td_error_settle(thud_world *w);
 
 /* Detection stopped a body (x, y) before the end of its motion: keeps the longest, squared. */

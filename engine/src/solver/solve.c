@@ -1,7 +1,17 @@
-/* solve.c: bounces, then the substeps.
+/* solve.c: the soft solver's order of passes: bounces, then the substeps, by one or more workers.
  *
- * In each: integrate velocity and warm start, solve with bias, integrate position, relax. Contact
- * frequency rises with the substep rate, so that more substeps also make contacts stiffer. */
+ * The method is "soft step" (Catto, "Solver2D", 2024): each substep of length h
+ *     1. integrates velocities (td_integrate_velocity, which also carries the impulses over; in the
+ *        first substep the warm start does),
+ *     2. solves contacts as soft constraints, with a bias that corrects overlaps,
+ *     3. integrates positions,
+ *     4. relaxes: solves again without bias.
+ * wide_solve.h has the passes of contacts and their equations, joints/wide_*.c those of joints. The
+ * stiffness is given as frequency over substep rate, so that contacts are stiffer with more
+ * substeps.
+ *
+ * Workers take chunks of blocks. Blocks of one graph colour share no moving body, so that the
+ * result does not depend on which worker solves which. */
 #include "state/jobs.h"
 #include "solver/error.h"
 #include "state/kinds.h"
@@ -11,12 +21,32 @@
 
 #include <string.h>
 
-/* Pairs of restitution 1 that close in more slowly than so many times the speed that gravity gives
- * in a step do not bounce, or a stack of them would never come to rest. */
+/* Pairs with a restitution of 1 or more bounce at lower speeds than restitution_threshold, but not
+ * below ELASTIC_REST times g time_step, the speed that gravity gives in a step: otherwise a stack
+ * of them would never come to rest. Chosen, as TD_BOUNCE_BORNE in bounces.h. */
 #define ELASTIC_REST 4.0f
 
-/* Soft constraint of Catto's "Soft Constraints" (2011) for frequency `hertz` and damping ratio. */
-static void soften(td_solve_context *c, int which, float hertz, float damping, float h) {
+/* Sets the coefficients of a soft constraint (E. Catto, "Soft Constraints", GDC 2011; b2MakeSoft in
+ * Box2D v3's src/solver.h): a spring and damper on the separation s, with angular frequency
+ * omega = 2 pi hertz and damping ratio z. Its force on a row of effective mass m and speed v is
+ *
+ *     f = -m omega^2 s - 2 m z omega v.
+ *
+ * Implicit Euler takes both at the end of the substep, the speed v' and the separation s + h v':
+ *
+ *     p' = h f = -h m omega^2 s - m h omega (2 z + h omega) v'.
+ *
+ * Let a1 = 2 z + h omega and a2 = h omega a1. Division by m a2 gives the constraint
+ *
+ *     v' + bias_rate s + p' / (m a2) = 0  with  bias_rate = omega / a1.
+ *
+ * The velocities have the old impulse p already, so that v' = v + (p' - p) / m. This gives
+ *
+ *     p' - p = -m mass_scale (v + bias_rate s) - impulse_scale p
+ *     with  mass_scale = a2 / (1 + a2)  and  impulse_scale = 1 / (1 + a2).
+ *
+ * `which`: 0 for pairs of moving bodies, 1 for contacts with a static body. h is in s. */
+static void set_softness(td_solve_context *c, int which, float hertz, float damping, float h) {
     float omega = 2.0f * (float)TD_PI * hertz;
     float a1 = 2.0f * damping + h * omega;
     float a2 = h * omega * a1;
@@ -26,9 +56,10 @@ static void soften(td_solve_context *c, int which, float hertz, float damping, f
     c->impulse_scale[which] = a3;
 }
 
+/* The constants that the passes of this step share; h is the length of a substep, s. */
 static td_solve_context solve_context(const thud_world *w, float h) {
     float x = w->def.gravity.x, y = w->def.gravity.y, time = (float)w->def.time_step;
-    float gained = __builtin_sqrtf(x * x + y * y) * time;
+    float gravity_speed = __builtin_sqrtf(x * x + y * y) * time; /* gained in a step */
     td_solve_context c = {
         .velocity = w->velocity.data,
         .delta = w->delta.data,
@@ -39,26 +70,30 @@ static td_solve_context solve_context(const thud_world *w, float h) {
         .push_speed = w->def.push_speed * w->unit,
         .joint_closing = TD_JOINT_CLOSING * w->unit,
         .bounce_speed = -w->def.restitution_threshold * w->unit,
-        .fall = gained * time,
+        .fall = gravity_speed * time,
     };
-    c.elastic_speed = td_max_float(c.bounce_speed, -ELASTIC_REST * gained);
+    c.elastic_speed = td_max_float(c.bounce_speed, -ELASTIC_REST * gravity_speed);
     c.keep_tangents = w->tells || w->islands.adds_up;
     c.keep_totals = c.keep_tangents || w->adds_impulses;
     c.bounces = w->bouncy > 0;
     c.surface_speeds = w->surface_speeds > 0;
-    /* Against static bodies twice as stiff: nothing gives way there. */
+    /* Contacts with static bodies have twice the frequency, as in Box2D, so that bodies are not
+     * pressed into the ground by what lies on them. */
     float hertz = w->quality.contact_stiffness / h;
-    soften(&c, 0, hertz, w->quality.contact_damping, h);
-    soften(&c, 1, 2.0f * hertz, w->quality.contact_damping, h);
+    set_softness(&c, 0, hertz, w->quality.contact_damping, h);
+    set_softness(&c, 1, 2.0f * hertz, w->quality.contact_damping, h);
     return c;
 }
 
-/* Turns an infinite push into not-a-number, which no limit of speed can hide from finalize.c. */
-static float told_apart(float push) {
-    return push + (push - push);
+/* Returns x, or not-a-number for an infinite x: the velocity clamp would make infinity a finite
+ * speed, but keeps not-a-number, by which finalize.c finds the body. */
+static float infinity_to_nan(float x) {
+    return x + (x - x);
 }
 
-/* Velocity gained a substep from gravity and forces; forces act through one step only. */
+/* Computes the velocity that gravity and forces add in a substep, for all awake bodies, where it
+ * may have changed. Forces act for one step: they are cleared, and the next step computes it again.
+ */
 static void refresh_push(thud_world *w, float h) {
     if (!w->push_stale) {
         return;
@@ -71,9 +106,9 @@ static void refresh_push(thud_world *w, float h) {
         if (body->kind == THUD_DYNAMIC) {
             const float *force = body->force;
             float scale = body->gravity_scale, inv_mass = body->inv_mass;
-            push[0] = told_apart(h * (w->def.gravity.x * scale + force[0] * inv_mass));
-            push[1] = told_apart(h * (w->def.gravity.y * scale + force[1] * inv_mass));
-            push[2] = told_apart(h * force[2] * body->inv_inertia);
+            push[0] = infinity_to_nan(h * (w->def.gravity.x * scale + force[0] * inv_mass));
+            push[1] = infinity_to_nan(h * (w->def.gravity.y * scale + force[1] * inv_mass));
+            push[2] = infinity_to_nan(h * force[2] * body->inv_inertia);
         }
         w->push_stale |= body->force[0] != 0.0f || body->force[1] != 0.0f || body->force[2] != 0.0f;
         memset(body->force, 0, sizeof body->force);
@@ -82,26 +117,28 @@ static void refresh_push(thud_world *w, float h) {
 
 /* ---- the passes ---- */
 
+/* BRACE: of joints alone, see td_brace. */
 typedef enum pass { WARM_START, BRACE, SOLVE, RELAX, BOUNCE } pass;
 
-/* What all workers share; and, in each worker's copy, where it is. */
+/* The arguments of a solve. Each worker has a copy, whose last fields say where it is. */
 typedef struct solving {
     thud_world *w;
     td_solve_context contacts;
     td_motion_context motion;
     td_tally_context tally;
-    td_tally *tallies; /* by worker */
+    td_tally *tallies; /* error statistics, by worker */
     td_job *task;
-    atomic_bool *bounced; /* in each pass before the substeps, and in the last one */
-    atomic_flag *dummy;   /* set while a worker may write slot 0 */
+    atomic_bool *bounced; /* a flag for each bounce pass: td_solve_context.bounced */
+    atomic_flag *dummy;   /* a spin lock of slot 0: see solve_in_turn */
     td_worker worker;
-    pass which;      /* of the pass that is being walked */
-    int first_chunk; /* of its phase */
-    bool relaxed;    /* after the relax pass of a substep */
+    pass which;      /* the present pass */
+    int first_chunk; /* first chunk of the present phase */
+    bool relaxed;    /* joints are braced after the relax pass of a substep, not before it */
 } solving;
 
-/* Solves blocks of which the last may have empty lanes. These read slot 0, and write it back as it
- * was, so that of such blocks of several runs in a phase the workers solve one at a time. */
+/* Solves the last blocks of a run. The last one may have empty lanes, which read the record of slot
+ * 0 and write it back unchanged. Other runs of the phase may have such a block too, so that a lock
+ * lets one worker at a time solve one. */
 static void solve_in_turn(const solving *s, td_solve_fn *solve, td_block *const *blocks,
                           int count) {
     solve(blocks, count - 1, &s->contacts);
@@ -112,7 +149,7 @@ static void solve_in_turn(const solving *s, td_solve_fn *solve, td_block *const 
     atomic_flag_clear_explicit(s->dummy, memory_order_release);
 }
 
-/* Only the last block of a run has empty lanes. */
+/* Solves `count` blocks of a run; only the last block of a run may have empty lanes. */
 static void solve_part(const solving *s, const td_run *run, td_solve_fn *solve,
                        td_block *const *blocks, int count) {
     td_block *const *all = s->w->scratch.blocks.data;
@@ -123,7 +160,8 @@ static void solve_part(const solving *s, const td_run *run, td_solve_fn *solve,
     }
 }
 
-/* Blocks are tallied a few at a time, right after their pass, while they are in the cache. */
+/* Solves blocks and adds their points to the error statistics, a few blocks at a time, while they
+ * are in the cache. */
 static void solve_and_tally(const solving *s, const td_run *run, td_solve_fn *solve,
                             td_block *const *blocks, int count) {
     int points = td_form_points(s->w->kinds[run->kind]->form);
@@ -135,6 +173,8 @@ static void solve_and_tally(const solving *s, const td_run *run, td_solve_fn *so
     }
 }
 
+/* Runs the present pass on one chunk of the present phase (a td_chunk_fn). A kind of constraint
+ * that has no such pass is skipped. */
 static void solve_chunk(void *work, int index) {
     const solving *s = work;
     const thud_world *w = s->w;
@@ -162,8 +202,9 @@ static const td_run *run_of_chunk(const thud_world *w, int chunk) {
     return TD_AT(td_run, &w->scratch.runs, TD_AT(td_chunk, &w->scratch.chunks, chunk)->run);
 }
 
-/* Chunks of one bin have no moving body in common and make a phase; a run that may share bodies
- * with others is one chunk, and a phase by itself. */
+/* The end of the phase that begins with chunk `first`. Chunks of one bin (graph colour) have no
+ * moving body in common and make a phase, which workers share; a run whose blocks may share bodies
+ * (td_run_is_single) is one chunk, and a phase by itself. */
 static int phase_end(const thud_world *w, int first) {
     const td_run *run = run_of_chunk(w, first);
     int end = first + 1;
@@ -174,6 +215,7 @@ static int phase_end(const thud_world *w, int first) {
     return end;
 }
 
+/* Runs a pass over all blocks, phase by phase. */
 static void walk(solving *s, pass which) {
     s->which = which;
     for (int first = 0; first < s->w->scratch.chunks.count;) {
@@ -184,27 +226,30 @@ static void walk(solving *s, pass which) {
     }
 }
 
-/* Awake slots that a worker takes at once; alone it takes all. */
-enum { BODIES = 512 };
+/* Awake slots in a chunk of bodies, 8 KiB of velocities; a worker that is alone takes all at once.
+ * Chosen. */
+enum { BODIES_OF_CHUNK = 512 };
 
 static int bodies_at_once(const solving *s) {
-    return s->worker.phase ? BODIES : s->motion.count;
+    return s->worker.phase ? BODIES_OF_CHUNK : s->motion.count;
 }
 
-/* The motion context of some of the bodies. */
+/* The motion context of one chunk of bodies. */
 static td_motion_context part_of(const solving *s, int chunk) {
     const td_motion_context *m = &s->motion;
     td_motion_context part = *m;
-    int most = bodies_at_once(s), first = chunk * most;
+    int size = bodies_at_once(s), first = chunk * size;
     part.velocity += first;
     part.delta += first;
     part.start += first;
     part.push += first;
     part.damping = m->damping ? m->damping + first : NULL;
-    part.count = td_min_int(m->count - first, most);
+    part.count = td_min_int(m->count - first, size);
     return part;
 }
 
+/* Chunks of bodies (td_chunk_fn): the velocities of the first substep, those of later ones, and
+ * positions. */
 static void first_velocities(void *work, int chunk) {
     const solving *s = work;
     td_motion_context part = part_of(s, chunk);
@@ -224,7 +269,8 @@ static void positions(void *work, int chunk) {
     TD_PICK_WIDE(s->w, td_integrate_position)(&part);
 }
 
-/* Until nobody closes in fast any more; whether anybody did. */
+/* Runs bounce passes until one finds no pair that bounces, at most TD_BOUNCE_PASSES. Returns
+ * whether any pair bounced. */
 static bool bounce(solving *s) {
     int passes = 0;
     bool any = s->contacts.bounces;
@@ -237,54 +283,61 @@ static bool bounce(solving *s) {
     return passes > 1;
 }
 
-static void judge(void *work, int chunk) {
+/* One chunk, for one worker: sums up the powers of torn joints, and sets td_solve_context.adds
+ * where their impulses may have added energy. */
+static void judge_energy(void *work, int chunk) {
     const solving *s = work;
     (void)chunk;
     bool adds = s->w->joint_hooks->adds_energy(s->w, s->relaxed);
     atomic_store_explicit(s->contacts.adds, adds, memory_order_relaxed);
 }
 
-static void weigh(void *work, int chunk) {
+/* One chunk, for one worker: computes the share of their impulses that torn joints keep. */
+static void weigh_impulses(void *work, int chunk) {
     const solving *s = work;
     (void)chunk;
     s->w->joint_hooks->weigh(s->w, s->relaxed);
 }
 
-static void brace_by(solving *s, td_brace stage) {
+static void brace_pass(solving *s, td_brace stage) {
     s->contacts.brace = stage;
     walk(s, BRACE);
 }
 
-/* Keeps what joints that are torn gave in this substep from having added energy; false where it
- * surely did not. */
+/* Scales down the impulses of torn joints in this substep to the share that adds no energy
+ * (bracing, joints/joint_brace.c). Torn: open by more than one substep's bias closes. False where
+ * they added none, and nothing was done. */
 static bool brace(solving *s) {
-    brace_by(s, TD_BRACE_AFTER);
-    td_worker_walk(&s->worker, 1, judge, s);
-    /* A worker that is late still reads this flag, so that each brace has its own. */
+    brace_pass(s, TD_BRACE_AFTER);
+    td_worker_walk(&s->worker, 1, judge_energy, s);
+    /* A worker that is late may still read this flag, so that each bracing has its own. */
     bool adds = atomic_load_explicit(s->contacts.adds, memory_order_relaxed);
     s->contacts.adds++;
     if (adds) {
-        brace_by(s, TD_BRACE_TAKE);
-        brace_by(s, TD_BRACE_BEFORE);
-        td_worker_walk(&s->worker, 1, weigh, s);
-        brace_by(s, TD_BRACE_KEEP);
+        brace_pass(s, TD_BRACE_TAKE);
+        brace_pass(s, TD_BRACE_BEFORE);
+        td_worker_walk(&s->worker, 1, weigh_impulses, s);
+        brace_pass(s, TD_BRACE_KEEP);
     }
     return adds;
 }
 
+/* Whether the warm start of this step found a joint that is torn. */
 static bool is_torn(const solving *s) {
     return atomic_load_explicit(s->contacts.torn, memory_order_relaxed);
 }
 
-/* After bracing: rows correct what they miss without what it took, which takes energy out. */
-static void ease(solving *s) {
+/* A second relax pass of the substep, after bracing: corrects the speeds that rows miss without the
+ * impulses that bracing took. */
+static void relax_again(solving *s) {
     s->contacts.again = true;
     walk(s, RELAX);
     s->contacts.again = false;
 }
 
-/* One worker's way through all substeps. */
-static void substeps(void *argument) {
+/* Runs all passes of the step, as one worker of the task (a thud_task_fn). All workers run the same
+ * passes in the same order, and wait for each other at the end of each phase. */
+static void run_passes(void *argument) {
     solving own = *(const solving *)argument, *s = &own;
     s->worker = td_worker_arrive(s->task);
     int bodies = (s->motion.count + bodies_at_once(s) - 1) / bodies_at_once(s);
@@ -299,7 +352,7 @@ static void substeps(void *argument) {
         }
         if (is_torn(s)) {
             if (i > 0) {
-                brace_by(s, TD_BRACE_GIVE);
+                brace_pass(s, TD_BRACE_GIVE);
             }
             brace(s);
         }
@@ -309,18 +362,19 @@ static void substeps(void *argument) {
         walk(s, RELAX);
         s->relaxed = true;
         if (is_torn(s) && s->w->joint_hooks->gape(s->w) && brace(s)) {
-            ease(s);
+            relax_again(s);
         }
         s->relaxed = false;
     }
     if (bounced) {
         s->contacts.bounce = TD_BOUNCE_LAST;
-        /* Who comes late still asks how the passes before went. */
+        /* A worker that is late may still read the flag of the previous pass. */
         s->contacts.bounced = &s->bounced[TD_BOUNCE_PASSES];
         walk(s, BOUNCE);
     }
 }
 
+/* Fills the context, runs the passes by all workers, and adds up their error statistics. */
 void td_solve(thud_world *w) {
     td_tally tallies[THUD_WORKERS_MAX];
     atomic_bool bounced[TD_BOUNCE_PASSES + 1] = {false}, torn = false;
@@ -350,7 +404,7 @@ void td_solve(thud_world *w) {
     s.contacts.adds = adds;
     memset(tallies, 0, (size_t)task.workers * sizeof *tallies);
     td_error_begin(w);
-    td_job_run(w, &task, substeps, &s);
+    td_job_run(w, &task, run_passes, &s);
     for (int i = 0; i < task.workers; i++) {
         td_error_add(w, &tallies[i]);
     }

@@ -1,5 +1,5 @@
 /* wide_bounce.h: restitution by Newton's impact law, v_after = -e v_before along the normal,
- * divide_by_inverse blocks of one or two points.
+ * over blocks of one or two points.
  *
  * Before the substeps, a point that closes faster than a threshold and will touch within the step
  * gets its impulse at once, one contact after the other (sequential impacts), so that no pair gains
@@ -31,9 +31,12 @@ TD_INLINE td_rows without_forces(td_rows v, td_rows push, f8 substeps) {
                      v.w};
 }
 
-/* Normal impulses of the points that are hit (`lacks`: speed less the wanted one, negative). Two
- * points are solved together as a 2 x 2 complementarity problem: both act if both impulses are
- * positive; otherwise the one alone after which the other is satisfied. */
+/* The normal impulses of the points that are hit; `lacks` is their speed less the target speed,
+ * which is negative. With the effective masses m and n of the two points and their coupling k, both
+ * impulses p, q together solve
+ *     p / m + k q = -lacks[0],   k p + q / n = -lacks[1],
+ * a complementarity problem: if one of them is not positive, the other point's impulse alone must
+ * satisfy both. */
 TD_INLINE void solve_impacts(const td_block *block, const sides *v, int points, const i8 *hit,
                              const f8 *lacks, f8 *normal) {
     f8 m = block->point[0].normal_mass;
@@ -43,8 +46,8 @@ TD_INLINE void solve_impacts(const td_block *block, const sides *v, int points, 
         f8 other = by_first(block, v, false), part = f8_all(1.0f) - other * other * m * n;
         f8 p = m * (other * n * lacks[1] - lacks[0]) / part;
         f8 q = n * (other * m * lacks[0] - lacks[1]) / part;
-        /* Two points in one place make the 2 x 2 matrix singular: `part` is its determinant
-         * divide_by_inverse the product of the diagonal. */
+        /* `part` is the determinant times m n. It is 0 for two points in one place; below 0.001 the
+         * difference has less than four correct digits. */
         i8 both = hit[0] & hit[1] & (p > zero) & (q > zero) & (part > f8_all(0.001f));
         i8 first = hit[0] & (~hit[1] | (lacks[1] + other * normal[0] >= zero));
         normal[1] = f8_pick(both, q, f8_keep(hit[1] & ~first, -n * lacks[1]));
@@ -52,26 +55,27 @@ TD_INLINE void solve_impacts(const td_block *block, const sides *v, int points, 
     }
 }
 
-/* The friction impulse beside the normal impulses of an impact. */
+/* The friction impulse of an impact: it stops the sliding that is left after the normal impulses,
+ * or is at Coulomb's bound of them. */
 TD_INLINE f8 impact_friction(const td_solve_context *c, td_block *block, int points, const sides *v,
                              const f8 *normal) {
-    f8 slide = centres_along(v, false, block->ny, -block->nx);
-    slide = at_arms(slide, v, false, block->tangent_cross_a, block->tangent_cross_b);
+    f8 slip = centres_along(v, false, block->ny, -block->nx);
+    slip = at_arms(slip, v, false, block->tangent_cross_a, block->tangent_cross_b);
     for (int k = 0; k < points; k++) {
         const td_point *p = &block->point[k];
-        slide += coupling(block, false, p->cross_a, p->cross_b, block->tangent_cross_a,
-                          block->tangent_cross_b) *
-                 normal[k];
+        slip += coupling(block, false, p->cross_a, p->cross_b, block->tangent_cross_a,
+                         block->tangent_cross_b) *
+                normal[k];
     }
     if (c->surface_speeds) {
-        slide -= td_surface_at(block, points)->speed;
+        slip -= td_surface_at(block, points)->speed;
     }
-    f8 limit =
-        td_friction_bound8(block->friction, points == 2 ? normal[0] + normal[1] : normal[0], slide);
-    return f8_clamp(-block->tangent_mass * slide, -limit, limit);
+    f8 bound =
+        td_friction_bound8(block->friction, points == 2 ? normal[0] + normal[1] : normal[0], slip);
+    return f8_clamp(-block->tangent_mass * slip, -bound, bound);
 }
 
-/* One pass divide_by_inverse blocks. Static bodies are read as slot 0, which is at rest and has an
+/* One bounce pass over blocks. Static bodies are read as slot 0, which is at rest and has an
  * inverse mass of 0. */
 TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_context *c,
                              int points) {
@@ -95,7 +99,7 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
         sides v = read_sides(c->velocity, block, fixed), g = read_sides(c->push, block, fixed);
         f8 closing = centres_along(&v, false, block->nx, block->ny);
         f8 falling = centres_along(&g, false, block->nx, block->ny);
-        f8 e = block->restitution, speed[2], wanted[2], lacks[2];
+        f8 e = block->restitution, speed[2], target[2], lacks[2];
         f8 slow = f8_pick(e < one, f8_all(c->bounce_speed), f8_all(c->elastic_speed));
         i8 bounced = surface->energy >= zero, hit[2], hits = bounced ^ bounced;
         f8 share =
@@ -104,18 +108,18 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
             const td_point *p = &block->point[k];
             speed[k] = at_point(closing, &v, false, ARMS_ALL, p);
             if (last) {
-                wanted[k] = -e * history[k].approach;
-                hit[k] = bounced & (speed[k] < wanted[k]);
+                target[k] = -e * history[k].approach;
+                hit[k] = bounced & (speed[k] < target[k]);
             } else {
                 /* A substep adds gravity to velocities before it moves bodies, so that velocities
                  * are half a substep of gravity behind the parabola. Without this term an impact
                  * loses that much speed. */
                 f8 behind = half * at_point(falling, &g, false, ARMS_ALL, p);
-                wanted[k] = -share * (speed[k] + behind) - behind;
+                target[k] = -share * (speed[k] + behind) - behind;
                 hit[k] = (speed[k] < slow) & (e > zero) &
                          (p->base + speed[k] * f8_all(c->time_step) < f8_all(c->fall));
             }
-            lacks[k] = speed[k] - wanted[k];
+            lacks[k] = speed[k] - target[k];
             hits |= hit[k];
         }
         if (!last && i8_bits(bounced | hits)) {
@@ -128,9 +132,11 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
         impulses change = {{zero, zero}, zero};
         solve_impacts(block, &v, points, hit, lacks, change.normal);
         if (last) {
-            f8 gain = change.normal[0] * (speed[0] + wanted[0]), substeps = f8_all(c->substeps);
+            /* An impulse p that changes the speed from u to u' adds p (u + u') to twice the energy.
+             */
+            f8 gain = change.normal[0] * (speed[0] + target[0]), substeps = f8_all(c->substeps);
             if (points == 2) {
-                gain += change.normal[1] * (speed[1] + wanted[1]);
+                gain += change.normal[1] * (speed[1] + target[1]);
             }
             sides before = {without_forces(v.a, g.a, substeps), without_forces(v.b, g.b, substeps)};
             f8 room = f8_max(surface->energy - energy_of(block, &before), zero);
@@ -145,7 +151,7 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
             change.tangent = impact_friction(c, block, points, &v, change.normal);
             surface->total += change.tangent;
         }
-        push(c, block, points, ARMS_ALL, fixed, true, v, change);
+        apply_impulses(c, block, points, ARMS_ALL, fixed, true, v, change);
     }
     if (any) {
         atomic_store_explicit(c->bounced, true, memory_order_relaxed);

@@ -11,19 +11,19 @@ TD_INLINE d4 quanta_of(f8 length, double to_fixed) {
 TD_INLINE void tally(td_tally *to, td_block *const *blocks, int count, int points,
                      const td_tally_context *c) {
     f8 zero = f8_all(0.0f), touch = f8_all(-c->skin), limit = f8_all(-c->skin - c->overlap);
-    f8 least = touch, sum = zero;
+    f8 lowest = touch, sum = zero;
     i8 here = i8_all(0), overlaps = i8_all(0);
     for (int i = 0; i < count; i++) {
         const td_point *point = blocks[i]->point;
         for (int k = 0; k < points; k++) {
             f8 separation = f8_min(point[k].separation, touch);
-            least = f8_min(separation, least);
+            lowest = f8_min(separation, lowest);
             sum += separation;
             overlaps -= separation < limit; /* a mask counts as -1 */
             here -= point[k].normal_mass > zero;
         }
     }
-    to->least = f8_min(least - touch, to->least);
+    to->min_distance = f8_min(lowest - touch, to->min_distance);
     to->depth -= quanta_of(sum - f8_all((float)(count * points)) * touch, c->to_fixed);
     to->points += here;
     to->overlaps += overlaps;
