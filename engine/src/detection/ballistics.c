@@ -7,9 +7,9 @@
 
 /* Contacts do not bear a body to which they gave no more than this share of what gravity gives it
  * in a step. */
-#define LITTLE 0.0625
+#define FREE_SHARE_MAX 0.0625
 
-void td_ballistics_note(thud_world *w) {
+void td_ballistics_save_velocities(thud_world *w) {
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         td_trajectory *f = td_trajectory_at(w, slot);
         const float *velocity = td_row(&w->velocity, slot);
@@ -23,7 +23,7 @@ void td_ballistics_note(thud_world *w) {
 /* Whether the solver, beside gravity, gave the body no more than `share` of velocity, at its rim as
  * at its centre, and of motion. With steps of any number that is v1 = v0 + gain, and a motion from
  * dt (v1 - gain / 2), of steps without end, to dt v1, of one. */
-static bool is_free(const thud_world *w, td_awake_slot slot, double share) {
+static bool gained_only_gravity(const thud_world *w, td_awake_slot slot, double share) {
     const td_trajectory *f = td_trajectory_at(w, slot);
     const float *velocity = td_row(&w->velocity, slot), *delta = td_row(&w->delta, slot);
     const float *push = td_row(&w->push, slot);
@@ -32,17 +32,17 @@ static bool is_free(const thud_world *w, td_awake_slot slot, double share) {
     for (int k = 0; k < 3 && free; k++) {
         double v1 = (double)velocity[k], gain = n * (double)push[k];
         double rounding = 0x1p-22 * n * (td_abs(f->motion[k]) + td_abs(gain));
-        double most = rounding + (k < 2 ? share : share / (double)td_row(&w->reach, slot)[1]);
-        double off = (double)delta[k] / w->def.time_step - (v1 - 0.25 * gain);
-        free =
-            td_abs(v1 - f->motion[k] - gain) <= most && td_abs(off) <= 0.25 * td_abs(gain) + most;
+        double tolerance = rounding + (k < 2 ? share : share / (double)td_row(&w->reach, slot)[1]);
+        double deviation = (double)delta[k] / w->def.time_step - (v1 - 0.25 * gain);
+        free = td_abs(v1 - f->motion[k] - gain) <= tolerance &&
+               td_abs(deviation) <= 0.25 * td_abs(gain) + tolerance;
     }
     return free;
 }
 
 /* Sets the motion to that of the parabola that ends with the body's velocity. A body that was not
  * touched at all gets that velocity from the one before, without the roundings of the substeps. */
-static void fly(thud_world *w, td_awake_slot slot, bool touched) {
+static void set_parabola(thud_world *w, td_awake_slot slot, bool touched) {
     td_trajectory *f = td_trajectory_at(w, slot);
     double dt = w->def.time_step;
     for (int axis = 0; axis < 2; axis++) {
@@ -68,7 +68,7 @@ static bool is_joined(const thud_world *w, const td_body *body) {
     return joined;
 }
 
-void td_ballistics_fly(thud_world *w) {
+void td_ballistics_set_parabolas(thud_world *w) {
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         td_trajectory *f = td_trajectory_at(w, slot);
         const td_body *body = td_body_at(w, f->body);
@@ -81,9 +81,9 @@ void td_ballistics_fly(thud_world *w) {
         double gain = w->substeps * __builtin_sqrt(x * x + y * y);
         /* A parabola steeper than the highest speed is not flown. */
         f->free = gain <= (double)(w->def.maximum_speed * w->unit) &&
-                  is_free(w, slot, LITTLE * gain) && !is_joined(w, body);
+                  gained_only_gravity(w, slot, FREE_SHARE_MAX * gain) && !is_joined(w, body);
         if (f->free && gain > 0.0) {
-            fly(w, slot, !is_free(w, slot, 0.0));
+            set_parabola(w, slot, !gained_only_gravity(w, slot, 0.0));
         }
     }
 }

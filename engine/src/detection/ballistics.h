@@ -6,9 +6,9 @@
 #include "state/world.h"
 
 /* Notes the velocities before the solver changes them. */
-void td_ballistics_note(thud_world *w);
+void td_ballistics_save_velocities(thud_world *w);
 /* A body that gained hardly anything but gravity gets the motion of its parabola, and its
  * trajectory the fall, before the motion becomes a pose. */
-void td_ballistics_fly(thud_world *w);
+void td_ballistics_set_parabolas(thud_world *w);
 
 #endif

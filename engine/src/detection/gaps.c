@@ -11,32 +11,32 @@
 #include <string.h>
 
 TD_DECLARE_WIDE(td_project_fn, td_project_points);
-TD_DECLARE_WIDE(td_judge_fn, td_judge_points);
+TD_DECLARE_WIDE(td_find_open_fn, td_find_open_points);
 
 /* A lone contact is done after the first passes. What lacks something then is a heap, many contacts
  * deep, of which a plain pass hands a push on by one: those in between are over-relaxed. They may
  * push too far, which the last ones take back. */
-enum { FIRST_PASSES = 2, MOST_PASSES = 40, LAST_PASSES = 2 };
-#define OVER 1.8f
+enum { PLAIN_PASSES = 2, PASSES_MAX = 40, FINAL_PASSES = 2 };
+#define OVER_RELAXATION 1.8f
 
 /* All are multiples of TD_MEET. Contacts end no nearer than NEAREST, or where they began; what the
  * passes leave of that is a collision where shapes end nearer than LEAST, and nearer by
  * TD_PRESSED than they began. */
-#define NEAREST 0.8f
-#define ENOUGH 0.05f
-#define LEAST 0.05f
+#define TARGET_DISTANCE 0.8f
+#define SHORTFALL_TOLERANCE 0.05f
+#define COLLISION_DISTANCE 0.05f
 
 static td_project_context context_of(const thud_world *w) {
     float meet = TD_MEET * w->unit;
     return (td_project_context){.delta = w->delta.data,
                                 .velocity = w->velocity.data,
                                 .reach = w->reach.data,
-                                .over = 1.0f,
+                                .over_relaxation = 1.0f,
                                 .skin = w->skin,
-                                .nearest = NEAREST * meet,
-                                .enough = ENOUGH * meet,
-                                .least = LEAST * meet,
-                                .pressed = (float)TD_PRESSED * meet,
+                                .target_distance = TARGET_DISTANCE * meet,
+                                .tolerance = SHORTFALL_TOLERANCE * meet,
+                                .collision_distance = COLLISION_DISTANCE * meet,
+                                .closing_max = (float)TD_LOAD_CLOSING_MAX * meet,
                                 .margin = TD_SPECULATIVE * w->unit,
                                 .next_tied = w->scratch.next_tied.count > 0
                                                  ? w->scratch.next_tied.data
@@ -44,7 +44,7 @@ static td_project_context context_of(const thud_world *w) {
 }
 
 /* A run of contacts, or null where it is of joints. */
-static const td_run *contacts_at(const thud_world *w, int index) {
+static const td_run *contact_run_at(const thud_world *w, int index) {
     const td_run *run = TD_AT(td_run, &w->scratch.runs, index);
     return run->kind < TD_PAIR_COUNT ? run : NULL;
 }
@@ -54,16 +54,16 @@ static td_block *const *blocks_of(const thud_world *w, const td_run *run) {
 }
 
 static bool project_once(thud_world *w, const td_project_context *context) {
-    bool lacking = false;
+    bool unfinished = false;
     for (int i = 0; i < w->scratch.runs.count; i++) {
-        const td_run *run = contacts_at(w, i);
+        const td_run *run = contact_run_at(w, i);
         if (run) {
-            lacking |= TD_PICK_WIDE(w, td_project_points)(
+            unfinished |= TD_PICK_WIDE(w, td_project_points)(
                 blocks_of(w, run), (td_pushes *)w->scratch.impacts.data + run->first, run->count,
                 td_form_points(w->kinds[run->kind]->form), run->fixed, context);
         }
     }
-    return lacking;
+    return unfinished;
 }
 
 /* The pushes of a step lie where its impacts come to lie later. */
@@ -73,7 +73,7 @@ int td_gaps_room(const thud_world *w) {
 }
 
 /* What spins under a contact pushes as far as its turn would take it. */
-static void hold_motions(thud_world *w) {
+static void clamp_motions(thud_world *w) {
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         float *delta = td_row(&w->delta, slot);
         for (int k = 0; k < 3; k++) {
@@ -86,82 +86,85 @@ void td_gaps_project(thud_world *w) {
     td_project_context context = context_of(w);
     int passes = 0;
     memset(w->scratch.impacts.data, 0, (size_t)w->scratch.blocks.count * sizeof(td_pushes));
-    while (passes < MOST_PASSES && project_once(w, &context)) {
+    while (passes < PASSES_MAX && project_once(w, &context)) {
         passes++;
-        context.over = passes < FIRST_PASSES ? 1.0f : OVER;
+        context.over_relaxation = passes < PLAIN_PASSES ? 1.0f : OVER_RELAXATION;
     }
-    context.over = 1.0f;
-    for (int i = 0; i < LAST_PASSES && passes > FIRST_PASSES; i++) {
+    context.over_relaxation = 1.0f;
+    for (int i = 0; i < FINAL_PASSES && passes > PLAIN_PASSES; i++) {
         project_once(w, &context);
     }
     if (passes > 0) {
-        hold_motions(w);
+        clamp_motions(w);
     }
     w->errors.moved = passes > 0;
 }
 
-void td_gaps_judge(thud_world *w) {
+void td_gaps_find_open(thud_world *w) {
     td_project_context context = context_of(w);
     for (int i = 0; i < w->scratch.runs.count; i++) {
-        const td_run *run = contacts_at(w, i);
+        const td_run *run = contact_run_at(w, i);
         if (run) {
             bool round = run->kind == TD_PAIR_CIRCLE_CIRCLE || run->kind == TD_PAIR_AABB_AABB;
-            TD_PICK_WIDE(w, td_judge_points)
+            TD_PICK_WIDE(w, td_find_open_points)
             (blocks_of(w, run), run->count, td_form_points(w->kinds[run->kind]->form),
              !round || run->armed, &context);
         }
     }
 }
 
-bool td_gap_is_solvers(const thud_world *w, const td_constraint *contact) {
+bool td_gap_is_left_to_solver(const thud_world *w, const td_constraint *contact) {
     return td_is_tied(w, td_body_at(w, contact->body[0])->awake) ||
            td_is_tied(w, td_body_at(w, contact->body[1])->awake);
 }
 
-bool td_gap_is_judged(const thud_world *w, const td_constraint *contact) {
+bool td_gap_was_found_open(const thud_world *w, const td_constraint *contact) {
     td_lane at = td_lane_of(w, contact);
-    return td_gap_is_solvers(w, contact) || at.block->apart >> at.lane & 1;
+    return td_gap_is_left_to_solver(w, contact) || at.block->apart >> at.lane & 1;
 }
 
 /* Of one body, from the start of the step. */
-static void gone_by(const thud_world *w, td_body_index body, double time, double gone[3]) {
+static void displacement_of(const thud_world *w, td_body_index body, double time,
+                            double displacement[3]) {
     td_awake_slot slot = td_body_at(w, body)->awake;
-    gone[0] = gone[1] = gone[2] = 0.0;
+    displacement[0] = displacement[1] = displacement[2] = 0.0;
     if (slot.at > 0) {
-        td_trajectory_gone(w, td_trajectory_at(w, slot), time, gone);
+        td_trajectory_displacement(w, td_trajectory_at(w, slot), time, displacement);
     }
 }
 
 /* What the bodies of a contact do until a time, as its rows see it. */
-typedef struct relative {
+typedef struct relative_motion {
     double along; /* how far b goes from a along the normal */
     double turn_a, turn_b;
-    double bend;  /* by how much rows may be wrong: they turn with no body */
-    double sweep; /* how far turns take any point along the normal, at most */
-    double slide; /* how far b goes across the normal, with what turns add */
-} relative;
+    double row_error;  /* by how much rows may be wrong: they turn with no body */
+    double turn_reach; /* how far turns take any point along the normal, at most */
+    double slide;      /* how far b goes across the normal, with what turns add */
+} relative_motion;
 
-static relative relative_at(const thud_world *w, const td_contact *contact, const td_block *block,
-                            int lane, double time) {
+static relative_motion relative_motion_at(const thud_world *w, const td_contact *contact,
+                                          const td_block *block, int lane, double time) {
     double a[3], b[3];
-    gone_by(w, contact->body[0], time, a);
-    gone_by(w, contact->body[1], time, b);
+    displacement_of(w, contact->body[0], time, a);
+    displacement_of(w, contact->body[1], time, b);
     double x = b[0] - a[0], y = b[1] - a[1];
     double turn = td_abs(a[2]) + td_abs(b[2]);
     double max_extent = (double)(td_body_at(w, contact->body[0])->max_extent +
                                  td_body_at(w, contact->body[1])->max_extent);
-    return (relative){.along = x * (double)block->nx[lane] + y * (double)block->ny[lane],
-                      .turn_a = a[2],
-                      .turn_b = b[2],
-                      .bend = turn * (0.5 * turn * max_extent + __builtin_sqrt(x * x + y * y)),
-                      .sweep = turn * max_extent,
-                      .slide = td_abs(x * (double)block->ny[lane] - y * (double)block->nx[lane]) +
-                               turn * max_extent};
+    return (relative_motion){.along = x * (double)block->nx[lane] + y * (double)block->ny[lane],
+                             .turn_a = a[2],
+                             .turn_b = b[2],
+                             .row_error =
+                                 turn * (0.5 * turn * max_extent + __builtin_sqrt(x * x + y * y)),
+                             .turn_reach = turn * max_extent,
+                             .slide =
+                                 td_abs(x * (double)block->ny[lane] - y * (double)block->nx[lane]) +
+                                 turn * max_extent};
 }
 
 /* Two points lie where an edge goes past the ends of a face: beyond them it may be nearer, and
  * comes over the face as it slides. */
-static double slope_of(const td_block *block, int lane) {
+static double edge_slope(const td_block *block, int lane) {
     const td_point *p = block->point;
     double width = td_abs((double)p[0].cross_b[lane] - (double)p[1].cross_b[lane]);
     double rise = td_abs((double)p[0].base[lane] - (double)p[1].base[lane]);
@@ -175,16 +178,17 @@ static bool are_centred_circles(const thud_world *w, const td_contact *contact) 
            a->arm_y == 0.0f && b->arm_x == 0.0f && b->arm_y == 0.0f;
 }
 
-bool td_gap_stays(const thud_world *w, const td_contact *contact, double now) {
+bool td_gap_stays_open(const thud_world *w, const td_contact *contact, double now) {
     td_lane at = td_lane_of(w, (const td_constraint *)contact);
     const td_block *block = at.block;
     double unit = (double)(TD_MEET * w->unit), skin = (double)w->skin;
-    relative start = relative_at(w, contact, block, at.lane, now);
-    relative end = relative_at(w, contact, block, at.lane, 1.0);
-    int points = td_form_points(w->kinds[contact->kind]->form), here = 0;
-    double slack = are_centred_circles(w, contact) ? 0.0 : td_max_double(start.bend, end.bend);
-    bool stays = block->restitution[at.lane] < 1.0f;
-    slack += points == 2 ? slope_of(block, at.lane) * td_max_double(start.slide, end.slide) : 0.0;
+    relative_motion start = relative_motion_at(w, contact, block, at.lane, now);
+    relative_motion end = relative_motion_at(w, contact, block, at.lane, 1.0);
+    int points = td_form_points(w->kinds[contact->kind]->form), present = 0;
+    double slack =
+        are_centred_circles(w, contact) ? 0.0 : td_max_double(start.row_error, end.row_error);
+    bool stays_open = block->restitution[at.lane] < 1.0f;
+    slack += points == 2 ? edge_slope(block, at.lane) * td_max_double(start.slide, end.slide) : 0.0;
     for (int k = 0; k < points; k++) {
         const td_point *p = &block->point[k];
         if (p->normal_mass[at.lane] == 0.0f) {
@@ -194,15 +198,16 @@ bool td_gap_stays(const thud_world *w, const td_contact *contact, double now) {
         double base = (double)p->base[at.lane] + skin;
         double from = base + start.along + start.turn_b * cross_b - start.turn_a * cross_a;
         double to = base + end.along + end.turn_b * cross_b - end.turn_a * cross_a;
-        here++;
+        present++;
         /* Where they seem to be nearer than load presses, they have gone past each other. */
-        stays &= from >= base - TD_PRESSED * unit;
-        stays &= to - slack >= td_min_double((double)LEAST * unit, from - TD_PRESSED * unit);
+        stays_open &= from >= base - TD_LOAD_CLOSING_MAX * unit;
+        stays_open &= to - slack >= td_min_double((double)COLLISION_DISTANCE * unit,
+                                                  from - TD_LOAD_CLOSING_MAX * unit);
     }
     /* The point that is not there was further off than contacts begin. */
-    if (here < points) {
-        stays &= (double)(TD_SPECULATIVE * w->unit) + end.along - end.sweep - slack >=
-                 (double)LEAST * unit;
+    if (present < points) {
+        stays_open &= (double)(TD_SPECULATIVE * w->unit) + end.along - end.turn_reach - slack >=
+                      (double)COLLISION_DISTANCE * unit;
     }
-    return here > 0 && stays;
+    return present > 0 && stays_open;
 }

@@ -7,20 +7,20 @@
 #include "terrain/terrain.h"
 
 /* No ghost goes sooner than after this part of the rest of a step. */
-#define SHORTEST 0x1p-20
+#define GHOST_TIME_MIN 0x1p-20
 
 /* What has to go past a face to be behind it: a circle's centre, or the whole shape. */
-static thud_shape_instance heart_of(const thud_shape_instance *shape) {
-    thud_shape_instance heart = *shape;
+static thud_shape_instance face_probe(const thud_shape_instance *shape) {
+    thud_shape_instance probe = *shape;
     if (td_kind_is_round(shape->kind)) {
-        heart.hx = heart.hy = 0.0;
+        probe.hx = probe.hy = 0.0;
     }
-    return heart;
+    return probe;
 }
 
 /* When the first of those faces that are between the two is passed, in [0, 1] of the approach. */
 static double time_past_face(const td_approach *p) {
-    thud_shape_instance a = heart_of(&p->a), b = heart_of(&p->b);
+    thud_shape_instance a = face_probe(&p->a), b = face_probe(&p->b);
     double first = 2.0;
     for (int i = 0; i < 4; i++) {
         const thud_shape_instance *box = i < 2 ? &a : &b;
@@ -36,24 +36,25 @@ static double time_past_face(const td_approach *p) {
 }
 
 /* What is met at the sealed end of a line is a ghost until the shape comes over the line. */
-static bool met_at_end(const thud_world *w, const td_toi_candidate *e, const td_approach *p,
-                       double *part) {
+static bool is_end_ghost(const thud_world *w, const td_toi_candidate *e, const td_approach *p,
+                         double *part) {
     thud_closest c;
     double x, out;
     thud_terrain_closest(&p->ground, &p->a, &c);
-    if (!td_at_sealed_end(w, e->shape[0], &p->ground, &p->a, &c, &x, &out)) {
+    if (!td_is_at_sealed_end(w, e->shape[0], &p->ground, &p->a, &c, &x, &out)) {
         return false;
     }
     thud_shape_instance end = {.kind = THUD_CIRCLE, .x = x, .y = p->a.y, .c = 1.0};
-    thud_shape_instance heart = heart_of(&p->a);
-    double beyond = (heart.x - x) * out - td_projected_extent(&heart, 1.0, 0.0);
+    thud_shape_instance probe = face_probe(&p->a);
+    double beyond = (probe.x - x) * out - td_projected_extent(&probe, 1.0, 0.0);
     *part = beyond > 0.0
-                ? td_time_across(&end, &(thud_motion){0}, &heart, &p->motion_a, out, 0.0, 0.0)
+                ? td_time_across(&end, &(thud_motion){0}, &probe, &p->motion_a, out, 0.0, 0.0)
                 : 2.0;
     return true;
 }
 
-static bool met(thud_world *w, const td_toi_candidate *e, const td_approach *p, double *part) {
+static bool is_box_ghost(thud_world *w, const td_toi_candidate *e, const td_approach *p,
+                         double *part) {
     td_internal_edge_pair pair = {w, {e->shape[0], e->shape[1]}, {p->a, p->b}};
     td_internal_edge_contact contact;
     thud_closest c;
@@ -66,16 +67,16 @@ static bool met(thud_world *w, const td_toi_candidate *e, const td_approach *p, 
     return *part < 2.0 || !w->internal_edges->contact(&pair, &contact);
 }
 
-bool td_ghost_met(thud_world *w, const td_toi_candidate *e, double time, double *again) {
-    if (!td_toi_candidate_has_seams(w, e)) {
+bool td_is_ghost(thud_world *w, const td_toi_candidate *e, double time, double *again) {
+    if (!td_toi_candidate_has_internal_edges(w, e)) {
         return false;
     }
     td_approach p;
     double part;
-    td_toi_candidate_ways(w, e, time, 1.0, &p);
-    if (!(p.on_ground ? met_at_end(w, e, &p, &part) : met(w, e, &p, &part))) {
+    td_toi_candidate_motions(w, e, time, 1.0, &p);
+    if (!(p.on_ground ? is_end_ghost(w, e, &p, &part) : is_box_ghost(w, e, &p, &part))) {
         return false;
     }
-    *again = time + (1.0 - time) * td_max_double(part, SHORTEST);
+    *again = time + (1.0 - time) * td_max_double(part, GHOST_TIME_MIN);
     return true;
 }

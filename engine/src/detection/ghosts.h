@@ -6,6 +6,6 @@
 #include "detection/trajectory.h"
 
 /* Whether what the two meet at a time is a ghost; it is one until *again at least. */
-bool td_ghost_met(thud_world *w, const td_toi_candidate *e, double time, double *again);
+bool td_is_ghost(thud_world *w, const td_toi_candidate *e, double time, double *again);
 
 #endif

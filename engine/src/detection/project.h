@@ -16,15 +16,15 @@ typedef struct td_pushes {
 } td_pushes;
 
 typedef struct td_project_context {
-    float (*delta)[4];       /* by awake slot: motion of the step */
-    float (*velocity)[4];    /* by awake slot: the fourth is the inverse mass */
-    const float (*reach)[2]; /* by awake slot: the second is how far a body reaches */
-    float over;              /* over-relaxation: 1 is none */
-    float skin;              /* separations are measured from here */
-    float nearest;           /* no point is to end nearer ... */
-    float enough;            /* ... but by so much */
-    float least;             /* nearer is a collision, if the point came nearer by `pressed` */
-    float pressed;
+    float (*delta)[4];        /* by awake slot: motion of the step */
+    float (*velocity)[4];     /* by awake slot: the fourth is the inverse mass */
+    const float (*reach)[2];  /* by awake slot: the second is how far a body reaches */
+    float over_relaxation;    /* over-relaxation: 1 is none */
+    float skin;               /* separations are measured from here */
+    float target_distance;    /* no point is to end nearer ... */
+    float tolerance;          /* ... but by so much */
+    float collision_distance; /* nearer is a collision, if the point came nearer by `pressed` */
+    float closing_max;
     const int32_t *next_tied; /* by awake slot, where joints tie bodies: the next one; else null */
     float margin;             /* contacts begin here: points that are not there are further apart */
 } td_project_context;
@@ -36,7 +36,7 @@ typedef bool td_project_fn(td_block *const *blocks, td_pushes *pushes, int count
 
 /* Sets td_block.apart. Where no pair `turns`, the rows say all; or else turns take points off the
  * line that the rows take them for. */
-typedef void td_judge_fn(td_block *const *blocks, int count, int points, bool turns,
-                         const td_project_context *context);
+typedef void td_find_open_fn(td_block *const *blocks, int count, int points, bool turns,
+                             const td_project_context *context);
 
 #endif

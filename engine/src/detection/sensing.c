@@ -30,55 +30,59 @@ static const td_leg *leg_at(const thud_world *w, td_awake_slot slot, double time
     return i == TD_NONE ? NULL : TD_AT(td_leg, &w->scratch.legs, i);
 }
 
-static td_trajectory way_at(const thud_world *w, td_body_index body, double time) {
+static td_trajectory trajectory_at(const thud_world *w, td_body_index body, double time) {
     td_awake_slot slot = td_body_at(w, body)->awake;
     const td_leg *leg = leg_at(w, slot, time);
     const td_pose *pose = td_pose_at(w, body);
-    td_trajectory way = {.place = pose->center, .angle = pose->angle, .body = body};
+    td_trajectory trajectory = {.place = pose->center, .angle = pose->angle, .body = body};
     if (leg) {
-        way = leg->way;
+        trajectory = leg->trajectory;
     } else if (slot.at > 0 && first_leg(w, slot) == TD_NONE) {
         const float *delta = td_row(&w->delta, slot);
-        way.place.x -= td_length_from(w, delta[0]);
-        way.place.y -= td_length_from(w, delta[1]);
-        way.angle -= td_angle_between(delta[2]);
+        trajectory.place.x -= td_length_from(w, delta[0]);
+        trajectory.place.y -= td_length_from(w, delta[1]);
+        trajectory.angle -= td_angle_between(delta[2]);
         for (int k = 0; k < 3; k++) {
-            way.motion[k] = (double)delta[k];
+            trajectory.motion[k] = (double)delta[k];
         }
     }
-    return way;
+    return trajectory;
 }
 
 /* Until when a body that is there at `time` keeps its leg. */
-static double leg_end(const thud_world *w, td_body_index body, double time) {
+static double leg_end_at(const thud_world *w, td_body_index body, double time) {
     const td_leg *leg = leg_at(w, td_body_at(w, body)->awake, time);
     return leg ? leg->end : 1.0;
 }
 
 /* A shape on a piece of its way that has no turn; backward in time where `to` is before `from`. */
-typedef struct piece {
+typedef struct moving_shape {
     thud_shape_instance at;
     thud_motion motion;
-} piece;
+} moving_shape;
 
-static piece piece_of(const thud_world *w, int shape, double from, double to, td_position origin) {
-    td_trajectory way = way_at(w, td_shape_at(w, shape)->body, td_min_double(from, to));
-    thud_shape_instance at = td_trajectory_shape(w, &way, shape, from, origin);
-    thud_shape_instance end = td_trajectory_shape(w, &way, shape, to, origin);
+static moving_shape moving_shape_of(const thud_world *w, int shape, double from, double to,
+                                    td_position origin) {
+    td_trajectory trajectory =
+        trajectory_at(w, td_shape_at(w, shape)->body, td_min_double(from, to));
+    thud_shape_instance at = td_trajectory_shape(w, &trajectory, shape, from, origin);
+    thud_shape_instance end = td_trajectory_shape(w, &trajectory, shape, to, origin);
     bool turns = td_kind_turns(at.kind);
-    return (piece){at, {end.x - at.x, end.y - at.y, turns ? way.motion[2] * (to - from) : 0.0}};
+    return (moving_shape){at,
+                          {end.x - at.x, end.y - at.y,
+                           turns ? trajectory.motion[2] * (to - from) : 0.0}};
 }
 
 /* Two shapes, the first of which may be a line, and then nothing moves it. */
-typedef struct couple {
+typedef struct shape_pair {
     int a, b;
     bool line;
     td_position origin;
-} couple;
+} shape_pair;
 
-static couple couple_of(const thud_world *w, int a, int b) {
+static shape_pair shape_pair_of(const thud_world *w, int a, int b) {
     bool second = td_kind_is_line(td_shape_at(w, b)->kind);
-    couple c = {.a = second ? b : a, .b = second ? a : b};
+    shape_pair c = {.a = second ? b : a, .b = second ? a : b};
     c.line = td_kind_is_line(td_shape_at(w, c.a)->kind);
     c.origin = td_shape_proxy_at(w, c.a)->center;
     return c;
@@ -86,30 +90,31 @@ static couple couple_of(const thud_world *w, int a, int b) {
 
 /* Whether the two meet on their ways from one time to another, which have no turn; *time is the
  * part of the way there, in [0, 1]. */
-static bool meet(const thud_world *w, const couple *c, double from, double to, double *time) {
+static bool first_overlap(const thud_world *w, const shape_pair *c, double from, double to,
+                          double *time) {
     bool hit = false;
-    piece b = piece_of(w, c->b, from, to, c->origin);
+    moving_shape b = moving_shape_of(w, c->b, from, to, c->origin);
     if (c->line) {
         w->ground->time_of_impact(w, c->a, &b.at, b.motion, &hit, time);
     } else {
-        piece a = piece_of(w, c->a, from, to, c->origin);
+        moving_shape a = moving_shape_of(w, c->a, from, to, c->origin);
         thud_shapes_time_of_impact(&a.at, a.motion, &b.at, b.motion, 0.0, &hit, time);
     }
     return hit;
 }
 
 /* Whether the two overlap within the step: from when on, and when they last do. */
-static bool overlap_on_way(const thud_world *w, int shape_a, int shape_b, double *from,
-                           double *until) {
-    couple c = couple_of(w, shape_a, shape_b);
+static bool overlap_on_path(const thud_world *w, int shape_a, int shape_b, double *from,
+                            double *until) {
+    shape_pair c = shape_pair_of(w, shape_a, shape_b);
     td_body_index body_a = td_shape_at(w, c.a)->body, body_b = td_shape_at(w, c.b)->body;
     bool met = false;
     for (double now = 0.0, next; now < 1.0; now = next) {
-        next = td_min_double(leg_end(w, body_a, now), leg_end(w, body_b, now));
+        next = td_min_double(leg_end_at(w, body_a, now), leg_end_at(w, body_b, now));
         double part = 0.0, rest = 0.0;
-        if (meet(w, &c, now, next, &part)) {
+        if (first_overlap(w, &c, now, next, &part)) {
             double first = now + part * (next - now);
-            bool parts = meet(w, &c, next, now, &rest);
+            bool parts = first_overlap(w, &c, next, now, &rest);
             *from = met ? *from : first;
             *until = parts ? next - rest * (next - now) : first;
             met = true;
@@ -119,7 +124,7 @@ static bool overlap_on_way(const thud_world *w, int shape_a, int shape_b, double
 }
 
 /* Continuous detection looks at static sensors alone. */
-static bool is_looked_at(const thud_world *w, int a, int b) {
+static bool is_detected(const thud_world *w, int a, int b) {
     const td_shape *shapes[2] = {td_shape_at(w, a), td_shape_at(w, b)};
     const thud_detection *detection = td_detection_of(w, shapes[0]->body, shapes[1]->body);
     bool fixed = false;
@@ -130,10 +135,10 @@ static bool is_looked_at(const thud_world *w, int a, int b) {
     return detection->meet || (detection->rank == TD_RANK_CONTINUOUS && fixed);
 }
 
-float td_sensing_when(const thud_world *w, int a, int b, bool begins) {
+float td_sensing_time(const thud_world *w, int a, int b, bool begins) {
     double from = 1.0, until = 1.0;
-    if (is_looked_at(w, a, b)) {
-        overlap_on_way(w, a, b, &from, &until);
+    if (is_detected(w, a, b)) {
+        overlap_on_path(w, a, b, &from, &until);
     }
     return (float)(begins ? from : until);
 }
@@ -141,7 +146,7 @@ float td_sensing_when(const thud_world *w, int a, int b, bool begins) {
 /* ---- what was passed ---- */
 
 /* Those that were open as the step began end by themselves. */
-static bool is_open(const thud_world *w, int a, int b) {
+static bool was_open(const thud_world *w, int a, int b) {
     int e = td_body_at(w, td_shape_at(w, b)->body)->first_constraint;
     bool open = false;
     for (; e != TD_NONE && !open; e = td_next_edge(w, e)) {
@@ -152,56 +157,56 @@ static bool is_open(const thud_world *w, int a, int b) {
     return open;
 }
 
-static bool senses(const thud_world *w, int a, int b) {
+static bool has_sensor(const thud_world *w, int a, int b) {
     return (td_shape_at(w, a)->flags | td_shape_at(w, b)->flags) & TD_SHAPE_SENSOR;
 }
 
-void td_sensing_look(thud_world *w, int a, int b) {
+void td_sensing_test_pair(thud_world *w, int a, int b) {
     double from, until;
-    if (senses(w, a, b) && td_pair_allowed(w, a, b) && !td_pair_is_silent(w, a, b) &&
-        is_looked_at(w, a, b) && overlap_on_way(w, a, b, &from, &until) &&
-        !td_sensor_overlaps(w, a, b) && !is_open(w, a, b)) {
+    if (has_sensor(w, a, b) && td_pair_allowed(w, a, b) && !td_pair_is_silent(w, a, b) &&
+        is_detected(w, a, b) && overlap_on_path(w, a, b, &from, &until) &&
+        !td_sensor_overlaps(w, a, b) && !was_open(w, a, b)) {
         bool second = !(td_shape_at(w, a)->flags & TD_SHAPE_SENSOR);
         td_sensor_passed(w, second ? b : a, second ? a : b, (float)from, (float)until);
     }
 }
 
-bool td_sensing_straight(const thud_world *w, td_awake_slot slot) {
+bool td_sensing_is_straight(const thud_world *w, td_awake_slot slot) {
     return first_leg(w, slot) == TD_NONE;
 }
 
-bool td_sensing_quick(const thud_world *w, td_awake_slot slot) {
+bool td_sensing_is_fast(const thud_world *w, td_awake_slot slot) {
     const float *delta = td_row(&w->delta, slot), *reach = td_row(&w->reach, slot);
-    return !td_sensing_straight(w, slot) ||
+    return !td_sensing_is_straight(w, slot) ||
            delta[0] * delta[0] + delta[1] * delta[1] > 0.25f * reach[0] * reach[0];
 }
 
 /* How far, along either axis, any of its shapes is on its way from where it ends. */
-static double reach_of_way(const thud_world *w, td_awake_slot slot) {
+static double path_reach(const thud_world *w, td_awake_slot slot) {
     td_body_index body = td_body_of(w, slot);
     td_position end = td_pose_at(w, body)->center;
-    double most = 0.0;
-    for (double now = 0.0; now < 1.0; now = leg_end(w, body, now)) {
-        td_position place = way_at(w, body, now).place;
-        most = td_max_double(most, td_abs((double)(place.x - end.x)));
-        most = td_max_double(most, td_abs((double)(place.y - end.y)));
+    double distance_max = 0.0;
+    for (double now = 0.0; now < 1.0; now = leg_end_at(w, body, now)) {
+        td_position place = trajectory_at(w, body, now).place;
+        distance_max = td_max_double(distance_max, td_abs((double)(place.x - end.x)));
+        distance_max = td_max_double(distance_max, td_abs((double)(place.y - end.y)));
     }
-    return most / w->to_fixed + (double)td_row(&w->reach, slot)[1];
+    return distance_max / w->to_fixed + (double)td_row(&w->reach, slot)[1];
 }
 
 /* The set of what rests is the broadphase's: the narrowphase may have woken some of it since, which
  * sensing_awake.c looks at. */
-static void look_at_resting(thud_world *w, int shape, int other) {
+static void test_resting(thud_world *w, int shape, int other) {
     if (td_body_at(w, td_shape_at(w, other)->body)->awake.at <= 0) {
-        td_sensing_look(w, shape, other);
+        td_sensing_test_pair(w, shape, other);
     }
 }
 
 /* Against what rests, in the order of shapes, so that it is the same with each broadphase. */
-static void among_resting(thud_world *w, td_awake_slot slot) {
+static void test_all_resting(thud_world *w, td_awake_slot slot) {
     td_body_index index = td_body_of(w, slot);
     const td_array *found = &w->rest_shapes.ids;
-    double reach = reach_of_way(w, slot);
+    double reach = path_reach(w, slot);
     if (reach < 0x1p14 * (double)w->unit) { /* bounds that are wider wrap around */
         td_position end = td_pose_at(w, index)->center;
         int32_t half = (int32_t)(reach * w->to_coarse) + 3;
@@ -216,12 +221,12 @@ static void among_resting(thud_world *w, td_awake_slot slot) {
     }
     for (int a = td_body_at(w, index)->first_shape; a != TD_NONE; a = td_shape_at(w, a)->next) {
         for (int i = 0; i < found->count; i++) {
-            look_at_resting(w, a, td_int_at(found, i));
+            test_resting(w, a, td_int_at(found, i));
         }
         for (int t = 0; t < w->terrains.count; t++) {
             int line = td_terrain_record_at(w, t)->shape;
             if (line != TD_NONE) {
-                td_sensing_look(w, a, line);
+                td_sensing_test_pair(w, a, line);
             }
         }
     }
@@ -237,8 +242,9 @@ static void link_legs(thud_world *w) {
     }
     for (int i = w->scratch.legs.count - 1; i >= 0; i--) {
         td_leg *leg = TD_AT(td_leg, &w->scratch.legs, i);
-        int slot = td_body_at(w, leg->way.body)->awake.at, next = td_int_at(first, slot);
-        if (next == TD_NONE || TD_AT(td_leg, &w->scratch.legs, next)->way.since > leg->way.since) {
+        int slot = td_body_at(w, leg->trajectory.body)->awake.at, next = td_int_at(first, slot);
+        if (next == TD_NONE ||
+            TD_AT(td_leg, &w->scratch.legs, next)->trajectory.since > leg->trajectory.since) {
             leg->next = next;
             td_int_set(first, slot, i);
         }
@@ -253,17 +259,18 @@ bool td_sensing_reserve(thud_world *w) {
                             3 * w->rest_shapes.ids.count + 4 * TD_LANES);
 }
 
-void td_sensing_pass(thud_world *w) {
-    void (*among_awake)(thud_world *, td_awake_slot) = td_sensing_of(w)->among_awake;
+void td_sensing_find_passed(thud_world *w) {
+    void (*test_awake)(thud_world *, td_awake_slot) = td_sensing_of(w)->test_awake;
     link_legs(w);
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
-        if (td_sensing_quick(w, slot)) {
-            among_resting(w, slot);
-            if (among_awake) {
-                among_awake(w, slot);
+        if (td_sensing_is_fast(w, slot)) {
+            test_all_resting(w, slot);
+            if (test_awake) {
+                test_awake(w, slot);
             }
         }
     }
 }
 
-const td_sensing td_sensing_at_rest = {td_sensing_reserve, td_sensing_pass, td_sensing_when, NULL};
+const td_sensing td_sensing_at_rest = {td_sensing_reserve, td_sensing_find_passed, td_sensing_time,
+                                       NULL};

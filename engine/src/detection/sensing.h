@@ -13,7 +13,7 @@ typedef struct td_sensing {
      * of the pair does not look at its ways. */
     float (*when)(const thud_world *w, int shape_a, int shape_b, bool begins);
     /* What a quick body passed of all that is awake; null: it looks at what rests alone. */
-    void (*among_awake)(thud_world *w, td_awake_slot slot);
+    void (*test_awake)(thud_world *w, td_awake_slot slot);
 } td_sensing;
 
 /* For detections that look at static sensors alone, and for those that look at all. */
@@ -21,14 +21,14 @@ extern const td_sensing td_sensing_at_rest, td_sensing_on_ways;
 
 /* sensing.c */
 bool td_sensing_reserve(thud_world *w);
-void td_sensing_pass(thud_world *w);
-float td_sensing_when(const thud_world *w, int shape_a, int shape_b, bool begins);
+void td_sensing_find_passed(thud_world *w);
+float td_sensing_time(const thud_world *w, int shape_a, int shape_b, bool begins);
 /* Tells of two shapes if one is a sensor, and they overlapped on their ways alone. */
-void td_sensing_look(thud_world *w, int shape_a, int shape_b);
+void td_sensing_test_pair(thud_world *w, int shape_a, int shape_b);
 /* Whether the body's way has no turn in this step. */
-bool td_sensing_straight(const thud_world *w, td_awake_slot slot);
+bool td_sensing_is_straight(const thud_world *w, td_awake_slot slot);
 /* Whether it moved further than half its smallest half extent, or met something on its way. */
-bool td_sensing_quick(const thud_world *w, td_awake_slot slot);
+bool td_sensing_is_fast(const thud_world *w, td_awake_slot slot);
 
 /* That of the highest detection, which looks at the most; null where none of the world brings it.
  */

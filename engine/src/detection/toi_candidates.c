@@ -71,7 +71,7 @@ static bool overlap(const td_far_bounds *a, const td_far_bounds *b) {
            b->min_y <= a->max_y;
 }
 
-static bool contain(const td_far_bounds *outer, const td_far_bounds *inner) {
+static bool contains(const td_far_bounds *outer, const td_far_bounds *inner) {
     return outer->min_x <= inner->min_x && inner->max_x <= outer->max_x &&
            outer->min_y <= inner->min_y && inner->max_y <= outer->max_y;
 }
@@ -90,7 +90,7 @@ static td_bounds wrap(const td_far_bounds *b) {
 }
 
 /* A half extent in bounds quanta, never too small. */
-static double reach_of(const thud_world *w, double length) {
+static double half_extent_quanta(const thud_world *w, double length) {
     return (double)(int64_t)td_min_double(length * w->to_coarse, 0x1p60) + 2.0;
 }
 
@@ -99,8 +99,8 @@ static void widen(const thud_world *w, const thud_shape_instance *p, td_position
                   double slack, td_far_bounds *b) {
     double x = (double)((origin.x + td_round64(p->x * w->to_fixed)) >> TD_COARSE_SHIFT);
     double y = (double)((origin.y + td_round64(p->y * w->to_fixed)) >> TD_COARSE_SHIFT);
-    double half_x = reach_of(w, td_half_along(p, 1.0, 0.0) + slack);
-    double half_y = reach_of(w, td_half_along(p, 0.0, 1.0) + slack);
+    double half_x = half_extent_quanta(w, td_half_along(p, 1.0, 0.0) + slack);
+    double half_y = half_extent_quanta(w, td_half_along(p, 0.0, 1.0) + slack);
     b->min_x = td_min_double(b->min_x, x - half_x);
     b->min_y = td_min_double(b->min_y, y - half_y);
     b->max_x = td_max_double(b->max_x, x + half_x + 1.0);
@@ -113,9 +113,9 @@ static td_far_bounds bounds_ahead(const thud_world *w, const td_trajectory *f, i
     thud_shape_instance now = td_trajectory_shape(w, f, index, f->since, f->place);
     thud_shape_instance end = td_trajectory_shape(w, f, index, 1.0, f->place);
     double turn = 0.5 * td_abs(f->motion[2]) * (1.0 - f->since);
-    double slack = (td_reach(&now) + td_abs(now.x) + td_abs(now.y)) * turn +
-                   (double)(TD_MEET * w->unit) +
-                   td_trajectories_bend(&(td_trajectory){.body = {TD_NONE}}, f, 1.0 - f->since);
+    double slack =
+        (td_reach(&now) + td_abs(now.x) + td_abs(now.y)) * turn + (double)(TD_MEET * w->unit) +
+        td_trajectories_chord_error(&(td_trajectory){.body = {TD_NONE}}, f, 1.0 - f->since);
     double huge = (double)__builtin_inf();
     td_far_bounds b = {huge, huge, -huge, -huge};
     widen(w, &now, f->place, slack, &b);
@@ -124,12 +124,13 @@ static td_far_bounds bounds_ahead(const thud_world *w, const td_trajectory *f, i
 }
 
 /* Appends to scratch.hits, which have room for all, whatever may be on that way. */
-static bool find(thud_world *w, const td_proxy_set *set, const td_far_bounds *ahead,
-                 td_position near_place) {
+static bool append_overlapping(thud_world *w, const td_proxy_set *set, const td_far_bounds *ahead,
+                               td_position near_place) {
     td_array *hits = &w->scratch.hits;
     if (fits(ahead)) {
         td_bounds bounds = wrap(ahead);
-        return w->def.broadphase->find[w->wide](set, &w->memory, &bounds, near_place, hits);
+        return w->def.broadphase->append_overlapping[w->wide](set, &w->memory, &bounds, near_place,
+                                                              hits);
     }
     for (int i = 0; i < set->ids.count; i++) {
         td_push_int(hits, td_int_at(&set->ids, i));
@@ -140,7 +141,7 @@ static bool find(thud_world *w, const td_proxy_set *set, const td_far_bounds *ah
 /* ---- candidates ---- */
 
 /* Whether a detection sees to it that the two do not pass each other. */
-static bool is_looked_at(const thud_world *w, int shape, int other) {
+static bool is_detected(const thud_world *w, int shape, int other) {
     const td_shape *a = td_shape_at(w, shape), *b = td_shape_at(w, other);
     return !((a->flags | b->flags) & TD_SHAPE_HOLLOW) && td_pair_allowed(w, shape, other) &&
            td_detection_of(w, a->body, b->body)->meet;
@@ -155,7 +156,7 @@ static bool add_found(thud_world *w, const td_stray *s) {
         int other = td_int_at(hits, i);
         td_far_bounds there = bounds_at_start(w, other);
         if (!overlap(&s->start, &there) && overlap(&s->ahead, &there) &&
-            is_looked_at(w, s->shape, other) && !add_extra(w, s->shape, other)) {
+            is_detected(w, s->shape, other) && !add_extra(w, s->shape, other)) {
             return false;
         }
     }
@@ -167,8 +168,8 @@ static bool add_strays(thud_world *w, const td_stray *s) {
     const td_array *strays = &w->scratch.strays;
     for (int i = 0; i < strays->count; i++) {
         const td_stray *other = TD_AT(td_stray, strays, i);
-        if ((s->chose || other->chose) && overlap(&s->ahead, &other->ahead) &&
-            !overlap(&s->start, &other->start) && is_looked_at(w, s->shape, other->shape) &&
+        if ((s->detects || other->detects) && overlap(&s->ahead, &other->ahead) &&
+            !overlap(&s->start, &other->start) && is_detected(w, s->shape, other->shape) &&
             !add_extra(w, s->shape, other->shape)) {
             return false;
         }
@@ -194,17 +195,17 @@ static bool note_stray(thud_world *w, td_trajectory *f, const td_stray *s) {
     return true;
 }
 
-bool td_toi_candidates_around(thud_world *w, td_trajectory *f) {
+bool td_toi_candidates_find(thud_world *w, td_trajectory *f) {
     const td_body *body = td_body_at(w, f->body);
-    bool chose = body->kind == THUD_DYNAMIC && body->detection->meet;
+    bool detects = body->kind == THUD_DYNAMIC && body->detection->meet;
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
-        td_stray s = {bounds_at_start(w, i), bounds_ahead(w, f, i), i, f->strays, chose};
-        if (contain(&s.start, &s.ahead) || (td_shape_at(w, i)->flags & TD_SHAPE_HOLLOW)) {
+        td_stray s = {bounds_at_start(w, i), bounds_ahead(w, f, i), i, f->strays, detects};
+        if (contains(&s.start, &s.ahead) || (td_shape_at(w, i)->flags & TD_SHAPE_HOLLOW)) {
             continue;
         }
         w->scratch.hits.count = 0;
-        if (!find(w, &w->awake_shapes, &s.ahead, f->place) ||
-            !find(w, &w->rest_shapes, &s.ahead, f->place) || !add_found(w, &s) ||
+        if (!append_overlapping(w, &w->awake_shapes, &s.ahead, f->place) ||
+            !append_overlapping(w, &w->rest_shapes, &s.ahead, f->place) || !add_found(w, &s) ||
             !add_strays(w, &s) || !note_stray(w, f, &s)) {
             return false;
         }
@@ -212,7 +213,7 @@ bool td_toi_candidates_around(thud_world *w, td_trajectory *f) {
     return true;
 }
 
-bool td_toi_candidates_on_ground(thud_world *w, const td_trajectory *f) {
+bool td_toi_candidates_find_terrain(thud_world *w, const td_trajectory *f) {
     for (int t = 0; t < w->terrains.count; t++) {
         const td_terrain_record *record = td_terrain_record_at(w, t);
         int i = record->shape == TD_NONE ? TD_NONE : td_body_at(w, f->body)->first_shape;
@@ -232,7 +233,7 @@ bool td_toi_candidates_on_ground(thud_world *w, const td_trajectory *f) {
 }
 
 /* A turn may take corners out of the bounds of both ends. */
-bool td_trajectory_is_unexpected(const thud_world *w, const td_trajectory *f) {
+bool td_trajectory_leaves_bounds(const thud_world *w, const td_trajectory *f) {
     const td_body *body = td_body_at(w, f->body);
     double out = 0.125 * (double)body->max_extent * f->motion[2] * f->motion[2];
     int i = body->first_shape;

@@ -10,12 +10,12 @@
 
 /* Both are multiples of TD_MEET. Shapes nearer than TOUCHING touch. Motion into each other by less
  * than NOTHING is none. */
-#define TOUCHING 0.01
-#define NOTHING 0.01
+#define TOUCHING_DISTANCE 0.01
+#define CLOSING_MIN 0.01
 
-enum { MOST_GHOSTS = 16 }; /* of a pair, that it may meet on its way */
+enum { GHOSTS_MAX = 16 }; /* of a pair, that it may meet on its way */
 
-static double later(double a, double b) {
+static double max_time(double a, double b) {
     return a > b ? a : b;
 }
 
@@ -27,26 +27,27 @@ static bool is_tied(const thud_world *w, const td_toi_candidate *e) {
 }
 
 /* Shapes that touch meet at once if they go on into each other. */
-static bool presses(thud_world *w, const td_toi_candidate *e, double now) {
+static bool closes(thud_world *w, const td_toi_candidate *e, double now) {
     td_impact_point at;
-    return td_impact_point_of(w, e, now, &at) && at.closing > NOTHING * (double)(TD_MEET * w->unit);
+    return td_impact_point_of(w, e, now, &at) &&
+           at.closing_distance > CLOSING_MIN * (double)(TD_MEET * w->unit);
 }
 
-static bool gives_way(const thud_world *w, td_body_index body) {
+static bool can_stop(const thud_world *w, td_body_index body) {
     const td_body *b = td_body_at(w, body);
     return b->kind == THUD_DYNAMIC && b->awake.at > 0 && !td_trajectory_at(w, b->awake)->held;
 }
 
 /* Whether the body had a collision in this step. */
-static bool has_met(const thud_world *w, td_body_index body) {
+static bool had_impact(const thud_world *w, td_body_index body) {
     const td_body *b = td_body_at(w, body);
     return b->awake.at > 0 && td_trajectory_at(w, b->awake)->impacts > 0;
 }
 
 /* When the two meet after `now`, or are to be looked at again; false where that is not in this
  * step. */
-static bool meets_after(thud_world *w, const td_toi_candidate *e, const thud_detection *detection,
-                        double now, bool *hit, double *time) {
+static bool next_check(thud_world *w, const td_toi_candidate *e, const thud_detection *detection,
+                       double now, bool *hit, double *time) {
     td_approach approach;
     double unit = (double)(TD_MEET * w->unit);
     *hit = false;
@@ -55,25 +56,25 @@ static bool meets_after(thud_world *w, const td_toi_candidate *e, const thud_det
     }
     /* Where an arc may swing further than they are apart, only as much of it as is nearly straight.
      */
-    double until = 1.0, apart = later(approach.distance, TOUCHING * unit);
-    if (approach.swing > 0.5 * apart) {
-        until = now + (1.0 - now) * __builtin_sqrt(0.5 * apart / approach.swing);
+    double until = 1.0, apart = max_time(approach.distance, TOUCHING_DISTANCE * unit);
+    if (approach.path_error > 0.5 * apart) {
+        until = now + (1.0 - now) * __builtin_sqrt(0.5 * apart / approach.path_error);
         if (!td_toi_candidate_approach(w, e, now, until, &approach)) {
             *time = until;
             return true;
         }
     }
     approach.tolerance = 0.1 * approach.target;
-    if (approach.target <= TOUCHING * unit) {
+    if (approach.target <= TOUCHING_DISTANCE * unit) {
         if (approach.on_ground) {
-            *hit = !is_tied(w, e) && presses(w, e, now);
+            *hit = !is_tied(w, e) && closes(w, e, now);
             *time = *hit ? now : until;
             return *hit || until < 1.0;
         }
         bool pressed =
-            approach.distance <= 0.0 && !has_met(w, e->body[0]) && !has_met(w, e->body[1]);
-        approach.target = approach.distance - (pressed ? TD_PRESSED : NOTHING) * unit;
-        approach.tolerance = 0.1 * NOTHING * unit;
+            approach.distance <= 0.0 && !had_impact(w, e->body[0]) && !had_impact(w, e->body[1]);
+        approach.target = approach.distance - (pressed ? TD_LOAD_CLOSING_MAX : CLOSING_MIN) * unit;
+        approach.tolerance = 0.1 * CLOSING_MIN * unit;
     }
     double part;
     w->stats.motion_exact++;
@@ -83,16 +84,16 @@ static bool meets_after(thud_world *w, const td_toi_candidate *e, const thud_det
 }
 
 /* When the two meet, if they do. */
-static bool meets(thud_world *w, const td_toi_candidate *e, double *time) {
+static bool meeting_time(thud_world *w, const td_toi_candidate *e, double *time) {
     const thud_detection *detection = td_detection_of(w, e->body[0], e->body[1]);
     double now =
-        later(td_trajectory_of(w, e->body[0]).since, td_trajectory_of(w, e->body[1]).since);
-    bool fixed = !gives_way(w, e->body[0]) && !gives_way(w, e->body[1]), hit = true;
+        max_time(td_trajectory_of(w, e->body[0]).since, td_trajectory_of(w, e->body[1]).since);
+    bool fixed = !can_stop(w, e->body[0]) && !can_stop(w, e->body[1]), hit = true;
     if (e->vetoed || !detection->meet || fixed) {
         return false;
     }
-    for (int i = 0; i < MOST_GHOSTS && meets_after(w, e, detection, now, &hit, time); i++) {
-        if (!hit || !td_ghost_met(w, e, *time, &now)) {
+    for (int i = 0; i < GHOSTS_MAX && next_check(w, e, detection, now, &hit, time); i++) {
+        if (!hit || !td_is_ghost(w, e, *time, &now)) {
             return true;
         }
     }
@@ -100,47 +101,47 @@ static bool meets(thud_world *w, const td_toi_candidate *e, double *time) {
 }
 
 /* Whether it is a contact that load may press, but no motion closes. */
-static bool stays_apart(const thud_world *w, int number) {
+static bool contact_stays_open(const thud_world *w, int number) {
     if (number >= w->constraints.count || td_contact_at(w, number)->state != TD_TOUCHING) {
         return false;
     }
     const td_contact *contact = td_contact_at(w, number);
-    if (td_gap_is_solvers(w, contact)) {
+    if (td_gap_is_left_to_solver(w, contact)) {
         return true;
     }
-    double now = later(td_trajectory_of(w, contact->body[0]).since,
-                       td_trajectory_of(w, contact->body[1]).since);
-    return td_gap_stays(w, contact, now);
+    double now = max_time(td_trajectory_of(w, contact->body[0]).since,
+                          td_trajectory_of(w, contact->body[1]).since);
+    return td_gap_stays_open(w, contact, now);
 }
 
 /* Puts down when the two meet. */
 void td_toi_queue_set(thud_world *w, int number) {
     td_toi_candidate e = td_toi_candidate_at(w, number);
     double time;
-    if (!stays_apart(w, number) && meets(w, &e, &time)) {
+    if (!contact_stays_open(w, number) && meeting_time(w, &e, &time)) {
         td_event_queue_set(&w->scratch.queue, number, time);
     } else {
         td_event_queue_strike(&w->scratch.queue, number);
     }
 }
 
-void td_toi_queue_begin(thud_world *w, int number) {
+void td_toi_queue_set_first(thud_world *w, int number) {
     td_toi_candidate e = td_toi_candidate_at(w, number);
     double time;
-    if (!td_toi_candidate_is_far(w, &e) && meets(w, &e, &time)) {
+    if (!td_toi_candidate_is_far(w, &e) && meeting_time(w, &e, &time)) {
         td_event_queue_set(&w->scratch.queue, number, time);
     }
 }
 
 /* Whether a contact is one of those that are looked at here. */
-bool td_toi_queue_has(const thud_world *w, int contact) {
+bool td_toi_queue_accepts(const thud_world *w, int contact) {
     const td_constraint *c = td_constraint_at(w, contact);
     return c->kind < TD_PAIR_SENSOR && !td_pair_is_on_line((td_pair_kind)c->kind);
 }
 
-void td_toi_queue_renew(thud_world *w, const td_trajectory *f) {
+void td_toi_queue_update_body(thud_world *w, const td_trajectory *f) {
     for (int e = td_body_at(w, f->body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        if (td_toi_queue_has(w, e / 2)) {
+        if (td_toi_queue_accepts(w, e / 2)) {
             td_toi_queue_set(w, e / 2);
         }
     }

@@ -6,13 +6,13 @@
 
 /* Whether a contact is one of those that are looked at: neither a sensor's, nor on a line, which is
  * an extra candidate. */
-bool td_toi_queue_has(const thud_world *w, int contact);
+bool td_toi_queue_accepts(const thud_world *w, int contact);
 
 /* Puts down when a contact meets on the ways that the step began with. */
-void td_toi_queue_begin(thud_world *w, int number);
+void td_toi_queue_set_first(thud_world *w, int number);
 /* Puts down when a candidate meets from where its two bodies are now. */
 void td_toi_queue_set(thud_world *w, int number);
 /* The same for all candidates of a body that goes another way. */
-void td_toi_queue_renew(thud_world *w, const td_trajectory *trajectory);
+void td_toi_queue_update_body(thud_world *w, const td_trajectory *trajectory);
 
 #endif
