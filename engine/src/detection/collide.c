@@ -12,8 +12,8 @@
 #include "geometry/shape_instance.h"
 
 /* In multiples of TD_MEET: a change of `fall` of a whole step by less does not change times of
- * impact. Chosen equal to CLOSING_MIN of toi_queue.c, motion below which touching shapes do not
- * collide. */
+ * impact noticeably. Chosen equal to CLOSING_MIN of toi_queue.c, motion below which touching shapes
+ * do not collide. */
 #define FALL_MIN 0.01
 /* Bound of velocities, length/s or rad/s: below FLT_MAX, 3.4e38, so that the conversion is finite.
  */
@@ -163,6 +163,7 @@ typedef struct outcome {
  *   P1 = c / Knn                               along n: stops the approach without friction
  *   T = -(slide + Knt P1) / (Ktt - Knt^2/Knn)  along t: then stops the sliding, while
  *   A = -T Knt / Knn                           along n: keeps the normal speed
+ * In the code: Knn inverse_mass, Knt mixed, P1 stop, T tangent, A along.
  * The impulse is (1 + e) P1 along n, and the share of (A, T) that keeps |tangent| <= friction x
  * normal. No impact gains energy, also where normal and friction impulses act on each other
  * through the turn (Knt != 0). */

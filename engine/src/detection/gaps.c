@@ -1,4 +1,11 @@
-/* gaps.c: see gaps.h. */
+/* gaps.c: see gaps.h.
+ *
+ * With n the normal, d the displacements of the centres, phi the turns and c = r x n the crosses
+ * of a point, its gap at the end of a motion is
+ *   gap = base + skin + n . (d_b - d_a) + c_b phi_b - c_a phi_a
+ * where `base` is the separation at the start of the step, measured from the skin at which
+ * contacts rest. The rows neglect that normal and arms turn with the bodies; `row_error` bounds
+ * what that may make of the gap. */
 #include "detection/gaps.h"
 
 #include "constraint/lanes.h"
@@ -13,19 +20,27 @@
 TD_DECLARE_WIDE(td_project_fn, td_project_points);
 TD_DECLARE_WIDE(td_find_open_fn, td_find_open_points);
 
-/* A lone contact is done after the first passes. What lacks something then is a heap, many contacts
- * deep, of which a plain pass hands a push on by one: those in between are over-relaxed. They may
- * push too far, which the last ones take back. */
+/* Passes of projected Gauss-Seidel: up to PLAIN_PASSES plain ones, which finish single contacts.
+ * If any point falls short then, contacts are stacked deep, where a plain pass carries a
+ * correction one contact further: over-relaxed ones follow (SOR with the factor OVER_RELAXATION),
+ * until no point falls short or PASSES_MAX are done, and at last FINAL_PASSES plain ones, which
+ * take back what over-relaxation has moved too far. All chosen; the factor 1.8 is a usual one (it
+ * must be below 2 to converge). With fewer passes more of a collapsing heap is left to time of
+ * impact tests. */
 enum { PLAIN_PASSES = 2, PASSES_MAX = 40, FINAL_PASSES = 2 };
 #define OVER_RELAXATION 1.8f
 
-/* All are multiples of TD_MEET. Contacts end no nearer than NEAREST, or where they began; what the
- * passes leave of that is a collision where shapes end nearer than LEAST, and nearer by
- * TD_PRESSED than they began. */
+/* In multiples of TD_MEET. td_gaps_project leaves no gap below TARGET_DISTANCE, or below that of
+ * the start if that is smaller; it stops where no gap falls short of this by more than
+ * SHORTFALL_TOLERANCE. A gap that is left below COLLISION_DISTANCE and is smaller than that of the
+ * start by more than TD_LOAD_CLOSING_MAX is a collision, for time of impact tests. All chosen; not
+ * tuned. TARGET_DISTANCE is below 1, so that gaps that come from times of impact (1 TD_MEET) are
+ * not changed. */
 #define TARGET_DISTANCE 0.8f
 #define SHORTFALL_TOLERANCE 0.05f
 #define COLLISION_DISTANCE 0.05f
 
+/* The inputs of the wide kernels, with lengths in the caller's unit. */
 static td_project_context context_of(const thud_world *w) {
     float meet = TD_MEET * w->unit;
     return (td_project_context){.delta = w->delta.data,
@@ -43,16 +58,18 @@ static td_project_context context_of(const thud_world *w) {
                                                  : NULL};
 }
 
-/* A run of contacts, or null where it is of joints. */
+/* The run at an index of scratch.runs if it is of contacts, or null if it is of joints. */
 static const td_run *contact_run_at(const thud_world *w, int index) {
     const td_run *run = TD_AT(td_run, &w->scratch.runs, index);
     return run->kind < TD_PAIR_COUNT ? run : NULL;
 }
 
+/* The first block of a run. */
 static td_block *const *blocks_of(const thud_world *w, const td_run *run) {
     return (td_block **)w->scratch.blocks.data + run->first;
 }
 
+/* One pass over all contacts; whether a point fell short by more than SHORTFALL_TOLERANCE. */
 static bool project_once(thud_world *w, const td_project_context *context) {
     bool unfinished = false;
     for (int i = 0; i < w->scratch.runs.count; i++) {
@@ -66,13 +83,14 @@ static bool project_once(thud_world *w, const td_project_context *context) {
     return unfinished;
 }
 
-/* The pushes of a step lie where its impacts come to lie later. */
+/* The td_pushes of a step use the memory of scratch.impacts, which is filled later in the step. */
 int td_gaps_room(const thud_world *w) {
     size_t bytes = (size_t)w->scratch.blocks.count * sizeof(td_pushes);
     return (int)(bytes / (size_t)w->scratch.impacts.stride) + 1;
 }
 
-/* What spins under a contact pushes as far as its turn would take it. */
+/* Clamps motions as td_motion_held does: where a body under a contact spins fast, the projection
+ * may give any motion. */
 static void clamp_motions(thud_world *w) {
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         float *delta = td_row(&w->delta, slot);
@@ -123,7 +141,8 @@ bool td_gap_was_found_open(const thud_world *w, const td_constraint *contact) {
     return td_gap_is_left_to_solver(w, contact) || at.block->apart >> at.lane & 1;
 }
 
-/* Of one body, from the start of the step. */
+/* The displacement of a body at `time` from the start of the step: x, y (lengths), angle
+ * (radians). */
 static void displacement_of(const thud_world *w, td_body_index body, double time,
                             double displacement[3]) {
     td_awake_slot slot = td_body_at(w, body)->awake;
@@ -133,15 +152,19 @@ static void displacement_of(const thud_world *w, td_body_index body, double time
     }
 }
 
-/* What the bodies of a contact do until a time, as its rows see it. */
+/* The relative displacement of a contact's bodies from the start of the step, in the directions of
+ * its rows. Lengths. */
 typedef struct relative_motion {
-    double along; /* how far b goes from a along the normal */
-    double turn_a, turn_b;
-    double row_error;  /* by how much rows may be wrong: they turn with no body */
-    double turn_reach; /* how far turns take any point along the normal, at most */
-    double slide;      /* how far b goes across the normal, with what turns add */
+    double along;          /* displacement of b relative to a along the normal */
+    double turn_a, turn_b; /* radians */
+    double row_error;      /* bound on the error of the rows, whose normal and arms do not turn */
+    double turn_reach;     /* bound on how far turns move any point along the normal */
+    double slide;          /* displacement across the normal, and turn_reach */
 } relative_motion;
 
+/* The relative displacement at `time`. With T the sum of both turns, E that of both extents and D
+ * the distance by which the centres moved, row_error = T (T E / 2 + D): an arm turns off its
+ * tangent by T^2 E / 2 at most, and the normal turns by T at most. */
 static relative_motion relative_motion_at(const thud_world *w, const td_contact *contact,
                                           const td_block *block, int lane, double time) {
     double a[3], b[3];
@@ -162,8 +185,9 @@ static relative_motion relative_motion_at(const thud_world *w, const td_contact 
                                  turn * max_extent};
 }
 
-/* Two points lie where an edge goes past the ends of a face: beyond them it may be nearer, and
- * comes over the face as it slides. */
+/* With two points of one face, by how much the gap may shrink per length of sliding: where an edge
+ * passes the ends of a face, it may be nearer to it beyond its points, and slides over the face. 0
+ * where both points are at one place. */
 static double edge_slope(const td_block *block, int lane) {
     const td_point *p = block->point;
     double width = td_abs((double)p[0].cross_b[lane] - (double)p[1].cross_b[lane]);
@@ -171,7 +195,8 @@ static double edge_slope(const td_block *block, int lane) {
     return width > 0.0 ? rise / width : 0.0;
 }
 
-/* Those may turn as they like. */
+/* Whether both shapes are circles about their centres of mass, so that turns do not change the
+ * gap. */
 static bool are_centred_circles(const thud_world *w, const td_contact *contact) {
     const td_shape *a = td_shape_at(w, contact->shape_a), *b = td_shape_at(w, contact->shape_b);
     return td_kind_is_round(a->kind) && td_kind_is_round(b->kind) && a->arm_x == 0.0f &&
@@ -199,12 +224,13 @@ bool td_gap_stays_open(const thud_world *w, const td_contact *contact, double no
         double from = base + start.along + start.turn_b * cross_b - start.turn_a * cross_a;
         double to = base + end.along + end.turn_b * cross_b - end.turn_a * cross_a;
         present++;
-        /* Where they seem to be nearer than load presses, they have gone past each other. */
+        /* A gap that seems to have shrunk by more than load allows: the shapes have moved past
+         * each other, and the row means nothing. */
         stays_open &= from >= base - TD_LOAD_CLOSING_MAX * unit;
         stays_open &= to - slack >= td_min_double((double)COLLISION_DISTANCE * unit,
                                                   from - TD_LOAD_CLOSING_MAX * unit);
     }
-    /* The point that is not there was further off than contacts begin. */
+    /* A point that is not there had a gap of more than TD_SPECULATIVE at the start of the step. */
     if (present < points) {
         stays_open &= (double)(TD_SPECULATIVE * w->unit) + end.along - end.turn_reach - slack >=
                       (double)COLLISION_DISTANCE * unit;

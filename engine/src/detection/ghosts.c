@@ -1,15 +1,17 @@
-/* ghosts.c: see ghosts.h. A ghost lasts until one shape has come past a face of the other that was
- * hidden from it: from there on another normal is theirs. What happens before is the neighbours'.
- */
+/* ghosts.c: see ghosts.h. A ghost remains one until one shape has come past a face of the other
+ * that was between them: then the pair has another separating axis, and so another normal. Until
+ * then the neighbours that hide the face meet the shape instead. */
 #include "detection/ghosts.h"
 
 #include "contact/internal_edges.h"
 #include "terrain/terrain.h"
 
-/* No ghost goes sooner than after this part of the rest of a step. */
+/* Least duration of a ghost, share of the rest of the step, so that the search goes on. Chosen, as
+ * TIME_TOLERANCE of detect_bisect.c. */
 #define GHOST_TIME_MIN 0x1p-20
 
-/* What has to go past a face to be behind it: a circle's centre, or the whole shape. */
+/* The part of a shape that has to come past a face: the centre of a circle, the whole of any other
+ * shape. */
 static thud_shape_instance face_probe(const thud_shape_instance *shape) {
     thud_shape_instance probe = *shape;
     if (td_kind_is_round(shape->kind)) {
@@ -18,7 +20,8 @@ static thud_shape_instance face_probe(const thud_shape_instance *shape) {
     return probe;
 }
 
-/* When the first of those faces that are between the two is passed, in [0, 1] of the approach. */
+/* The earliest time, share of the approach, at which the pair may come past a face of a box that
+ * now separates the two; 2 where no face does. */
 static double time_past_face(const td_approach *p) {
     thud_shape_instance a = face_probe(&p->a), b = face_probe(&p->b);
     double first = 2.0;
@@ -35,7 +38,9 @@ static double time_past_face(const td_approach *p) {
     return first;
 }
 
-/* What is met at the sealed end of a line is a ghost until the shape comes over the line. */
+/* Whether a shape meets a terrain at a sealed end, which is a ghost. *part: the share of the
+ * approach after which the shape may have come over the line; 2 where it is over it already and
+ * the contact remains a ghost for the whole step. */
 static bool is_end_ghost(const thud_world *w, const td_toi_candidate *e, const td_approach *p,
                          double *part) {
     thud_closest c;
@@ -53,6 +58,7 @@ static bool is_end_ghost(const thud_world *w, const td_toi_candidate *e, const t
     return true;
 }
 
+/* Whether the contact of two shapes is a ghost; *part as time_past_face. */
 static bool is_box_ghost(thud_world *w, const td_toi_candidate *e, const td_approach *p,
                          double *part) {
     td_internal_edge_pair pair = {w, {e->shape[0], e->shape[1]}, {p->a, p->b}};
@@ -63,7 +69,8 @@ static bool is_box_ghost(thud_world *w, const td_toi_candidate *e, const td_appr
         return false;
     }
     *part = time_past_face(p);
-    /* Boxes that are past all faces touch along a normal that can be met, or not at all. */
+    /* If no face separates the boxes, they touch along an allowed normal, which is no ghost, or
+     * they do not touch. */
     return *part < 2.0 || !w->internal_edges->contact(&pair, &contact);
 }
 

@@ -1,9 +1,10 @@
 /* sensing.c: see sensing.h.
  *
- * A way is a chain of legs, each straight or a parabola: impacts.c and continuous.c note a leg of
- * each body whose way they change, where there are sensors. A body without legs went straight. Two
- * shapes are looked at from turn to turn of either of them: forward in time for when they first
- * meet, and backward for when they part. */
+ * The path of a body in the step is a chain of legs, each straight or a parabola: impacts.c and
+ * continuous.c append a leg for each body whose path they change, where there are sensors. A body
+ * without legs moved straight. Two shapes are tested on each interval in which neither changes its
+ * leg: forward in time for when they begin to overlap, and backward for when they end to, by time
+ * of impact (geometry/toi.c). */
 #include "detection/sensing.h"
 
 #include "base/rotation.h"
@@ -13,15 +14,16 @@
 #include "state/kinds.h"
 #include "state/shape.h"
 
-/* ---- ways ---- */
+/* ---- paths ---- */
 
+/* Index in scratch.legs of the first leg of an awake body, or TD_NONE. */
 static int first_leg(const thud_world *w, td_awake_slot slot) {
     const td_array *first = &w->scratch.first_legs;
     return slot.at > 0 && slot.at < first->count ? td_int_at(first, slot.at) : TD_NONE;
 }
 
-/* The leg on which the body is at that time and from then on; null where its way has none, or it
- * stays where the last one ended. */
+/* The leg on which the body is at `time` and from then on; null where its path has no legs, or it
+ * remains where its last leg ended. */
 static const td_leg *leg_at(const thud_world *w, td_awake_slot slot, double time) {
     int i = first_leg(w, slot);
     while (i != TD_NONE && TD_AT(td_leg, &w->scratch.legs, i)->end <= time) {
@@ -30,6 +32,8 @@ static const td_leg *leg_at(const thud_world *w, td_awake_slot slot, double time
     return i == TD_NONE ? NULL : TD_AT(td_leg, &w->scratch.legs, i);
 }
 
+/* The trajectory on which the body is at `time`: of its leg, at rest after the last one, or
+ * straight through the step. */
 static td_trajectory trajectory_at(const thud_world *w, td_body_index body, double time) {
     td_awake_slot slot = td_body_at(w, body)->awake;
     const td_leg *leg = leg_at(w, slot, time);
@@ -49,18 +53,19 @@ static td_trajectory trajectory_at(const thud_world *w, td_body_index body, doub
     return trajectory;
 }
 
-/* Until when a body that is there at `time` keeps its leg. */
+/* The time at which the leg that the body is on at `time` ends. */
 static double leg_end_at(const thud_world *w, td_body_index body, double time) {
     const td_leg *leg = leg_at(w, td_body_at(w, body)->awake, time);
     return leg ? leg->end : 1.0;
 }
 
-/* A shape on a piece of its way that has no turn; backward in time where `to` is before `from`. */
+/* A shape and its motion on a part of a leg; backward in time where that ends before it begins. */
 typedef struct moving_shape {
     thud_shape_instance at;
     thud_motion motion;
 } moving_shape;
 
+/* A shape from time `from` to time `to`, relative to `origin`. */
 static moving_shape moving_shape_of(const thud_world *w, int shape, double from, double to,
                                     td_position origin) {
     td_trajectory trajectory =
@@ -73,13 +78,15 @@ static moving_shape moving_shape_of(const thud_world *w, int shape, double from,
                            turns ? trajectory.motion[2] * (to - from) : 0.0}};
 }
 
-/* Two shapes, the first of which may be a line, and then nothing moves it. */
+/* Two shapes. The first may be a terrain (line), which does not move. Places are relative to
+ * `origin`. */
 typedef struct shape_pair {
     int a, b;
     bool line;
     td_position origin;
 } shape_pair;
 
+/* The pair with a terrain, if it is one, as the first shape. */
 static shape_pair shape_pair_of(const thud_world *w, int a, int b) {
     bool second = td_kind_is_line(td_shape_at(w, b)->kind);
     shape_pair c = {.a = second ? b : a, .b = second ? a : b};
@@ -88,8 +95,8 @@ static shape_pair shape_pair_of(const thud_world *w, int a, int b) {
     return c;
 }
 
-/* Whether the two meet on their ways from one time to another, which have no turn; *time is the
- * part of the way there, in [0, 1]. */
+/* Whether the pair comes to overlap from time `from` to time `to`, in which no leg ends; *time is
+ * the share, in [0, 1], of that interval. */
 static bool first_overlap(const thud_world *w, const shape_pair *c, double from, double to,
                           double *time) {
     bool hit = false;
@@ -103,7 +110,7 @@ static bool first_overlap(const thud_world *w, const shape_pair *c, double from,
     return hit;
 }
 
-/* Whether the two overlap within the step: from when on, and when they last do. */
+/* Whether the pair overlaps within the step: *from is when first, *until when last. */
 static bool overlap_on_path(const thud_world *w, int shape_a, int shape_b, double *from,
                             double *until) {
     shape_pair c = shape_pair_of(w, shape_a, shape_b);
@@ -123,7 +130,8 @@ static bool overlap_on_path(const thud_world *w, int shape_a, int shape_b, doubl
     return met;
 }
 
-/* Continuous detection looks at static sensors alone. */
+/* Whether the detection of the pair tests its paths. Continuous detection does for sensors of
+ * static bodies only. */
 static bool is_detected(const thud_world *w, int a, int b) {
     const td_shape *shapes[2] = {td_shape_at(w, a), td_shape_at(w, b)};
     const thud_detection *detection = td_detection_of(w, shapes[0]->body, shapes[1]->body);
@@ -143,9 +151,10 @@ float td_sensing_time(const thud_world *w, int a, int b, bool begins) {
     return (float)(begins ? from : until);
 }
 
-/* ---- what was passed ---- */
+/* ---- pairs that overlapped within the step only ---- */
 
-/* Those that were open as the step began end by themselves. */
+/* Whether the overlap was reported at an earlier step and has not ended: its end is reported by
+ * contact/sensor_events.c. */
 static bool was_open(const thud_world *w, int a, int b) {
     int e = td_body_at(w, td_shape_at(w, b)->body)->first_constraint;
     bool open = false;
@@ -157,6 +166,7 @@ static bool was_open(const thud_world *w, int a, int b) {
     return open;
 }
 
+/* Whether one of the shapes is a sensor. */
 static bool has_sensor(const thud_world *w, int a, int b) {
     return (td_shape_at(w, a)->flags | td_shape_at(w, b)->flags) & TD_SHAPE_SENSOR;
 }
@@ -181,7 +191,8 @@ bool td_sensing_is_fast(const thud_world *w, td_awake_slot slot) {
            delta[0] * delta[0] + delta[1] * delta[1] > 0.25f * reach[0] * reach[0];
 }
 
-/* How far, along either axis, any of its shapes is on its way from where it ends. */
+/* The distance along x or y, whichever is greater, that bounds about the end of the path need to
+ * contain it: of the beginnings of its legs, and the max_extent. */
 static double path_reach(const thud_world *w, td_awake_slot slot) {
     td_body_index body = td_body_of(w, slot);
     td_position end = td_pose_at(w, body)->center;
@@ -194,20 +205,22 @@ static double path_reach(const thud_world *w, td_awake_slot slot) {
     return distance_max / w->to_fixed + (double)td_row(&w->reach, slot)[1];
 }
 
-/* The set of what rests is the broadphase's: the narrowphase may have woken some of it since, which
- * sensing_awake.c looks at. */
+/* Tests a pair with a shape of the set of resting ones. Its body may have been woken by the
+ * narrowphase since that set was made, and is then left to sensing_awake.c. */
 static void test_resting(thud_world *w, int shape, int other) {
     if (td_body_at(w, td_shape_at(w, other)->body)->awake.at <= 0) {
         td_sensing_test_pair(w, shape, other);
     }
 }
 
-/* Against what rests, in the order of shapes, so that it is the same with each broadphase. */
+/* Tests a fast body against all shapes at rest near its path, and all terrains. In the order of
+ * shapes, so that the result does not depend on the broadphase. */
 static void test_all_resting(thud_world *w, td_awake_slot slot) {
     td_body_index index = td_body_of(w, slot);
     const td_array *found = &w->rest_shapes.ids;
     double reach = path_reach(w, slot);
-    if (reach < 0x1p14 * (double)w->unit) { /* bounds that are wider wrap around */
+    if (reach < 0x1p14 * (double)w->unit) { /* wider bounds would wrap around: 2^14 length scales is
+                                               a sixteenth of the period */
         td_position end = td_pose_at(w, index)->center;
         int32_t half = (int32_t)(reach * w->to_coarse) + 3;
         td_bounds bounds = td_bounds_about(end, half, half);
@@ -232,8 +245,9 @@ static void test_all_resting(thud_world *w, td_awake_slot slot) {
     }
 }
 
-/* Links the legs of each body, which were noted in the order of time. One that continuous.c held
- * and impacts.c moved on the way that this left has the legs of impacts.c. */
+/* Links the legs of each body, which were appended in the order of time. If continuous.c held a
+ * body and impacts.c then moved it on the path that was left, both made legs of the same times,
+ * and those of impacts.c count. */
 static void link_legs(thud_world *w) {
     td_array *first = &w->scratch.first_legs;
     first->count = w->body_of.count;
@@ -251,7 +265,7 @@ static void link_legs(thud_world *w) {
     }
 }
 
-/* A query asks for room as if every shape of the ranges that it scans were a hit. */
+/* A query reserves room as if each shape of the ranges that it scans were found. */
 bool td_sensing_reserve(thud_world *w) {
     return td_array_reserve(&w->memory, &w->scratch.first_legs, w->body_of.count) &&
            td_array_reserve(&w->memory, &w->scratch.legs, w->body_of.count) &&

@@ -1,4 +1,4 @@
-/* toi_queue.c: see toi_queue.h. */
+/* toi_queue.c: see toi_queue.h. Times are shares, in [0, 1], of the step. */
 #include "detection/toi_queue.h"
 
 #include "constraint/constraint.h"
@@ -8,44 +8,50 @@
 #include "detection/ghosts.h"
 #include "state/body.h"
 
-/* Both are multiples of TD_MEET. Shapes nearer than TOUCHING touch. Motion into each other by less
- * than NOTHING is none. */
+/* In multiples of TD_MEET. Shapes nearer than TOUCHING_DISTANCE touch: they meet when they close
+ * further, not at a distance. Motion that closes by less than CLOSING_MIN in the step does not
+ * count. Both chosen, far above the rounding of places (2^-32 length scales; this is 1e-5) and
+ * far below what is seen. */
 #define TOUCHING_DISTANCE 0.01
 #define CLOSING_MIN 0.01
 
-enum { GHOSTS_MAX = 16 }; /* of a pair, that it may meet on its way */
+/* Ghosts of a pair in one test; a pair that meets more of them is not queued. Chosen: each side of
+ * a box that the path goes past is one ghost at most. */
+enum { GHOSTS_MAX = 16 };
 
 static double max_time(double a, double b) {
     return a > b ? a : b;
 }
 
-/* What joints tie to others is left to the solver where it touches, as in td_gap_is_solvers: held
- * where it presses, a vehicle would stand still for as long as its wheels do. */
+/* Whether joints tie one of the bodies to others, so that the pair is left to the solver once it
+ * touches, as in td_gap_is_left_to_solver: if a body of a vehicle were held where it touches, the
+ * vehicle would stand still as long as a wheel does. */
 static bool is_tied(const thud_world *w, const td_toi_candidate *e) {
     return td_is_tied(w, td_body_at(w, e->body[0])->awake) ||
            td_is_tied(w, td_body_at(w, e->body[1])->awake);
 }
 
-/* Shapes that touch meet at once if they go on into each other. */
+/* Whether touching shapes close further from `now` on, so that they meet at once. */
 static bool closes(thud_world *w, const td_toi_candidate *e, double now) {
     td_impact_point at;
     return td_impact_point_of(w, e, now, &at) &&
            at.closing_distance > CLOSING_MIN * (double)(TD_MEET * w->unit);
 }
 
+/* Whether an impact can stop the body: it is dynamic, awake and not held. */
 static bool can_stop(const thud_world *w, td_body_index body) {
     const td_body *b = td_body_at(w, body);
     return b->kind == THUD_DYNAMIC && b->awake.at > 0 && !td_trajectory_at(w, b->awake)->held;
 }
 
-/* Whether the body had a collision in this step. */
+/* Whether the body had an impact in this step. */
 static bool had_impact(const thud_world *w, td_body_index body) {
     const td_body *b = td_body_at(w, body);
     return b->awake.at > 0 && td_trajectory_at(w, b->awake)->impacts > 0;
 }
 
-/* When the two meet after `now`, or are to be looked at again; false where that is not in this
- * step. */
+/* Finds when a pair meets after `now` in this step (*hit is true), or when it is to be tested
+ * again (*hit is false); false if neither. *time is in [0, 1] of the step. */
 static bool next_check(thud_world *w, const td_toi_candidate *e, const thud_detection *detection,
                        double now, bool *hit, double *time) {
     td_approach approach;
@@ -54,8 +60,8 @@ static bool next_check(thud_world *w, const td_toi_candidate *e, const thud_dete
     if (now >= 1.0 || !td_toi_candidate_approach(w, e, now, 1.0, &approach)) {
         return false;
     }
-    /* Where an arc may swing further than they are apart, only as much of it as is nearly straight.
-     */
+    /* Where the error of the straight path may exceed half the present distance, only a part of
+     * the path is tested, in which it does not: it grows with the square of the time. */
     double until = 1.0, apart = max_time(approach.distance, TOUCHING_DISTANCE * unit);
     if (approach.path_error > 0.5 * apart) {
         until = now + (1.0 - now) * __builtin_sqrt(0.5 * apart / approach.path_error);
@@ -83,7 +89,9 @@ static bool next_check(thud_world *w, const td_toi_candidate *e, const thud_dete
     return *hit || until < 1.0;
 }
 
-/* When the two meet, if they do. */
+/* The time for the queue, see next_check; false if the pair does not meet in this step. Ghosts are
+ * passed over, and so are pairs that the prologue refused, that have no detection on the way, or
+ * of which no body can stop. */
 static bool meeting_time(thud_world *w, const td_toi_candidate *e, double *time) {
     const thud_detection *detection = td_detection_of(w, e->body[0], e->body[1]);
     double now =
@@ -100,7 +108,8 @@ static bool meeting_time(thud_world *w, const td_toi_candidate *e, double *time)
     return false;
 }
 
-/* Whether it is a contact that load may press, but no motion closes. */
+/* Whether it is a touching contact whose gap surely stays open, or which is left to the solver, so
+ * that it is not queued. */
 static bool contact_stays_open(const thud_world *w, int number) {
     if (number >= w->constraints.count || td_contact_at(w, number)->state != TD_TOUCHING) {
         return false;
@@ -114,7 +123,6 @@ static bool contact_stays_open(const thud_world *w, int number) {
     return td_gap_stays_open(w, contact, now);
 }
 
-/* Puts down when the two meet. */
 void td_toi_queue_set(thud_world *w, int number) {
     td_toi_candidate e = td_toi_candidate_at(w, number);
     double time;
@@ -133,7 +141,6 @@ void td_toi_queue_set_first(thud_world *w, int number) {
     }
 }
 
-/* Whether a contact is one of those that are looked at here. */
 bool td_toi_queue_accepts(const thud_world *w, int contact) {
     const td_constraint *c = td_constraint_at(w, contact);
     return c->kind < TD_PAIR_SENSOR && !td_pair_is_on_line((td_pair_kind)c->kind);

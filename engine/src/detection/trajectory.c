@@ -1,5 +1,6 @@
-/* trajectory.c: see trajectory.h. Tests come in the order of their cost: circles around both
- * motions, boxes around both motions, distance, and only then the time of impact. */
+/* trajectory.c: see trajectory.h. Pairs are tested in the order of the cost of the tests: circles
+ * around both motions, boxes around both motions, separation along the present normal; only pairs
+ * that pass all need a time of impact. */
 #include "detection/trajectory.h"
 
 #include "state/body.h"
@@ -28,12 +29,13 @@ td_trajectory td_trajectory_of(const thud_world *w, td_body_index body) {
                            .extras = TD_NONE};
 }
 
+/* The angle at `time`; 2^32 is a full turn. */
 static uint32_t angle_at(const td_trajectory *f, double time) {
     double turn = f->motion[2] * (time - f->since);
     return f->angle + (uint32_t)(uint64_t)td_round64(turn * (1.0 / TD_RADIANS_A_QUANTUM));
 }
 
-/* How far it goes along x or y from `since` on. */
+/* The displacement along x or y (axis 0, 1) from `since` to `time`. */
 static double path_along(const td_trajectory *f, int axis, double time) {
     double part = time - f->since;
     return (f->motion[axis] + 0.5 * f->fall[axis] * part) * part;
@@ -80,7 +82,7 @@ void td_trajectory_advance(thud_world *w, td_trajectory *f, double time) {
 void td_trajectory_displacement(const thud_world *w, const td_trajectory *f, double time,
                                 double displacement[3]) {
     td_awake_slot slot = td_body_at(w, f->body)->awake;
-    const td_pose *pose = td_pose_at(w, f->body); /* of the solver's motion */
+    const td_pose *pose = td_pose_at(w, f->body); /* the end of the solver's motion */
     const float *delta = td_row(&w->delta, slot);
     displacement[0] = (double)delta[0] + (double)(f->place.x - pose->center.x) / w->to_fixed +
                       path_along(f, 0, time);
@@ -137,19 +139,22 @@ td_toi_candidate td_toi_candidate_at(const thud_world *w, int number) {
 
 /* ---- tests of rising cost ---- */
 
+/* Whether circles of radii ra and rb, b at (x, y) from a, stay apart by more than the target while
+ * b moves by (mx, my) relative to a. */
 static bool circles_miss(const td_approach *p, double x, double y, double mx, double my, double ra,
                          double rb) {
     double reach = ra + rb + p->target + __builtin_sqrt(mx * mx + my * my);
     return x * x + y * y > reach * reach;
 }
 
-/* x from -reach to reach is where intervals of half length `reach` in all overlap. */
+/* Whether two intervals stay apart while their centres, now at a distance x, move by `motion`
+ * relative to each other; `reach` is the sum of both half lengths. */
 static bool intervals_miss(double x, double motion, double reach) {
     double end = x + motion;
     return (x > reach && end > reach) || (x < -reach && end < -reach);
 }
 
-/* Half the width and height of what contains the shape, turned as it may be. */
+/* Half the width and height of a box that contains the shape, at any angle if it `turns`. */
 static void half_extents(const thud_shape_instance *p, bool turns, double *x, double *y) {
     if (td_kind_is_round(p->kind)) {
         *x = *y = p->hx;
@@ -161,6 +166,7 @@ static void half_extents(const thud_shape_instance *p, bool turns, double *x, do
     }
 }
 
+/* Whether circles or boxes around both motions show that the pair does not meet. */
 static bool motions_miss(thud_world *w, const td_approach *p) {
     double x = p->b.x - p->a.x, y = p->b.y - p->a.y;
     double mx = p->motion_b.dx - p->motion_a.dx, my = p->motion_b.dy - p->motion_a.dy;
@@ -181,7 +187,7 @@ static bool motions_miss(thud_world *w, const td_approach *p) {
 
 /* ---- approaches ---- */
 
-/* Whether the motion comes down to the line at all. */
+/* Whether the motion stays above the highest point of the terrain. */
 static bool stays_above_line(const thud_world *w, int terrain_shape, const td_approach *p) {
     const td_terrain_record *record =
         td_terrain_record_at(w, td_shape_at(w, terrain_shape)->terrain);
@@ -189,14 +195,15 @@ static bool stays_above_line(const thud_world *w, int terrain_shape, const td_ap
     return (end < p->a.y ? end : p->a.y) - td_reach(&p->a) - p->target > record->highest;
 }
 
+/* The motion of a shape of the body between two placements, `rest` (share of the step) apart. */
 static thud_motion motion_between(const td_trajectory *f, const thud_shape_instance *from,
                                   const thud_shape_instance *to, double rest) {
     return (thud_motion){to->x - from->x, to->y - from->y,
                          td_kind_turns(from->kind) ? f->motion[2] * rest : 0.0};
 }
 
-/* A shape off its body's centre of mass moves on an arc, of which the chord is tested: no further
- * apart than this. */
+/* The distance of the arc of a shape that is off its body's centre of mass from its chord: r phi^2
+ * / 8, the sagitta, for the arm r (bounded by |x| + |y|) and the turn phi. */
 static double arc_error(const thud_world *w, const td_trajectory *f, int index, double rest) {
     const td_shape *shape = td_shape_at(w, index);
     double turn = f->motion[2] * rest;
@@ -235,8 +242,8 @@ bool td_toi_candidate_has_internal_edges(const thud_world *w, const td_toi_candi
            td_shape_at(w, e->shape[1])->internal_edges;
 }
 
-/* Whether they stay apart along the line on which they are nearest to each other now: what a turn
- * adds is no more than its arc at the furthest corner. */
+/* Whether the pair stays apart along the present normal c->n: the relative motion along it, and at
+ * most the arcs of the furthest corners, leave more than the target. */
 static bool normal_separates(const td_approach *p, const thud_closest *c) {
     double x = p->motion_b.dx - p->motion_a.dx, y = p->motion_b.dy - p->motion_a.dy;
     double turn =
@@ -244,7 +251,8 @@ static bool normal_separates(const td_approach *p, const thud_closest *c) {
     return c->distance + td_min_double(c->nx * x + c->ny * y, 0.0) - turn > p->target;
 }
 
-/* Boxes that overlap by a hidden face are as deep as where they can be met. */
+/* The distance of both shapes, and their closest points. Where they overlap along a normal that an
+ * internal edge forbids (a ghost), the overlap along an allowed normal counts. */
 static double allowed_distance(thud_world *w, const td_toi_candidate *e, const td_approach *p,
                                thud_closest *closest) {
     td_internal_edge_contact contact;
@@ -263,7 +271,7 @@ static double allowed_distance(thud_world *w, const td_toi_candidate *e, const t
 }
 
 bool td_toi_candidate_is_far(thud_world *w, const td_toi_candidate *e) {
-    if (td_body_at(w, e->body[0])->kind == THUD_STATIC) { /* nobody knows how far it reaches */
+    if (td_body_at(w, e->body[0])->kind == THUD_STATIC) { /* its max_extent is not set */
         return false;
     }
     td_trajectory a = td_trajectory_of(w, e->body[0]), b = td_trajectory_of(w, e->body[1]);
@@ -315,7 +323,7 @@ bool td_toi_candidate_approach(thud_world *w, const td_toi_candidate *e, double 
     return true;
 }
 
-/* The contacts of a pair at a ghost go to where boxes can be met, if anywhere. */
+/* Replaces the contact points of a ghost by those along an allowed normal, or by none. */
 static void move_ghost_contacts(thud_world *w, const td_toi_candidate *e,
                                 const thud_shape_instance *a, const thud_shape_instance *b,
                                 thud_contacts *contacts) {
@@ -333,7 +341,9 @@ static void move_ghost_contacts(thud_world *w, const td_toi_candidate *e,
     }
 }
 
-/* A normal off by less than this, in radians, is that of the ground. */
+/* Sine of an angle, and share of the extent: normals and places that differ by less from those of
+ * the ground are the same. Chosen, above single precision (6e-8) and the same as in
+ * internal_edges.c. */
 #define NORMAL_TOLERANCE 1e-5
 
 bool td_is_at_sealed_end(const thud_world *w, int line, const thud_terrain *ground,
@@ -353,7 +363,7 @@ bool td_is_at_sealed_end(const thud_world *w, int line, const thud_terrain *grou
     return false;
 }
 
-/* What stands over the end of a line has a point there too, which is as much a ghost. */
+/* Removes the contact points of a shape at sealed ends of a line, which are ghosts. */
 static void drop_sealed_ends(const thud_world *w, int line, const thud_terrain *ground,
                              const thud_shape_instance *shape, thud_contacts *contacts) {
     int kept = 0;

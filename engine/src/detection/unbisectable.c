@@ -1,12 +1,15 @@
-/* unbisectable.c: see unbisectable.h. */
+/* unbisectable.c: see unbisectable.h. The test is that of thud_motion_is_bisectable
+ * (geometry/bisect.c), for a body against the thinnest shape of the world. */
 #include "detection/unbisectable.h"
 
 #include "detection/detection.h"
 #include "geometry/shape_instance.h"
 #include "state/shape.h"
 
-/* No point of the body is further out that moves as it turns: a circle about its centre does not.
- * As in thud_motion_is_bisectable, little of it is as good as none. */
+/* The greatest distance from the centre of mass of a point that moves as the body turns (a circle
+ * about it does not); 0 where it exceeds half the thinnest shape's thickness beyond min_extent by
+ * nothing, as in thud_motion_is_bisectable: such a turn takes no corner through the middle of a
+ * shape. */
 static double turning_reach(const thud_world *w, const td_body *body, double thickness) {
     double reach = 0.0;
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {

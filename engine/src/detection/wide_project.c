@@ -1,9 +1,10 @@
-/* wide_project.c: see project.h. */
+/* wide_project.c: see project.h. Compiled once for each instruction set. */
 #include "detection/project.h"
 
 #include "solver/wide_solve.h"
 
-/* Gives motions or velocities `v` what pushes along the normals change in them. */
+/* Adds the impulses `normal` of the points, times the inverse masses, to the motions or velocities
+ * v, and writes them to `records`. */
 TD_INLINE void apply_sums(float (*records)[4], const td_block *block, int points, bool fixed,
                           sides v, const sides *mass, const f8 *normal) {
     const td_point *p = block->point;
@@ -25,8 +26,10 @@ TD_INLINE void apply_sums(float (*records)[4], const td_block *block, int points
     td_scatter(records, block->b, v.b);
 }
 
-/* Pushes of two points one after the other, so that both lack nothing: what they are given, of
- * which no more can be taken back than was given before. */
+/* The changes of the impulses of a block's points, and their new sums in `applied`, which stay >=
+ * 0. `shortfall` is what the points lack, a length or speed. The second point is corrected after
+ * the first, with `coupled` what a unit of impulse at the first changes there. Lanes that are not
+ * `active` do not change. */
 TD_INLINE void point_changes(const td_block *block, int points, float over_relaxation, f8 coupled,
                              const f8 *shortfall, const i8 *active, f8 *applied, f8 *change) {
     for (int k = 0; k < points; k++) {
@@ -37,7 +40,7 @@ TD_INLINE void point_changes(const td_block *block, int points, float over_relax
     }
 }
 
-/* Lanes of which no body is tied to others: those are left to the solver. */
+/* Mask of the lanes in which joints tie no body to others; all lanes where next_tied is null. */
 TD_INLINE i8 untied_lanes(const td_block *block, const int32_t *next_tied) {
     i8 out = i8_all(-1);
     for (int i = 0; i < TD_LANES && next_tied; i++) {
@@ -47,6 +50,7 @@ TD_INLINE i8 untied_lanes(const td_block *block, const int32_t *next_tied) {
     return out;
 }
 
+/* td_project_fn for a number of points and a kind of side a that are known when compiling. */
 TD_INLINE bool project(td_block *const *blocks, td_pushes *pushes, int count, int points,
                        bool fixed, const td_project_context *c) {
     f8 zero = f8_all(0.0f), skin = f8_all(c->skin), target_distance = f8_all(c->target_distance);
@@ -98,7 +102,7 @@ bool TD_WIDE(td_project_points)(td_block *const *blocks, td_pushes *pushes, int 
                  : project(blocks, pushes, count, 1, false, c);
 }
 
-/* How far the bodies on one side reach. */
+/* The max_extent of the bodies on one side of a block. */
 TD_INLINE f8 reach_of(const float (*reach)[2], const uint32_t *side) {
     f8 out = f8_all(0.0f);
     for (int i = 0; i < TD_LANES; i++) {
@@ -107,16 +111,16 @@ TD_INLINE f8 reach_of(const float (*reach)[2], const uint32_t *side) {
     return out;
 }
 
-/* Two points lie where an edge goes past the ends of a face: beyond them it may be nearer, and
- * comes over the face as it slides. */
+/* As edge_slope of gaps.c: by how much the gap may shrink per length of sliding. */
 TD_INLINE f8 edge_slope(const td_block *block) {
     const td_point *p = block->point;
     f8 width = f8_abs(p[0].cross_b - p[1].cross_b), rise = f8_abs(p[0].base - p[1].base);
     return f8_keep(width > f8_all(0.0f), rise / width);
 }
 
-/* Rows take a turn for linear, and the normal for the same while bodies turn past each other. A
- * point that is not there begins beyond the margin, and is swept by a turn. */
+/* See td_find_open_fn. `slack` bounds the error of the rows, as row_error and slide in gaps.c. A
+ * point that is not there has a gap of at least `margin` at the start of the step, less what the
+ * motion along the normal and the turns take of it. */
 td_find_open_fn TD_WIDE(td_find_open_points);
 void TD_WIDE(td_find_open_points)(td_block *const *blocks, int count, int points, bool turns,
                                   const td_project_context *c) {
