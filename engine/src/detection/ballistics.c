@@ -29,8 +29,7 @@ void td_ballistics_save_velocities(thud_world *w) {
 /* Whether gravity and forces alone changed the body, but for the speed `share` (length/s), at its
  * centre and, by the turn, at its max_extent. With n substeps of semi-implicit Euler, v1 = v0 +
  * gain, and motion / dt is v1 - gain (n - 1) / (2 n), which lies between v1 - gain / 2 (n without
- * bound) and v1 (n = 1). `rounding` allows one unit of single precision, and one more bit, a
- * substep. */
+ * bound) and v1 (n = 1). `rounding` allows two units of single precision (2^-23 each) a substep. */
 static bool gained_only_gravity(const thud_world *w, td_awake_slot slot, double share) {
     const td_trajectory *f = td_trajectory_at(w, slot);
     const float *velocity = td_row(&w->velocity, slot), *delta = td_row(&w->delta, slot);

@@ -191,8 +191,8 @@ bool td_sensing_is_fast(const thud_world *w, td_awake_slot slot) {
            delta[0] * delta[0] + delta[1] * delta[1] > 0.25f * reach[0] * reach[0];
 }
 
-/* The distance along x or y, whichever is greater, that bounds about the end of the path need to
- * contain it: of the beginnings of its legs, and the max_extent. */
+/* Half the width of the square about the end of the path that contains the whole path of the body,
+ * by the places where its legs begin and its max_extent. A length. */
 static double path_reach(const thud_world *w, td_awake_slot slot) {
     td_body_index body = td_body_of(w, slot);
     td_position end = td_pose_at(w, body)->center;

@@ -136,8 +136,7 @@ static bool append_overlapping(thud_world *w, const td_proxy_set *set, const td_
     td_array *hits = &w->scratch.hits;
     if (fits(ahead)) {
         td_bounds bounds = wrap(ahead);
-        return w->def.broadphase->append_overlapping[w->wide](set, &w->memory, &bounds, near_place,
-                                                              hits);
+        return w->def.broadphase->find[w->wide](set, &w->memory, &bounds, near_place, hits);
     }
     for (int i = 0; i < set->ids.count; i++) {
         td_push_int(hits, td_int_at(&set->ids, i));

@@ -15,8 +15,9 @@
 #define TOUCHING_DISTANCE 0.01
 #define CLOSING_MIN 0.01
 
-/* Ghosts of a pair in one test; a pair that meets more of them is not queued. Chosen: each side of
- * a box that the path goes past is one ghost at most. */
+/* Ghosts of a pair in one test; a pair that meets more of them is not queued. Chosen: each face
+ * that separates two boxes, of which they have 8, is one ghost; turning boxes take more, since the
+ * time at which they pass a face is only bounded from below. */
 enum { GHOSTS_MAX = 16 };
 
 static double max_time(double a, double b) {

@@ -41,12 +41,12 @@ static double path_along(const td_trajectory *f, int axis, double time) {
     return (f->motion[axis] + 0.5 * f->fall[axis] * part) * part;
 }
 
-void td_leg_note(thud_world *w, const td_trajectory *way, double end) {
+void td_leg_note(thud_world *w, const td_trajectory *trajectory, double end) {
     td_array *legs = &w->scratch.legs;
-    if (w->scratch.sensed_room > 0 && end > way->since &&
+    if (w->scratch.sensed_room > 0 && end > trajectory->since &&
         td_array_reserve(&w->memory, legs, legs->count + 1)) {
         td_leg *leg = td_append(legs, sizeof *leg);
-        leg->way = *way;
+        leg->trajectory = *trajectory;
         leg->end = end;
     }
 }

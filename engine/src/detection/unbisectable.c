@@ -6,10 +6,10 @@
 #include "geometry/shape_instance.h"
 #include "state/shape.h"
 
-/* The greatest distance from the centre of mass of a point that moves as the body turns (a circle
- * about it does not); 0 where it exceeds half the thinnest shape's thickness beyond min_extent by
- * nothing, as in thud_motion_is_bisectable: such a turn takes no corner through the middle of a
- * shape. */
+/* The greatest distance from the centre of mass of a point that moves as the body turns; a circle
+ * about it does not move. 0 if that is at most min_extent plus half of `thickness`, that of the
+ * thinnest shape: as in thud_motion_is_bisectable, such a turn takes no corner through the middle
+ * of another shape. */
 static double turning_reach(const thud_world *w, const td_body *body, double thickness) {
     double reach = 0.0;
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
