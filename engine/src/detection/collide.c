@@ -1,7 +1,7 @@
 /* collide.c: see collide.h. Each body has two sets of velocities at the impact: its velocity,
- * which outlasts the step, and its motion, by which its trajectory goes on to the end of the step.
- * Both differ unless the body is in free flight: the solver moves bodies apart that overlap, and
- * its relax pass takes that out of the velocity again. The collision law is applied to the
+ * which it has after the step, and its motion, by which its trajectory continues to the end of the
+ * step. They differ unless the body is in free flight: the solver moves bodies apart that overlap,
+ * and its relax pass takes that out of the velocity again. The collision law is applied to the
  * velocities, and the approach is taken out of the motions by the same law. */
 #include "detection/collide.h"
 
@@ -139,7 +139,7 @@ bool td_impact_point_of(thud_world *w, const td_toi_candidate *e, double time,
     return true;
 }
 
-/* What an impact goes by at its point. */
+/* The normal and the material of both surfaces at the impact point. */
 typedef struct surface {
     double nx, ny;      /* normal, from a to b */
     double friction;    /* coefficient */
@@ -244,7 +244,7 @@ static bool moves_by_velocity(const side *s) {
     return !s->trajectory || s->trajectory->free || s->body->kind != THUD_DYNAMIC;
 }
 
-/* Lets the trajectory go on at the body's velocity. */
+/* Sets the motion to the velocity. */
 static void set_motion_from_velocity(side *s) {
     for (int k = 0; k < 3; k++) {
         s->motion[k] = s->velocity[k];
@@ -262,12 +262,12 @@ static double bounce_speed(const thud_world *w, const side *a, const side *b, co
         return threshold;
     }
     if (moves_by_velocity(a) && moves_by_velocity(b)) {
-        double rest = TD_BOUNCE_REST * td_abs(relative_fall_along(a, b, u->nx, u->ny)) / dt;
-        return elastic ? td_min_double(rest, threshold) : td_max_double(rest, threshold);
+        double resting = TD_BOUNCE_REST * td_abs(relative_fall_along(a, b, u->nx, u->ny)) / dt;
+        return elastic ? td_min_double(resting, threshold) : td_max_double(resting, threshold);
     }
     double x = (double)w->def.gravity.x, y = (double)w->def.gravity.y;
-    double rest = TD_BOUNCE_BORNE * __builtin_sqrt(x * x + y * y) * dt;
-    return elastic ? td_min_double(rest, threshold) : threshold;
+    double resting = TD_BOUNCE_BORNE * __builtin_sqrt(x * x + y * y) * dt;
+    return elastic ? td_min_double(resting, threshold) : threshold;
 }
 
 thud_contact td_impact_view(const thud_world *w, const td_toi_candidate *e,
@@ -343,9 +343,9 @@ void td_impact_resolve(thud_world *w, const td_toi_candidate *e, const td_impact
         impact->kept_motion[0] = a.keeps_motion;
         impact->kept_motion[1] = b.keeps_motion;
     }
-    outcome done = apply_collision(&a, &b, false, &u);
-    impact->seen.normal_impulse = (float)done.normal;
-    impact->seen.tangent_impulse = (float)done.tangent;
+    outcome result = apply_collision(&a, &b, false, &u);
+    impact->seen.normal_impulse = (float)result.normal;
+    impact->seen.tangent_impulse = (float)result.tangent;
     if (a.keeps_motion || b.keeps_motion) {
         side *other = a.keeps_motion ? &b : &a;
         remove_remaining_gain(w, other, time);
@@ -362,7 +362,7 @@ void td_impact_resolve(thud_world *w, const td_toi_candidate *e, const td_impact
     }
     write_back(w, &a);
     write_back(w, &b);
-    if (!done.bounced) {
+    if (!result.bounced) {
         stop_mutual_fall(w, &a, &b, &u, impact->fall_reduced);
     }
 }

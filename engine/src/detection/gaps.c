@@ -22,20 +22,22 @@ TD_DECLARE_WIDE(td_find_open_fn, td_find_open_points);
 
 /* Passes of projected Gauss-Seidel: up to PLAIN_PASSES plain ones, which finish single contacts.
  * If any point falls short then, contacts are stacked deep, where a plain pass carries a
- * correction one contact further: over-relaxed ones follow (SOR with the factor OVER_RELAXATION),
- * until no point falls short or PASSES_MAX are done, and at last FINAL_PASSES plain ones, which
- * take back what over-relaxation has moved too far. All chosen; the factor 1.8 is a usual one (it
- * must be below 2 to converge). With fewer passes more of a collapsing heap is left to time of
- * impact tests. */
+ * correction one contact further: over-relaxed ones follow (SOR with the factor OVER_RELAXATION,
+ * which must be below 2), until no point falls short or PASSES_MAX are done, and at last
+ * FINAL_PASSES plain ones, which take back what over-relaxation has moved too far. Measured in the
+ * scene smash (size 300, 120 steps, swept) by the times of impact that remain: 37,300; with
+ * PASSES_MAX 20 41,600, with 80 34,000; with the factor 1 65,000, with 1.5 48,500, with 1.9
+ * 33,100. Half and twice PLAIN_PASSES and FINAL_PASSES change less than 4 %. */
 enum { PLAIN_PASSES = 2, PASSES_MAX = 40, FINAL_PASSES = 2 };
 #define OVER_RELAXATION 1.8f
 
 /* In multiples of TD_MEET. td_gaps_project leaves no gap below TARGET_DISTANCE, or below that of
  * the start if that is smaller; it stops where no gap falls short of this by more than
  * SHORTFALL_TOLERANCE. A gap that is left below COLLISION_DISTANCE and is smaller than that of the
- * start by more than TD_LOAD_CLOSING_MAX is a collision, for time of impact tests. All chosen; not
- * tuned. TARGET_DISTANCE is below 1, so that gaps that come from times of impact (1 TD_MEET) are
- * not changed. */
+ * start by more than TD_LOAD_CLOSING_MAX is a collision, for time of impact tests. All chosen.
+ * TARGET_DISTANCE is below 1, so that gaps that come from times of impact (1 TD_MEET) are not
+ * changed. At half of it, and at half and twice the other two, the times of impact in smash, as
+ * above, change by less than 7 %. */
 #define TARGET_DISTANCE 0.8f
 #define SHORTFALL_TOLERANCE 0.05f
 #define COLLISION_DISTANCE 0.05f

@@ -115,19 +115,19 @@ static bool overlap_on_path(const thud_world *w, int shape_a, int shape_b, doubl
                             double *until) {
     shape_pair c = shape_pair_of(w, shape_a, shape_b);
     td_body_index body_a = td_shape_at(w, c.a)->body, body_b = td_shape_at(w, c.b)->body;
-    bool met = false;
+    bool overlaps = false;
     for (double now = 0.0, next; now < 1.0; now = next) {
         next = td_min_double(leg_end_at(w, body_a, now), leg_end_at(w, body_b, now));
-        double part = 0.0, rest = 0.0;
+        double part = 0.0, back = 0.0;
         if (first_overlap(w, &c, now, next, &part)) {
             double first = now + part * (next - now);
-            bool parts = first_overlap(w, &c, next, now, &rest);
-            *from = met ? *from : first;
-            *until = parts ? next - rest * (next - now) : first;
-            met = true;
+            bool ends = first_overlap(w, &c, next, now, &back);
+            *from = overlaps ? *from : first;
+            *until = ends ? next - back * (next - now) : first;
+            overlaps = true;
         }
     }
-    return met;
+    return overlaps;
 }
 
 /* Whether the detection of the pair tests its paths. Continuous detection does for sensors of

@@ -67,11 +67,13 @@ static td_far_bounds bounds_at_start(const thud_world *w, int shape) {
                            (double)td_unwrap(b->max_x, p.x), (double)td_unwrap(b->max_y, p.y)};
 }
 
+/* Whether two bounds share a point. */
 static bool overlap(const td_far_bounds *a, const td_far_bounds *b) {
     return a->min_x <= b->max_x && b->min_x <= a->max_x && a->min_y <= b->max_y &&
            b->min_y <= a->max_y;
 }
 
+/* Whether the outer bounds contain the inner ones. */
 static bool contains(const td_far_bounds *outer, const td_far_bounds *inner) {
     return outer->min_x <= inner->min_x && inner->max_x <= outer->max_x &&
            outer->min_y <= inner->min_y && inner->max_y <= outer->max_y;
@@ -88,6 +90,7 @@ static int32_t wrapped(double x) {
     return (int32_t)(uint32_t)(uint64_t)(int64_t)x;
 }
 
+/* Bounds as the broadphase has them, wrapped around. */
 static td_bounds wrap(const td_far_bounds *b) {
     return (td_bounds){wrapped(b->min_x), wrapped(b->min_y), wrapped(b->max_x), wrapped(b->max_y)};
 }

@@ -10,16 +10,19 @@
 
 /* In multiples of TD_MEET. Shapes nearer than TOUCHING_DISTANCE touch: they meet when they close
  * further, not at a distance. Motion that closes by less than CLOSING_MIN in the step does not
- * count. Both chosen, far above the rounding of places (2^-32 length scales; this is 1e-5) and
- * far below what is seen. */
+ * count. Both chosen, far above the rounding of places (2^-32 length scales; this is 1e-5) and far
+ * below what is seen. At half and twice of both the times of impact in the scene smash change by
+ * less than 5 %. */
 #define TOUCHING_DISTANCE 0.01
 #define CLOSING_MIN 0.01
 
 /* Ghosts of a pair in one test; a pair that meets more of them is not queued. Chosen: each face
  * that separates two boxes, of which they have 8, is one ghost; turning boxes take more, since the
- * time at which they pass a face is only bounded from below. */
+ * time at which they pass a face is only bounded from below. The scene platformer is the same with
+ * 4. */
 enum { GHOSTS_MAX = 16 };
 
+/* The later of two times. */
 static double max_time(double a, double b) {
     return a > b ? a : b;
 }

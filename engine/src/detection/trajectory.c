@@ -94,9 +94,9 @@ void td_trajectory_displacement(const thud_world *w, const td_trajectory *f, dou
 
 void td_trajectory_reduce_fall(const thud_world *w, td_trajectory *f, double x, double y) {
     float *velocity = td_row(&w->velocity, td_body_at(w, f->body)->awake);
-    double rest = (1.0 - f->since) / w->def.time_step;
-    velocity[0] = (float)((double)velocity[0] - x * rest);
-    velocity[1] = (float)((double)velocity[1] - y * rest);
+    double gain_per_fall = (1.0 - f->since) / w->def.time_step;
+    velocity[0] = (float)((double)velocity[0] - x * gain_per_fall);
+    velocity[1] = (float)((double)velocity[1] - y * gain_per_fall);
     f->fall[0] -= x;
     f->fall[1] -= y;
 }
@@ -195,25 +195,27 @@ static bool stays_above_line(const thud_world *w, int terrain_shape, const td_ap
     return (end < p->a.y ? end : p->a.y) - td_reach(&p->a) - p->target > record->highest;
 }
 
-/* The motion of a shape of the body between two placements, `rest` (share of the step) apart. */
+/* The motion of a shape of the body between two placements, `duration` (share of the step) apart.
+ */
 static thud_motion motion_between(const td_trajectory *f, const thud_shape_instance *from,
-                                  const thud_shape_instance *to, double rest) {
+                                  const thud_shape_instance *to, double duration) {
     return (thud_motion){to->x - from->x, to->y - from->y,
-                         td_kind_turns(from->kind) ? f->motion[2] * rest : 0.0};
+                         td_kind_turns(from->kind) ? f->motion[2] * duration : 0.0};
 }
 
 /* The distance of the arc of a shape that is off its body's centre of mass from its chord: r phi^2
  * / 8, the sagitta, for the arm r (bounded by |x| + |y|) and the turn phi. */
-static double arc_error(const thud_world *w, const td_trajectory *f, int index, double rest) {
+static double arc_error(const thud_world *w, const td_trajectory *f, int index, double duration) {
     const td_shape *shape = td_shape_at(w, index);
-    double turn = f->motion[2] * rest;
+    double turn = f->motion[2] * duration;
     double arm = td_abs((double)shape->arm_x) + td_abs((double)shape->arm_y);
     return 0.125 * arm * turn * turn;
 }
 
-double td_trajectories_chord_error(const td_trajectory *a, const td_trajectory *b, double rest) {
+double td_trajectories_chord_error(const td_trajectory *a, const td_trajectory *b,
+                                   double duration) {
     double x = b->fall[0] - a->fall[0], y = b->fall[1] - a->fall[1];
-    return 0.125 * __builtin_sqrt(x * x + y * y) * rest * rest;
+    return 0.125 * __builtin_sqrt(x * x + y * y) * duration * duration;
 }
 
 void td_toi_candidate_motions(const thud_world *w, const td_toi_candidate *e, double now,
@@ -282,8 +284,8 @@ bool td_toi_candidate_is_far(thud_world *w, const td_toi_candidate *e) {
     double reach =
         (double)(td_body_at(w, e->body[0])->max_extent + td_body_at(w, e->body[1])->max_extent) +
         2.0 * (double)(TD_MEET * w->unit) + td_trajectories_chord_error(&a, &b, 1.0);
-    double rest = __builtin_sqrt(x * x + y * y) - reach;
-    bool far = rest > 0.0 && rest * rest > mx * mx + my * my;
+    double gap = __builtin_sqrt(x * x + y * y) - reach;
+    bool far = gap > 0.0 && gap * gap > mx * mx + my * my;
     w->stats.motion_pairs += far;
     return far;
 }
