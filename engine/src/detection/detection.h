@@ -16,17 +16,15 @@ typedef struct td_approach {
     thud_terrain ground; /* a view; the world owns its points */
     thud_shape_instance a, b;       /* at the start of the interval */
     thud_motion motion_a, motion_b; /* over the whole interval */
-    double
-        distance;  /* at the start; exact where small, else any larger length; negative: overlap */
-    double target; /* the pair counts as meeting at this distance. Less than `distance`; negative
-                      where the pair overlaps */
+    double distance;                /* at the start; negative: overlap */
+    double target;     /* the distance at which the pair counts as meeting; < distance */
     double path_error; /* bound on how far the true paths, which are arcs and parabolas, are from
                           the straight ones, both sides together */
     double tolerance;  /* the time of impact may be found up to this length short of `target` */
 } td_approach;
 
 /* Finds when an approach first comes within its target. False where it does not. *time is a share,
- * in [0, 1], of the interval; at *time the shapes do not overlap. */
+ * in [0, 1], of the interval; shapes that are apart at its start do not overlap at *time. */
 typedef bool td_meet_fn(const td_approach *approach, double *time);
 
 /* Order of the kinds, from coarse to fine. */
@@ -37,9 +35,9 @@ struct thud_world;
 /* The moments of a step at which a detection stage may run. */
 typedef enum td_moment {
     TD_BEFORE_SOLVING, /* after the narrowphase */
-    TD_BEFORE_MOVING, /* velocities and motions (thud_world.delta) are known; poses are those of the
-                         start */
-    TD_AFTER_MOVING,  /* poses are those of the end */
+    TD_BEFORE_MOVING,  /* velocities and motions of the step are known; poses are those of the start
+                        */
+    TD_AFTER_MOVING,   /* poses are those of the end */
     TD_MOMENT_COUNT
 } td_moment;
 
@@ -68,8 +66,7 @@ struct thud_detection {
     int rank; /* TD_RANK_...; in a pair of moving bodies the higher rank decides */
     const td_detection_stage *stage; /* null: it has the contacts of the narrowphase only */
     td_meet_fn *meet; /* time of impact, for td_stage_impacts; null in other stages */
-    const struct td_sensing
-        *sensing; /* sensing.h; null: sensors report overlap at the end of the step only */
+    const struct td_sensing *sensing; /* null: sensors go by poses at the end of the step only */
 };
 
 #endif

@@ -61,8 +61,8 @@ static double leg_end_at(const thud_world *w, td_body_index body, double time) {
 
 /* A shape and its motion on a part of a leg; backward in time where that ends before it begins. */
 typedef struct moving_shape {
-    thud_shape_instance at;
-    thud_motion motion;
+    thud_shape_instance at; /* at the first time */
+    thud_motion motion;     /* to the second time */
 } moving_shape;
 
 /* A shape from time `from` to time `to`, relative to `origin`. */
@@ -82,7 +82,7 @@ static moving_shape moving_shape_of(const thud_world *w, int shape, double from,
  * `origin`. */
 typedef struct shape_pair {
     int a, b;
-    bool line;
+    bool line; /* a is a terrain */
     td_position origin;
 } shape_pair;
 

@@ -55,7 +55,8 @@ static bool had_impact(const thud_world *w, td_body_index body) {
 }
 
 /* Finds when a pair meets after `now` in this step (*hit is true), or when it is to be tested
- * again (*hit is false); false if neither. *time is in [0, 1] of the step. */
+ * again since only a part of its path was tested (*hit is false); false if neither. *time is in
+ * [0, 1] of the step. */
 static bool next_check(thud_world *w, const td_toi_candidate *e, const thud_detection *detection,
                        double now, bool *hit, double *time) {
     td_approach approach;
@@ -74,8 +75,13 @@ static bool next_check(thud_world *w, const td_toi_candidate *e, const thud_dete
             return true;
         }
     }
+    /* A tenth of the target. Chosen: turning shapes may stop so early, which saves advancement
+     * steps. */
     approach.tolerance = 0.1 * approach.target;
     if (approach.target <= TOUCHING_DISTANCE * unit) {
+        /* The shapes touch. On a terrain they meet now if they close. Two shapes meet where they
+         * are nearer by a margin: what load may do, where they overlapped before any impact of the
+         * step, else CLOSING_MIN. */
         if (approach.on_ground) {
             *hit = !is_tied(w, e) && closes(w, e, now);
             *time = *hit ? now : until;

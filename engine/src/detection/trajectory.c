@@ -304,6 +304,7 @@ bool td_toi_candidate_approach(thud_world *w, const td_toi_candidate *e, double 
         }
         w->stats.motion_circles++;
         w->stats.motion_boxes++;
+        /* Beyond twice the target the exact distance does not matter: any greater one will do. */
         thud_contacts near;
         thud_terrain_contacts(&p->ground, &p->a, 2.0 * target, &near);
         p->path_error = target - (double)(TD_MEET * w->unit);
@@ -321,6 +322,7 @@ bool td_toi_candidate_approach(thud_world *w, const td_toi_candidate *e, double 
     if (normal_separates(p, &closest)) {
         return false;
     }
+    /* Shapes that are nearer than the target meet at half their distance. */
     p->target = 0.5 * p->distance < p->target ? 0.5 * p->distance : p->target;
     return true;
 }

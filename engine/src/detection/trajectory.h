@@ -26,14 +26,13 @@ typedef struct td_trajectory {
     td_position place; /* of the centre of mass, at `since` */
     uint32_t angle;    /* at `since`; 2^32 is a full turn */
     td_body_index body;
-    int32_t extras;  /* first of the body's extra candidates, as an edge: candidate * 2 + side, or
-                        TD_NONE */
-    int32_t impacts; /* of the body in this step so far */
-    double since;    /* in [0, 1] of the step */
-    double
-        motion[3];  /* x, y (lengths), angle (radians) in a whole step at the velocity of `since` */
-    double fall[2]; /* change of `motion` by gravity and forces in a whole step, lengths; 0 unless
-                       in free flight */
+    int32_t extras;   /* first of the body's extra candidates, as an edge: candidate * 2 + side, or
+                         TD_NONE */
+    int32_t impacts;  /* of the body in this step so far */
+    double since;     /* in [0, 1] of the step */
+    double motion[3]; /* x, y (lengths), angle (radians) a step, at `since` */
+    double fall[2];   /* change of `motion` by gravity and forces in a whole step, lengths; 0 unless
+                         in free flight */
     bool free;      /* only gravity and forces acted on the body: its motion follows its velocity */
     bool deflected; /* the body was stopped by one that keeps its motion (collide.c) */
     int32_t contact_count; /* touching contacts of the body at the start of the step */

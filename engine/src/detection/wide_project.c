@@ -33,9 +33,9 @@ TD_INLINE void apply_sums(float (*records)[4], const td_block *block, int points
 TD_INLINE void point_changes(const td_block *block, int points, float over_relaxation, f8 coupled,
                              const f8 *shortfall, const i8 *active, f8 *applied, f8 *change) {
     for (int k = 0; k < points; k++) {
-        f8 left = k ? shortfall[k] - coupled * change[0] : shortfall[k];
-        f8 push = f8_all(over_relaxation) * block->point[k].normal_mass * left;
-        change[k] = f8_keep(active[k], f8_max(push, -applied[k]));
+        f8 lack = k ? shortfall[k] - coupled * change[0] : shortfall[k];
+        f8 correction = f8_all(over_relaxation) * block->point[k].normal_mass * lack;
+        change[k] = f8_keep(active[k], f8_max(correction, -applied[k]));
         applied[k] += change[k];
     }
 }
