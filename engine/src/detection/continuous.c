@@ -31,6 +31,7 @@ typedef struct sweep_hit {
     int64_t pair; /* shape << 32 | static shape; orders hits at equal times */
 } sweep_hit;
 
+/* The sweep of one body. */
 typedef struct sweep {
     thud_world *w;
     td_awake_slot slot;
@@ -146,8 +147,8 @@ static void sweep_against_terrain(sweep *s, int line) {
     }
 }
 
-/* Bounds of the body on its whole path, for the broadphase. Widened by TD_SPECULATIVE; chosen,
- * only rounding needs more than nothing. */
+/* Bounds of the body on its whole path, for the broadphase. Wider by TD_SPECULATIVE, which is more
+ * than rounding needs. */
 static td_bounds swept_bounds(const sweep *s, td_position end) {
     const thud_world *w = s->w;
     double reach = (double)td_row(&w->reach, s->slot)[1] + (double)w->unit * (double)TD_SPECULATIVE;
@@ -159,8 +160,8 @@ static td_bounds swept_bounds(const sweep *s, td_position end) {
 /* Sets the sweep to one of the body's shapes, placed relative to swept.start, the body's centre at
  * the start. (c, sine) is the body's rotation there, `delta` its motion in the step. `shrink` is
  * twice TD_SLOP, at most a quarter of the half thickness, which is also the radius of the core.
- * Both chosen: less shrink makes sliding bodies stop at the joints of a floor, more of it leaves
- * deeper overlap. */
+ * Both chosen: with less shrink bodies that slide with some overlap stop; with more a stopped
+ * body is left in deeper overlap. */
 static void set_shape(sweep *s, int index, const float *delta, float c, float sine) {
     const thud_world *w = s->w;
     const td_shape *shape = td_shape_at(w, index);

@@ -219,8 +219,8 @@ static void begin_trajectory(thud_world *w, td_awake_slot slot) {
     const td_pose *pose = td_pose_at(w, index);
     const float *delta = td_row(&w->delta, slot);
     td_trajectory f = *td_trajectory_at(w, slot);
-    if (!td_same_body(f.body,
-                      index)) { /* a body was quarantined, and this one was moved into its slot */
+    /* A body was quarantined since, and this one was moved into its slot. */
+    if (!td_same_body(f.body, index)) {
         f = (td_trajectory){.body = index};
     }
     *td_trajectory_at(w, slot) =
@@ -292,9 +292,9 @@ static void schedule_candidates(thud_world *w) {
     }
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         td_trajectory *f = td_trajectory_at(w, slot);
-        bool own = is_bisected_or_swept(w, slot), strays = td_trajectory_leaves_bounds(w, f);
-        if ((own && !td_toi_candidates_find_terrain(w, f)) ||
-            (strays && !td_toi_candidates_find(w, f))) {
+        bool detects = is_bisected_or_swept(w, slot), leaves = td_trajectory_leaves_bounds(w, f);
+        if ((detects && !td_toi_candidates_find_terrain(w, f)) ||
+            (leaves && !td_toi_candidates_find(w, f))) {
             hold_body(w, f);
         }
         w->stats.unbisectable += td_is_unbisectable(w, slot);
@@ -338,10 +338,10 @@ static bool reserve(thud_world *w) {
     /* Each impact has a body that is not held yet, and is counted for it. */
     int awake = w->body_of.count, impacts_max = (ELASTIC_IMPACTS_MAX + 1) * awake;
     int extras = awake * (w->terrains.live + 1) + SPARE_CANDIDATES;
-    int hits = w->scratch.begins.count; /* hit events of contacts that begin in the step */
-    int shapes =
-        w->awake_shapes.ids.count +
-        w->rest_shapes.ids.count; /* a query may find each shape, and reserves as many again */
+    /* Hit events of contacts that begin in the step. */
+    int hits = w->scratch.begins.count;
+    /* A query may find each shape, and reserves as many again. */
+    int shapes = w->awake_shapes.ids.count + w->rest_shapes.ids.count;
     /* Each impact ends two legs, each body's last leg is one, and continuous.c makes one a held
      * body. */
     int legs = w->sensors > 0 ? 2 * impacts_max + 2 * awake : 0;

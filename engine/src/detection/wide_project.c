@@ -61,13 +61,14 @@ TD_INLINE bool project(td_block *const *blocks, td_pushes *pushes, int count, in
         sides d = read_sides((const float(*)[4])c->delta, block, fixed);
         f8 opened = centres_along(&d, fixed, block->nx, block->ny);
         f8 shortfall[2], closing[2], change[2];
-        i8 inelastic = (block->restitution < f8_all(1.0f)) & untied_lanes(block, c->next_tied);
+        /* Elastic pairs and those of tied bodies are left out. */
+        i8 projected = (block->restitution < f8_all(1.0f)) & untied_lanes(block, c->next_tied);
         i8 active[2], any = i8_all(0);
         for (int k = 0; k < points; k++) {
             td_point *p = &block->point[k];
             p->separation = p->base + at_point(opened, &d, fixed, ARMS_ALL, p);
             shortfall[k] = f8_min(target_distance, p->base + skin) - (p->separation + skin);
-            active[k] = inelastic & (p->normal_mass > zero) &
+            active[k] = projected & (p->normal_mass > zero) &
                         ((shortfall[k] > zero) | (pushes[i].motion[k] > zero));
             unfinished |= active[k] & (shortfall[k] > f8_all(c->tolerance));
             any |= active[k];
@@ -144,10 +145,10 @@ void TD_WIDE(td_find_open_points)(td_block *const *blocks, int count, int points
         for (int k = 0; k < points; k++) {
             const td_point *p = &block->point[k];
             f8 from = p->base + skin, to = from + at_point(along, &d, false, ARMS_ALL, p) - slack;
-            i8 active = p->normal_mass > zero;
-            apart &= (active & (to >= f8_min(collision_distance, from - f8_all(c->closing_max)))) |
-                     (~active & clear);
-            any |= active;
+            i8 present = p->normal_mass > zero;
+            apart &= (present & (to >= f8_min(collision_distance, from - f8_all(c->closing_max)))) |
+                     (~present & clear);
+            any |= present;
         }
         block->apart = i8_bits(apart & any);
     }
