@@ -1,14 +1,15 @@
-/* ballistics.h: bodies that nothing touches or joins fly exact parabolas, x + v t + g t^2 / 2,
- * where substeps would take them along a polygon. */
+/* ballistics.h: exact parabolas, x + v t + g t^2 / 2, for swept bodies in free flight, which
+ * substeps would move along a polygon. Called by impacts.c. */
 #ifndef TD_BALLISTICS_H
 #define TD_BALLISTICS_H
 
 #include "state/world.h"
 
-/* Notes the velocities before the solver changes them. */
-void td_ballistics_note(thud_world *w);
-/* A body that gained hardly anything but gravity gets the motion of its parabola, and its
- * trajectory the fall, before the motion becomes a pose. */
-void td_ballistics_fly(thud_world *w);
+/* Saves the velocities, before the solver changes them, in the `motion` of new trajectories. */
+void td_ballistics_save_velocities(thud_world *w);
+/* Runs after the solver, before motions become poses. Each dynamic swept body whose velocity
+ * changed by gravity and forces only, but for FREE_SHARE_MAX of it, gets the motion of its
+ * parabola; td_trajectory.free and `fall` tell of it. */
+void td_ballistics_set_parabolas(thud_world *w);
 
 #endif

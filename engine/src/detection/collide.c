@@ -1,4 +1,8 @@
-/* collide.c: see collide.h. */
+/* collide.c: see collide.h. Each body has two sets of velocities at the impact: its velocity,
+ * which it has after the step, and its motion, by which its trajectory continues to the end of the
+ * step. They differ unless the body is in free flight: the solver moves bodies apart that overlap,
+ * and its relax pass takes that out of the velocity again. The collision law is applied to the
+ * velocities, and the approach is taken out of the motions by the same law. */
 #include "detection/collide.h"
 
 #include "state/body.h"
@@ -7,23 +11,28 @@
 #include "contact/contact.h"
 #include "geometry/shape_instance.h"
 
-/* A fall of so little in a step is none; a multiple of TD_MEET, as in toi_queue.c. */
-#define NOTHING 0.01
-/* In any unit: what single precision holds. */
-#define VELOCITY_MOST 3e38
+/* In multiples of TD_MEET: a change of `fall` of a whole step by less does not change times of
+ * impact noticeably. Chosen equal to CLOSING_MIN of toi_queue.c, motion below which touching shapes
+ * do not collide. */
+#define FALL_MIN 0.01
+/* Bound of velocities, length/s or rad/s: below FLT_MAX, 3.4e38, so that the conversion is finite.
+ */
+#define VELOCITY_MAX 3e38
 
-/* One of the two bodies, at the point where they meet. */
+/* One of the two bodies. */
 typedef struct side {
     td_body_index index;
     td_body *body;
-    td_trajectory *trajectory; /* null where nothing moves it */
-    double inv_mass, inv_inertia;
-    double x, y;        /* the point, from the centre of mass */
-    double velocity[3]; /* now */
-    double motion[3];   /* per second of the rest of the step */
-    bool stays;         /* keeps its motion */
+    td_trajectory *trajectory;    /* null: the body is not awake */
+    double inv_mass, inv_inertia; /* 0 unless the body is awake and dynamic */
+    double x, y;                  /* the impact point, from the centre of mass */
+    double velocity[3];           /* at the time of the impact: x, y (length/s), turn (rad/s) */
+    double motion[3];             /* velocity of the trajectory then, likewise */
+    bool keeps_motion;            /* its motion does not change; see choose_kept_motion */
 } side;
 
+/* Collects a body's state at `time`. w->velocity is that of the end of the step, so that what
+ * `fall` adds until then is subtracted; a motion follows its `fall` from `since`. */
 static side side_of(thud_world *w, td_body_index index, const td_impact_point *at, double time) {
     td_body *body = td_body_at(w, index);
     td_trajectory f = td_trajectory_of(w, index);
@@ -47,34 +56,37 @@ static side side_of(thud_world *w, td_body_index index, const td_impact_point *a
     return s;
 }
 
-/* Speed of b's point against a's along (x, y). */
-static double speed_along(const side *a, const side *b, bool of_motion, double x, double y) {
-    const double *va = of_motion ? a->motion : a->velocity;
-    const double *vb = of_motion ? b->motion : b->velocity;
+/* Velocity of b at the point relative to a, along (x, y): of the motions or of the velocities. */
+static double speed_along(const side *a, const side *b, bool use_motion, double x, double y) {
+    const double *va = use_motion ? a->motion : a->velocity;
+    const double *vb = use_motion ? b->motion : b->velocity;
     double vx = vb[0] - vb[2] * b->y - va[0] + va[2] * a->y;
     double vy = vb[1] + vb[2] * b->x - va[1] - va[2] * a->x;
     return vx * x + vy * y;
 }
 
-/* A body that is held does not move, whatever its velocity. */
-static bool gives_way(const side *s, bool of_motion) {
-    return !of_motion || (s->trajectory && !s->trajectory->held && !s->stays);
+/* Whether an impulse changes the body. Motions of held bodies and of those that keep their motion
+ * do not change, nor those of bodies that are not awake. */
+static bool is_movable(const side *s, bool use_motion) {
+    return !use_motion || (s->trajectory && !s->trajectory->held && !s->keeps_motion);
 }
 
-/* Speed along (tx, ty) that a unit of impulse along (x, y) gives. */
-static double softness(const side *a, const side *b, bool of_motion, double x, double y, double tx,
-                       double ty) {
+/* Relative velocity along (tx, ty) per unit of impulse along (x, y): the element of the inverse
+ * effective mass matrix, 1/kg. */
+static double inverse_mass_along(const side *a, const side *b, bool use_motion, double x, double y,
+                                 double tx, double ty) {
     double along = x * tx + y * ty;
     double turn_a = (a->x * y - a->y * x) * (a->x * ty - a->y * tx);
     double turn_b = (b->x * y - b->y * x) * (b->x * ty - b->y * tx);
     double soft_a = a->inv_mass * along + a->inv_inertia * turn_a;
     double soft_b = b->inv_mass * along + b->inv_inertia * turn_b;
-    return (gives_way(a, of_motion) ? soft_a : 0.0) + (gives_way(b, of_motion) ? soft_b : 0.0);
+    return (is_movable(a, use_motion) ? soft_a : 0.0) + (is_movable(b, use_motion) ? soft_b : 0.0);
 }
 
-static void push(side *s, bool of_motion, double x, double y) {
-    double *v = of_motion ? s->motion : s->velocity;
-    if (!gives_way(s, of_motion)) {
+/* Applies an impulse (x, y) at the point to a body's motion or velocity. */
+static void apply_impulse(side *s, bool use_motion, double x, double y) {
+    double *v = use_motion ? s->motion : s->velocity;
+    if (!is_movable(s, use_motion)) {
         return;
     }
     v[0] += s->inv_mass * x;
@@ -82,8 +94,9 @@ static void push(side *s, bool of_motion, double x, double y) {
     v[2] += s->inv_inertia * (s->x * y - s->y * x);
 }
 
-/* How gravity speeds b up against a along (x, y): lengths a step, in a step. */
-static double fall_along(const side *a, const side *b, double x, double y) {
+/* The relative `fall` of b against a along (x, y): change of the relative motion in a step,
+ * lengths. */
+static double relative_fall_along(const side *a, const side *b, double x, double y) {
     double fx = (b->trajectory ? b->trajectory->fall[0] : 0.0) -
                 (a->trajectory ? a->trajectory->fall[0] : 0.0);
     double fy = (b->trajectory ? b->trajectory->fall[1] : 0.0) -
@@ -91,11 +104,15 @@ static double fall_along(const side *a, const side *b, double x, double y) {
     return fx * x + fy * y;
 }
 
-static void look_at(thud_world *w, const td_toi_candidate *e, td_impact_point *at, double time) {
+/* Sets at->speed, and at->closing_distance = (speed - fall r / 2) r, with r = 1 - time the
+ * remaining of the step and `fall` the relative one along the normal. */
+static void measure_closing(thud_world *w, const td_toi_candidate *e, td_impact_point *at,
+                            double time) {
     side a = side_of(w, e->body[0], at, time), b = side_of(w, e->body[1], at, time);
-    double rest = 1.0 - time;
+    double remaining = 1.0 - time;
     at->speed = -speed_along(&a, &b, true, at->nx, at->ny) * w->def.time_step;
-    at->closing = (at->speed - 0.5 * fall_along(&a, &b, at->nx, at->ny) * rest) * rest;
+    at->closing_distance =
+        (at->speed - 0.5 * relative_fall_along(&a, &b, at->nx, at->ny) * remaining) * remaining;
 }
 
 bool td_impact_point_of(thud_world *w, const td_toi_candidate *e, double time,
@@ -108,49 +125,62 @@ bool td_impact_point_of(thud_world *w, const td_toi_candidate *e, double time,
         points[k] = (td_impact_point){
             f.origin,    c->nx, c->ny, 0.5 * (c->ax + c->bx), 0.5 * (c->ay + c->by),
             c->distance, 0.0,   0.0};
-        look_at(w, e, &points[k], time);
+        measure_closing(w, e, &points[k], time);
     }
     if (f.contacts.count == 0) {
         return false;
     }
-    bool second = f.contacts.count == 2 && points[1].closing > points[0].closing;
+    bool second = f.contacts.count == 2 && points[1].closing_distance > points[0].closing_distance;
     *at = points[second];
-    if (f.contacts.count == 2 && points[!second].closing > 0.5 * at->closing) {
+    if (f.contacts.count == 2 && points[!second].closing_distance > 0.5 * at->closing_distance) {
         at->x = 0.5 * (points[0].x + points[1].x);
         at->y = 0.5 * (points[0].y + points[1].y);
     }
     return true;
 }
 
+/* The normal and the material of both surfaces at the impact point. */
 typedef struct surface {
-    double nx, ny, friction, restitution, speed, bounce_speed;
+    double nx, ny;      /* normal, from a to b */
+    double friction;    /* coefficient */
+    double restitution; /* coefficient */
+    double speed; /* of b against a along (ny, -nx), to which friction drives it: a conveyor belt;
+                     length/s */
+    double bounce_speed; /* no restitution at a closing speed up to this, length/s */
 } surface;
 
-/* What an impact did: impulses along the normal and along (ny, -nx), and whether the two part. */
+/* The impulses of an impact along the normal and along (ny, -nx), and whether the pair bounced: it
+ * was given restitution. */
 typedef struct outcome {
     double normal, tangent;
     bool bounced;
 } outcome;
 
-/* Takes the approach out of the velocities or out of the motions, after A. Chatterjee and A. Ruina,
- * "A New Algebraic Rigid-Body Collision Law Based on Impulse Space Considerations" (1998), without
- * tangential restitution: (1 + e) times the impulse that stops the approach without friction, and
- * of the one that from there stops the sliding as much as the friction cone allows. It obeys e and
- * Coulomb's law, and where friction and normal act on each other through the turn, no impact gains
- * energy. */
-static outcome bounce(side *a, side *b, bool of_motion, const surface *u) {
-    double closing = -speed_along(a, b, of_motion, u->nx, u->ny);
+/* Applies the collision law to the velocities or to the motions of both bodies, after A.
+ * Chatterjee and A. Ruina, "A New Algebraic Rigid-Body Collision Law Based on Impulse Space
+ * Considerations" (1998), without tangential restitution. With normal n, tangent t, closing speed
+ * c, restitution e and the inverse effective masses K:
+ *   P1 = c / Knn                               along n: stops the approach without friction
+ *   T = -(slide + Knt P1) / (Ktt - Knt^2/Knn)  along t: then stops the sliding, while
+ *   A = -T Knt / Knn                           along n: keeps the normal speed
+ * In the code: Knn inverse_mass, Knt mixed, P1 stop, T tangent, A along.
+ * The impulse is (1 + e) P1 along n, and the share of (A, T) that keeps |tangent| <= friction x
+ * normal. No impact gains energy, also where normal and friction impulses act on each other
+ * through the turn (Knt != 0). */
+static outcome apply_collision(side *a, side *b, bool use_motion, const surface *u) {
+    double closing = -speed_along(a, b, use_motion, u->nx, u->ny);
     double tx = u->ny, ty = -u->nx;
-    double soft = softness(a, b, of_motion, u->nx, u->ny, u->nx, u->ny);
-    if (!(closing > 0.0 && soft > 0.0)) {
+    double inverse_mass = inverse_mass_along(a, b, use_motion, u->nx, u->ny, u->nx, u->ny);
+    if (!(closing > 0.0 && inverse_mass > 0.0)) {
         return (outcome){0.0, 0.0, false};
     }
     bool bounced = u->restitution > 0.0 && closing > u->bounce_speed;
-    double stop = closing / soft, normal = (1.0 + (bounced ? u->restitution : 0.0)) * stop;
-    double mixed = softness(a, b, of_motion, u->nx, u->ny, tx, ty);
-    double slide = speed_along(a, b, of_motion, tx, ty) - u->speed + mixed * stop;
-    double tangent = -slide / (softness(a, b, of_motion, tx, ty, tx, ty) - mixed * mixed / soft);
-    double along = -tangent * mixed / soft; /* keeps the normal speed as it is */
+    double stop = closing / inverse_mass, normal = (1.0 + (bounced ? u->restitution : 0.0)) * stop;
+    double mixed = inverse_mass_along(a, b, use_motion, u->nx, u->ny, tx, ty);
+    double slide = speed_along(a, b, use_motion, tx, ty) - u->speed + mixed * stop;
+    double tangent = -slide / (inverse_mass_along(a, b, use_motion, tx, ty, tx, ty) -
+                               mixed * mixed / inverse_mass);
+    double along = -tangent * mixed / inverse_mass; /* A */
     double part = 1.0, ratio = td_friction_ratio(u->friction, slide);
     if (td_abs(tangent) > ratio * (normal + along)) {
         part = ratio * normal / (td_abs(tangent) - ratio * along);
@@ -158,31 +188,35 @@ static outcome bounce(side *a, side *b, bool of_motion, const surface *u) {
     normal += part * along;
     tangent *= part;
     double x = normal * u->nx + tangent * tx, y = normal * u->ny + tangent * ty;
-    push(a, of_motion, -x, -y);
-    push(b, of_motion, x, y);
+    apply_impulse(a, use_motion, -x, -y);
+    apply_impulse(b, use_motion, x, y);
     return (outcome){normal, tangent, bounced};
 }
 
-/* What did not part does not fall on into each other: each bears as much as the other falls less.
- * Where that bends the way of a body by more than NOTHING, `bent` says so. */
-static void bear(const thud_world *w, const side *a, const side *b, const surface *u,
-                 bool bent[2]) {
-    double nothing = NOTHING * (double)(TD_MEET * w->unit);
+/* Keeps a pair that did not bounce from falling into each other in the rest of the step: with the
+ * falls Fa, Fb along the normal, which leads from a to b, Fa is reduced to at most max(Fb, 0), and
+ * Fb raised to at least min(Fa, 0). fall_reduced tells of each body whether its `fall` changed by
+ * more than FALL_MIN. */
+static void stop_mutual_fall(const thud_world *w, const side *a, const side *b, const surface *u,
+                             bool fall_reduced[2]) {
+    double fall_min = FALL_MIN * (double)(TD_MEET * w->unit);
     double x = u->nx, y = u->ny;
     double fall_a = a->trajectory ? a->trajectory->fall[0] * x + a->trajectory->fall[1] * y : 0.0;
     double fall_b = b->trajectory ? b->trajectory->fall[0] * x + b->trajectory->fall[1] * y : 0.0;
-    double less_a = fall_a - td_max_double(fall_b, 0.0);
-    double less_b = fall_b - td_min_double(fall_a, 0.0);
-    if (a->trajectory && less_a > 0.0) {
-        td_trajectory_bear(w, a->trajectory, less_a * x, less_a * y);
-        bent[0] = less_a > nothing;
+    double reduction_a = fall_a - td_max_double(fall_b, 0.0);
+    double reduction_b = fall_b - td_min_double(fall_a, 0.0);
+    if (a->trajectory && reduction_a > 0.0) {
+        td_trajectory_reduce_fall(w, a->trajectory, reduction_a * x, reduction_a * y);
+        fall_reduced[0] = reduction_a > fall_min;
     }
-    if (b->trajectory && less_b < 0.0) {
-        td_trajectory_bear(w, b->trajectory, less_b * x, less_b * y);
-        bent[1] = -less_b > nothing;
+    if (b->trajectory && reduction_b < 0.0) {
+        td_trajectory_reduce_fall(w, b->trajectory, reduction_b * x, reduction_b * y);
+        fall_reduced[1] = -reduction_b > fall_min;
     }
 }
 
+/* Writes velocity and motion of a side to its body: velocities for the end of the step, with what
+ * `fall` adds until then, motions per step. A body that keeps its motion has no impact counted. */
 static void write_back(const thud_world *w, const side *s) {
     td_trajectory *f = s->trajectory;
     if (!f || s->body->kind != THUD_DYNAMIC) {
@@ -192,43 +226,48 @@ static void write_back(const thud_world *w, const side *s) {
     for (int k = 0; k < 3; k++) {
         double fall = k < 2 ? f->fall[k] : 0.0;
         double ends = s->velocity[k] + fall * (1.0 - f->since) / w->def.time_step;
-        velocity[k] = (float)td_clamp(ends, -VELOCITY_MOST, VELOCITY_MOST);
+        velocity[k] = (float)td_clamp(ends, -VELOCITY_MAX, VELOCITY_MAX);
         f->motion[k] =
-            s->stays ? f->motion[k] : td_motion_held(w, k, s->motion[k] * w->def.time_step);
+            s->keeps_motion ? f->motion[k] : td_motion_held(w, k, s->motion[k] * w->def.time_step);
     }
     f->changed = true;
-    if (s->stays) {
+    if (s->keeps_motion) {
         f->free = false;
         return;
     }
     f->impacts++;
 }
 
-/* From here on the body moves as its velocity says. */
-static bool is_free(const side *s) {
+/* Whether the body's motion follows its velocity from here on: it is in free flight, or no impulse
+ * changes it. */
+static bool moves_by_velocity(const side *s) {
     return !s->trajectory || s->trajectory->free || s->body->kind != THUD_DYNAMIC;
 }
 
-static void move_as_velocity(side *s) {
+/* Sets the motion to the velocity. */
+static void set_motion_from_velocity(side *s) {
     for (int k = 0; k < 3; k++) {
         s->motion[k] = s->velocity[k];
     }
 }
 
-/* The speed of approach below which a pair does not bounce: see bounces.h. */
+/* The closing speed, length/s, up to which the pair does not bounce: the restitution threshold of
+ * the world, and in swept pairs, whose bounces would follow each other ever sooner, also a
+ * multiple of the speed that gravity gives in a step (solver/bounces.h). Of both, elastic pairs
+ * take the lesser and pairs in free flight that are not elastic the greater. */
 static double bounce_speed(const thud_world *w, const side *a, const side *b, const surface *u) {
-    double slow = (double)(w->def.restitution_threshold * w->unit), dt = w->def.time_step;
+    double threshold = (double)(w->def.restitution_threshold * w->unit), dt = w->def.time_step;
     bool elastic = u->restitution >= 1.0;
     if (td_detection_of(w, a->index, b->index)->rank != TD_RANK_SWEPT) {
-        return slow;
+        return threshold;
     }
-    if (is_free(a) && is_free(b)) {
-        double rest = TD_BOUNCE_REST * td_abs(fall_along(a, b, u->nx, u->ny)) / dt;
-        return elastic ? td_min_double(rest, slow) : td_max_double(rest, slow);
+    if (moves_by_velocity(a) && moves_by_velocity(b)) {
+        double resting = TD_BOUNCE_REST * td_abs(relative_fall_along(a, b, u->nx, u->ny)) / dt;
+        return elastic ? td_min_double(resting, threshold) : td_max_double(resting, threshold);
     }
     double x = (double)w->def.gravity.x, y = (double)w->def.gravity.y;
-    double rest = TD_BOUNCE_BORNE * __builtin_sqrt(x * x + y * y) * dt;
-    return elastic ? td_min_double(rest, slow) : slow;
+    double resting = TD_BOUNCE_BORNE * __builtin_sqrt(x * x + y * y) * dt;
+    return elastic ? td_min_double(resting, threshold) : threshold;
 }
 
 thud_contact td_impact_view(const thud_world *w, const td_toi_candidate *e,
@@ -236,53 +275,56 @@ thud_contact td_impact_view(const thud_world *w, const td_toi_candidate *e,
     td_position place = {at->origin.x + td_round64(at->x * w->to_fixed),
                          at->origin.y + td_round64(at->y * w->to_fixed)};
     int a = e->shape[0], b = e->shape[1];
-    td_pair_of(w, &a, &b); /* callers see them in the order of a contact */
+    td_pair_of(w, &a, &b); /* callers see the shapes in the order of a contact */
     double sign = a == e->shape[0] ? 1.0 : -1.0;
     thud_vec2 normal = {(float)(sign * at->nx), (float)(sign * at->ny)};
     return td_contact_between(w, a, b, place, normal, at->distance);
 }
 
-/* Others lean on it, or it on them; more than one where the pair bounces, or it would gain by
- * giving way to itself. */
-static bool is_in_touch(const side *s, bool pair_touches, bool bounces) {
-    return s->trajectory && s->trajectory->touching > pair_touches + bounces;
+/* Whether the body touches others than the one of this pair. Where the pair may bounce, one
+ * contact more is needed: with a single other contact a body that keeps its motion would gain
+ * energy. */
+static bool touches_others(const side *s, bool pair_touches, bool bounces) {
+    return s->trajectory && s->trajectory->contact_count > pair_touches + bounces;
 }
 
-/* A body in touch with others would hand its new motion on to them at once, and they to others: a
- * heap would collide with itself for as long as the step lasts. It keeps its motion, which the
- * solver made with all of them in sight, and what met it gives way; its new velocity is for the
- * next step to hand on. Of two such bodies the one that gave way already keeps what it has, or else
- * the slower one. */
-static void choose_who_stays(side *a, side *b, bool pair_touches, const surface *u) {
+/* Chooses a body that keeps its motion in this step. If a body that touches others took a new
+ * motion, it would meet them at once, and they those that they touch: a heap would have impacts
+ * with itself for the rest of the step. Its motion comes from the solver, which solved all its
+ * contacts together, so that it is kept; only its velocity changes, and the next step's solver
+ * spreads that. The other body of the pair takes the whole change of motion. If both touch others,
+ * the one that took such a change already keeps its motion, or else the slower one along the
+ * normal. */
+static void choose_kept_motion(side *a, side *b, bool pair_touches, const surface *u) {
     bool bounces = u->restitution > 0.0;
-    bool touch_a = is_in_touch(a, pair_touches, bounces);
-    bool touch_b = is_in_touch(b, pair_touches, bounces);
+    bool touch_a = touches_others(a, pair_touches, bounces);
+    bool touch_b = touches_others(b, pair_touches, bounces);
     bool fixed =
-        !gives_way(a, true) || !gives_way(b, true) || a->inv_mass == 0.0 || b->inv_mass == 0.0;
+        !is_movable(a, true) || !is_movable(b, true) || a->inv_mass == 0.0 || b->inv_mass == 0.0;
     if (fixed || (!touch_a && !touch_b)) {
         return;
     }
-    bool b_stays = touch_b;
+    bool keep_b = touch_b;
     if (touch_a && touch_b) {
         double speed_a = td_abs(a->motion[0] * u->nx + a->motion[1] * u->ny);
         double speed_b = td_abs(b->motion[0] * u->nx + b->motion[1] * u->ny);
-        bool yielded_a = a->trajectory->yielded, yielded_b = b->trajectory->yielded;
-        b_stays = yielded_a == yielded_b ? speed_b < speed_a : yielded_b;
+        bool deflected_a = a->trajectory->deflected, deflected_b = b->trajectory->deflected;
+        keep_b = deflected_a == deflected_b ? speed_b < speed_a : deflected_b;
     }
-    a->stays = !b_stays;
-    b->stays = b_stays;
+    a->keeps_motion = !keep_b;
+    b->keeps_motion = keep_b;
 }
 
-/* What gives way does not fall on: gravity and forces give it no speed in the rest of the step.
- * That is taken out once, of the whole rest from the first time on: a body that gives way to eight
- * others in a step would leave it at eight times that speed, upwards. */
-static void give_back(const thud_world *w, side *s, double time) {
+/* Removes from the velocity of a body that takes the change of motion for both what gravity and
+ * forces gave it in the rest of the step, since it stands there against the other. Only once a
+ * step: a body that meets eight others would end the step with eight times that speed, upwards. */
+static void remove_remaining_gain(const thud_world *w, side *s, double time) {
     const float *push = td_row(&w->push, s->body->awake);
-    for (int k = 0; k < 2 && !s->trajectory->yielded; k++) {
-        double given = w->substeps * (1.0 - time) * (double)push[k];
-        s->velocity[k] -= td_gain_held(w, k, given);
+    for (int k = 0; k < 2 && !s->trajectory->deflected; k++) {
+        double gain = w->substeps * (1.0 - time) * (double)push[k];
+        s->velocity[k] -= td_gain_clamped(w, k, gain);
     }
-    s->trajectory->yielded = true;
+    s->trajectory->deflected = true;
 }
 
 void td_impact_resolve(thud_world *w, const td_toi_candidate *e, const td_impact_point *at,
@@ -293,34 +335,34 @@ void td_impact_resolve(thud_world *w, const td_toi_candidate *e, const td_impact
                  .restitution = (double)settings->restitution,
                  .speed = (double)settings->surface_speed};
     side a = side_of(w, e->body[0], at, time), b = side_of(w, e->body[1], at, time);
-    bool free = is_free(&a) && is_free(&b);
+    bool free = moves_by_velocity(&a) && moves_by_velocity(&b);
     u.bounce_speed = bounce_speed(w, &a, &b, &u);
     impact->approach = (float)-speed_along(&a, &b, false, u.nx, u.ny);
     if (u.restitution < 1.0) {
-        choose_who_stays(&a, &b, impact->touching, &u);
-        impact->stayed[0] = a.stays;
-        impact->stayed[1] = b.stays;
+        choose_kept_motion(&a, &b, impact->touching, &u);
+        impact->kept_motion[0] = a.keeps_motion;
+        impact->kept_motion[1] = b.keeps_motion;
     }
-    outcome done = bounce(&a, &b, false, &u);
-    impact->seen.normal_impulse = (float)done.normal;
-    impact->seen.tangent_impulse = (float)done.tangent;
-    if (a.stays || b.stays) {
-        side *yields = a.stays ? &b : &a;
-        give_back(w, yields, time);
-        if (is_free(yields)) {
-            move_as_velocity(yields);
+    outcome result = apply_collision(&a, &b, false, &u);
+    impact->seen.normal_impulse = (float)result.normal;
+    impact->seen.tangent_impulse = (float)result.tangent;
+    if (a.keeps_motion || b.keeps_motion) {
+        side *other = a.keeps_motion ? &b : &a;
+        remove_remaining_gain(w, other, time);
+        if (moves_by_velocity(other)) {
+            set_motion_from_velocity(other);
         }
         u.restitution = 0.0;
-        bounce(&a, &b, true, &u);
+        apply_collision(&a, &b, true, &u);
     } else if (free) {
-        move_as_velocity(&a);
-        move_as_velocity(&b);
+        set_motion_from_velocity(&a);
+        set_motion_from_velocity(&b);
     } else {
-        bounce(&a, &b, true, &u);
+        apply_collision(&a, &b, true, &u);
     }
     write_back(w, &a);
     write_back(w, &b);
-    if (!done.bounced) {
-        bear(w, &a, &b, &u, impact->bent);
+    if (!result.bounced) {
+        stop_mutual_fall(w, &a, &b, &u, impact->fall_reduced);
     }
 }

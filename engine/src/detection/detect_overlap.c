@@ -1,4 +1,5 @@
-/* detect_overlap.c: shapes are tested where they stand at the start of a step, and nowhere else. */
+/* detect_overlap.c: shapes are tested at their poses at the start of each step only, by the
+ * narrowphase; there is no stage. */
 #include "detection/detection.h"
 
 #include "thud/thud_detection.h"

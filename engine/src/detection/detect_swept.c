@@ -1,7 +1,9 @@
-/* detect_swept.c: a pair is stopped at the first time of impact along its motion. */
+/* detect_swept.c: the detection `swept`. A pair is stopped at the first time of impact along its
+ * motion, found by conservative advancement (geometry/toi.c). */
 #include "detection/detection.h"
 #include "detection/sensing.h"
 
+/* See td_meet_fn. */
 static bool meet(const td_approach *p, double *time) {
     bool hit = false;
     if (p->on_ground) {

@@ -1,4 +1,4 @@
-/* detection.c: what callers ask about the kinds of detection. */
+/* detection.c: public functions about the kinds of detection. */
 #include "detection/detection.h"
 
 #include "state/handles.h"
@@ -8,6 +8,7 @@ const char *thud_detection_name(const thud_detection *detection) {
     return detection ? detection->name : "";
 }
 
+/* The speed at which a body moves by the thickness of the thinnest shape in one step. */
 thud_result thud_world_bisection_limit(thud_world *w, double *speed) {
     if (!w || !speed) {
         return td_refuse(w, THUD_ERROR_NULL, "bisection limit: world or speed is null");

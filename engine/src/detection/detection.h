@@ -1,4 +1,8 @@
-/* detection.h: the kinds of collision detection, as worlds and bodies choose them. */
+/* detection.h: the four kinds of collision detection that a world or a body chooses (overlap,
+ * continuous, bisect, swept; thud_detection.h), and what a kind consists of.
+ *
+ * Times are shares, in [0, 1], of the step or of what is left of it; lengths are in the caller's
+ * unit. */
 #ifndef TD_DETECTION_H
 #define TD_DETECTION_H
 
@@ -6,60 +10,63 @@
 #include "geometry/shape_instance.h"
 #include "thud/thud_detection.h"
 
-/* Two shapes, or a shape and the ground, on their straight ways through the rest of a step. */
+/* Two shapes, or a shape and a terrain, on straight paths through an interval of the step. */
 typedef struct td_approach {
-    bool on_ground; /* a against `ground`, relative to it, and no b */
-    thud_terrain ground;
-    thud_shape_instance a, b;
-    thud_motion motion_a, motion_b;
-    double distance;  /* now, where it is small; negative: overlap */
-    double target;    /* the distance at which they count as met, less than the present one;
-                         negative where they touch already */
-    double swing;     /* so far may their arcs be from the straight ways */
-    double tolerance; /* they may be so much further apart when they meet */
+    bool on_ground;      /* shape a against `ground`, in the frame of the ground; b is not set */
+    thud_terrain ground; /* a view; the world owns its points */
+    thud_shape_instance a, b;       /* at the start of the interval */
+    thud_motion motion_a, motion_b; /* over the whole interval */
+    double distance;                /* at the start; negative: overlap */
+    double target;     /* the distance at which the pair counts as meeting; < distance */
+    double path_error; /* bound on how far the true paths, which are arcs and parabolas, are from
+                          the straight ones, both sides together */
+    double tolerance;  /* the time of impact may be found up to this length short of `target` */
 } td_approach;
 
-/* When shapes that are apart meet, in [0, 1] of the rest; false where they do not. At *time they do
- * not overlap. */
+/* Finds when an approach first comes within its target. False where it does not. *time is a share,
+ * in [0, 1], of the interval; shapes that are apart at its start do not overlap at *time. */
 typedef bool td_meet_fn(const td_approach *approach, double *time);
 
+/* Order of the kinds, from coarse to fine. */
 enum { TD_RANK_OVERLAP, TD_RANK_CONTINUOUS, TD_RANK_BISECT, TD_RANK_SWEPT, TD_RANK_COUNT };
 
 struct thud_world;
 
-/* When in a step detection has its say. */
+/* The moments of a step at which a detection stage may run. */
 typedef enum td_moment {
-    TD_BEFORE_SOLVING,
-    TD_BEFORE_MOVING, /* velocities and motions are known, and no body is where they take it */
-    TD_AFTER_MOVING,
+    TD_BEFORE_SOLVING, /* after the narrowphase */
+    TD_BEFORE_MOVING,  /* velocities and motions of the step are known; poses are those of the start
+                        */
+    TD_AFTER_MOVING,   /* poses are those of the end */
     TD_MOMENT_COUNT
 } td_moment;
 
-/* The part of a step that a detection needs; it runs once for all detections that share it. */
+/* The part of a step that a kind of detection needs. It runs once a step for all kinds that share
+ * it. */
 typedef struct td_detection_stage {
-    /* Room, so that `run` cannot fail; false: out of memory. */
+    /* Reserves memory, so that `run` cannot fail. False: out of memory. */
     bool (*reserve)(struct thud_world *w);
-    void (*run[TD_MOMENT_COUNT])(struct thud_world *w); /* null: nothing */
+    void (*run[TD_MOMENT_COUNT])(struct thud_world *w); /* null: nothing runs at that moment */
 } td_detection_stage;
 
-/* continuous.c: fast bodies go back to where they first met a static shape. */
+/* continuous.c: stops fast bodies at their first time of impact with a static shape. */
 extern const td_detection_stage td_stage_continuous;
-/* impacts.c: bodies that are bisected or swept move on from each collision. */
+/* impacts.c: moves bisected and swept bodies from impact to impact. */
 extern const td_detection_stage td_stage_impacts;
 
-/* continuous.c: brings a body back to a part, in [0, 1], of the motion that it has made. It does
- * not fall on in the rest of the step, so that the velocity which gravity and forces give it there
- * is taken back. */
+/* continuous.c: moves a body, whose pose is that of the end of the step, back to the share `time`,
+ * in [0, 1], of its motion in the step. The velocity that gravity and forces gave it in the rest
+ * of the step is removed, since it does not move in the rest. */
 void td_hold_at(struct thud_world *w, td_awake_slot slot, double time);
 
 struct td_sensing;
 
 struct thud_detection {
     const char *name;
-    int rank; /* TD_RANK_...; the higher of two moving bodies' decides on their pair */
-    const td_detection_stage *stage;  /* null: the contacts of the narrowphase are all there is */
-    td_meet_fn *meet;                 /* for td_stage_impacts */
-    const struct td_sensing *sensing; /* sensing.h; null: sensors go by where bodies stand alone */
+    int rank; /* TD_RANK_...; in a pair of moving bodies the higher rank decides */
+    const td_detection_stage *stage; /* null: it has the contacts of the narrowphase only */
+    td_meet_fn *meet; /* time of impact, for td_stage_impacts; null in other stages */
+    const struct td_sensing *sensing; /* null: sensors go by poses at the end of the step only */
 };
 
 #endif

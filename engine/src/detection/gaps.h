@@ -1,27 +1,31 @@
-/* gaps.h: how far apart touching shapes are, as the rows of their contact tell it: a linear
- * function of the motion of their bodies, and much cheaper than their shapes. */
+/* gaps.h: the gaps of touching shapes through the step, by the rows of their contacts: a gap is a
+ * linear function of the motion of both bodies, which is much cheaper than a distance of shapes.
+ * Used by impacts.c, so that contacts under load need no time of impact. */
 #ifndef TD_GAPS_H
 #define TD_GAPS_H
 
 #include "detection/trajectory.h"
 
-/* Keeps touching pairs apart by changing the motion of the step, before it becomes poses: see
+/* Changes the motion of the step, before it becomes poses, so that touching pairs stay apart: see
  * project.h. */
 void td_gaps_project(thud_world *w);
 
-/* So many elements of scratch.impacts are the room for that. */
+/* Number of elements of scratch.impacts (td_impact) that td_gaps_project needs as memory. */
 int td_gaps_room(const thud_world *w);
 
-/* Finds out which contacts the motion of the step, as the solver and td_gaps_project made it,
- * surely keeps apart; and whether one is of them. */
-void td_gaps_judge(thud_world *w);
-bool td_gap_is_judged(const thud_world *w, const td_constraint *contact);
+/* Sets td_block.apart: the lanes of contacts that the motion of the step surely keeps apart. Runs
+ * after td_gaps_project, at the start of the trajectories. */
+void td_gaps_find_open(thud_world *w);
+/* Whether a touching contact needs no time of impact for the motion of the step: td_gaps_find_open
+ * found it apart, or it is left to the solver. */
+bool td_gap_was_found_open(const thud_world *w, const td_constraint *contact);
 
-/* Whether the contact, which touches, is of a body that joints tie to others: it is left to the
- * solver, which sees what they bear. */
-bool td_gap_is_solvers(const thud_world *w, const td_constraint *contact);
-/* Whether the rest of both ways, from `now` on, surely brings the shapes of a contact no nearer
- * than what collisions begin at; false where that is not sure. */
-bool td_gap_stays(const thud_world *w, const td_contact *contact, double now);
+/* Whether joints tie a body of the touching contact to others. Such a contact is left to the
+ * solver, which knows the load on the joints. */
+bool td_gap_is_left_to_solver(const thud_world *w, const td_constraint *contact);
+/* Whether both trajectories, from `now` to the end of the step, surely bring the shapes of a
+ * touching contact no nearer than a collision begins (COLLISION_DISTANCE, TD_LOAD_CLOSING_MAX).
+ * False where this is not sure. */
+bool td_gap_stays_open(const thud_world *w, const td_contact *contact, double now);
 
 #endif

@@ -1,26 +1,29 @@
-/* ghosts.c: see ghosts.h. A ghost lasts until one shape has come past a face of the other that was
- * hidden from it: from there on another normal is theirs. What happens before is the neighbours'.
- */
+/* ghosts.c: see ghosts.h. A ghost remains one until one shape has come past a face of the other
+ * that was between them: then the pair has another separating axis, and so another normal. Until
+ * then the neighbours that hide the face meet the shape instead. */
 #include "detection/ghosts.h"
 
 #include "contact/internal_edges.h"
 #include "terrain/terrain.h"
 
-/* No ghost goes sooner than after this part of the rest of a step. */
-#define SHORTEST 0x1p-20
+/* Least duration of a ghost, share of the rest of the step, so that the search goes on. Chosen, as
+ * TIME_TOLERANCE of detect_bisect.c. */
+#define GHOST_TIME_MIN 0x1p-20
 
-/* What has to go past a face to be behind it: a circle's centre, or the whole shape. */
-static thud_shape_instance heart_of(const thud_shape_instance *shape) {
-    thud_shape_instance heart = *shape;
+/* The part of a shape that has to come past a face: the centre of a circle, the whole of any other
+ * shape. */
+static thud_shape_instance face_probe(const thud_shape_instance *shape) {
+    thud_shape_instance probe = *shape;
     if (td_kind_is_round(shape->kind)) {
-        heart.hx = heart.hy = 0.0;
+        probe.hx = probe.hy = 0.0;
     }
-    return heart;
+    return probe;
 }
 
-/* When the first of those faces that are between the two is passed, in [0, 1] of the approach. */
+/* The earliest time, share of the approach, at which the pair may come past a face of a box that
+ * now separates the two; 2 where no face does. */
 static double time_past_face(const td_approach *p) {
-    thud_shape_instance a = heart_of(&p->a), b = heart_of(&p->b);
+    thud_shape_instance a = face_probe(&p->a), b = face_probe(&p->b);
     double first = 2.0;
     for (int i = 0; i < 4; i++) {
         const thud_shape_instance *box = i < 2 ? &a : &b;
@@ -35,25 +38,29 @@ static double time_past_face(const td_approach *p) {
     return first;
 }
 
-/* What is met at the sealed end of a line is a ghost until the shape comes over the line. */
-static bool met_at_end(const thud_world *w, const td_toi_candidate *e, const td_approach *p,
-                       double *part) {
+/* Whether a shape meets a terrain at a sealed end, which is a ghost. *part: the share of the
+ * approach after which the shape may have come over the line; 2 where it is over it already and
+ * the contact remains a ghost for the whole step. */
+static bool is_end_ghost(const thud_world *w, const td_toi_candidate *e, const td_approach *p,
+                         double *part) {
     thud_closest c;
     double x, out;
     thud_terrain_closest(&p->ground, &p->a, &c);
-    if (!td_at_sealed_end(w, e->shape[0], &p->ground, &p->a, &c, &x, &out)) {
+    if (!td_is_at_sealed_end(w, e->shape[0], &p->ground, &p->a, &c, &x, &out)) {
         return false;
     }
     thud_shape_instance end = {.kind = THUD_CIRCLE, .x = x, .y = p->a.y, .c = 1.0};
-    thud_shape_instance heart = heart_of(&p->a);
-    double beyond = (heart.x - x) * out - td_projected_extent(&heart, 1.0, 0.0);
+    thud_shape_instance probe = face_probe(&p->a);
+    double beyond = (probe.x - x) * out - td_projected_extent(&probe, 1.0, 0.0);
     *part = beyond > 0.0
-                ? td_time_across(&end, &(thud_motion){0}, &heart, &p->motion_a, out, 0.0, 0.0)
+                ? td_time_across(&end, &(thud_motion){0}, &probe, &p->motion_a, out, 0.0, 0.0)
                 : 2.0;
     return true;
 }
 
-static bool met(thud_world *w, const td_toi_candidate *e, const td_approach *p, double *part) {
+/* Whether the contact of two shapes is a ghost; *part as time_past_face. */
+static bool is_box_ghost(thud_world *w, const td_toi_candidate *e, const td_approach *p,
+                         double *part) {
     td_internal_edge_pair pair = {w, {e->shape[0], e->shape[1]}, {p->a, p->b}};
     td_internal_edge_contact contact;
     thud_closest c;
@@ -62,20 +69,21 @@ static bool met(thud_world *w, const td_toi_candidate *e, const td_approach *p, 
         return false;
     }
     *part = time_past_face(p);
-    /* Boxes that are past all faces touch along a normal that can be met, or not at all. */
+    /* If no face separates the boxes, they touch along an allowed normal, which is no ghost, or
+     * they do not touch. */
     return *part < 2.0 || !w->internal_edges->contact(&pair, &contact);
 }
 
-bool td_ghost_met(thud_world *w, const td_toi_candidate *e, double time, double *again) {
-    if (!td_toi_candidate_has_seams(w, e)) {
+bool td_is_ghost(thud_world *w, const td_toi_candidate *e, double time, double *again) {
+    if (!td_toi_candidate_has_internal_edges(w, e)) {
         return false;
     }
     td_approach p;
     double part;
-    td_toi_candidate_ways(w, e, time, 1.0, &p);
-    if (!(p.on_ground ? met_at_end(w, e, &p, &part) : met(w, e, &p, &part))) {
+    td_toi_candidate_motions(w, e, time, 1.0, &p);
+    if (!(p.on_ground ? is_end_ghost(w, e, &p, &part) : is_box_ghost(w, e, &p, &part))) {
         return false;
     }
-    *again = time + (1.0 - time) * td_max_double(part, SHORTEST);
+    *again = time + (1.0 - time) * td_max_double(part, GHOST_TIME_MIN);
     return true;
 }

@@ -1,11 +1,20 @@
-/* impacts.c: moves the bodies that are bisected or swept forward to each of their collisions, in
- * the order of time, and resolves it there.
+/* impacts.c: event-driven continuous collision detection: moves the bodies whose detection is
+ * `bisect` or `swept` from impact to impact, in the order of time, and resolves each impact there
+ * (Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996).
  *
- * Reads the motion that the solver gave to every awake body; writes poses, velocities and motions
- * of those that met something, events, and what callbacks are told. Candidates are the contacts,
- * whose bounds reach as far as the bodies were expected to move; who strays from that looks around
- * for himself. The work is bounded: a body that met others too often is held where it is for the
- * rest of the step, which the statistics tell. */
+ * It runs after the solver. Each awake body has a trajectory, at first the motion that the solver
+ * gave it. Pairs that may meet are candidates: contacts, whose fat bounds reach as far as the
+ * bodies were expected to move; each body and the ground; and pairs with strays, shapes that leave
+ * those bounds. A queue has the time of impact of each candidate. The earliest is taken out, both
+ * bodies are moved to that time, they get new velocities and trajectories (collide.c), and the
+ * times of all their candidates are computed anew. At the end poses, motions and bounds of changed
+ * bodies follow, and hit events are made.
+ *
+ * The work of a step is bounded: a body is held at its place for the rest of the step after
+ * IMPACTS_MAX impacts, and at its next impact once TOI_BUDGET is spent (thud_stats.held_bodies).
+ * Bodies that joints tie together are held together.
+ *
+ * Times are shares, in [0, 1], of the step. */
 #include "constraint/joint_hooks.h"
 #include "constraint/tied_bodies.h"
 #include "detection/ballistics.h"
@@ -24,78 +33,91 @@
 #include "state/surface.h"
 #include "detection/unbisectable.h"
 
-enum {
-    MOST_IMPACTS = 8,  /* of a body in a step, before it is held */
-    MOST_BOUNCES = 16, /* of a body in a step, while those that it meets are elastic */
-    SPARE = 256        /* room for so many candidates more than there are bodies */
-};
+/* Impacts of a body in a step before it is held, and the same where the pair is elastic
+ * (restitution 1), since a held body loses energy. Measured in the scene smash (size 300, 120
+ * steps, swept): bodies lose 2.7 s in all by holds; with half of both numbers 4.8 s and 21 % fewer
+ * times of impact, with twice both 1.7 s and 30 % more. */
+enum { IMPACTS_MAX = 8, ELASTIC_IMPACTS_MAX = 16 };
 
-/* Times of collision that a step works out before whatever meets something is held: so many, and so
- * many more for each awake body; one takes 1 to 3 microseconds. Where all bodies are as large as
- * the place that they are in, each impact has two of them look at all others: 100 boxes with sides
- * of 0.01 to 100 took 59,000. A packed drum at its fastest takes 40 a body (scene tumbler_half). */
-enum { MOST_LOOKS = 8192, MOST_LOOKS_OF_A_BODY = 48 };
+/* Extra candidates for which memory is reserved, beside one for each body, and one for each body
+ * and terrain. Chosen: any more are allocated within the step, and if that fails their bodies are
+ * held. */
+enum { SPARE_CANDIDATES = 256 };
+
+/* Times of impact (thud_stats.motion_exact) that a step computes before a body is held at its next
+ * impact: TOI_BUDGET, and TOI_BUDGET_PER_BODY for each awake body. One takes 1 to 3 us. Chosen. It
+ * bounds worlds whose bodies are as large as the place that they are in, where each impact updates
+ * all pairs of two bodies: 100 boxes with sides of 0.01 to 100 took 59,000 in a step (260 ms), and
+ * with this bound 15,400 (76 ms). The scene tumbler_half, a drum full of bodies at its highest
+ * speed, needs 40 a body, so that half of it would hold bodies there. */
+enum { TOI_BUDGET = 8192, TOI_BUDGET_PER_BODY = 48 };
 
 /* ---- collisions ---- */
 
-static void hold(thud_world *w, td_trajectory *f) {
+/* Holds a body at its place, at trajectory.since, for the rest of the step. Its `fall` is
+ * cancelled, and the velocity that it would give. */
+static void hold_body(thud_world *w, td_trajectory *f) {
     if (!f->held) {
-        double rest = 1.0 - f->since, fall = 0.5 * rest;
+        double remaining = 1.0 - f->since, fall = 0.5 * remaining;
         f->held = true;
-        td_error_fall_short(w, (float)((f->motion[0] + fall * f->fall[0]) * rest),
-                            (float)((f->motion[1] + fall * f->fall[1]) * rest));
+        td_error_fall_short(w, (float)((f->motion[0] + fall * f->fall[0]) * remaining),
+                            (float)((f->motion[1] + fall * f->fall[1]) * remaining));
         td_held_count(w, td_body_at(w, f->body)->awake, f->since);
     }
-    td_trajectory_bear(w, f, f->fall[0], f->fall[1]);
+    td_trajectory_reduce_fall(w, f, f->fall[0], f->fall[1]);
     f->motion[0] = f->motion[1] = f->motion[2] = 0.0;
     f->free = false;
     f->changed = true;
 }
 
-/* What stops with others that joints tie to it does not fall on in the rest of the step: gravity
- * and forces give it no speed there, as continuous.c has it. Those that fly freely bear their fall.
- */
-static void give_back(thud_world *w, td_awake_slot slot, const td_trajectory *f) {
+/* Removes from the velocity of a body in a ring (constraint/tied_bodies.h) what gravity and forces
+ * gave it in the rest of the step, since it does not move there; as td_hold_at does. The
+ * trajectory of a body in free flight has that part in its `fall`, which hold_body cancels. */
+static void remove_remaining_gain(thud_world *w, td_awake_slot slot, const td_trajectory *f) {
     float *velocity = td_row(&w->velocity, slot);
     const float *push = td_row(&w->push, slot);
     for (int k = 0; k < 3 && !f->free; k++) {
-        double given = w->substeps * (1.0 - f->since) * (double)push[k];
-        velocity[k] -= (float)td_gain_held(w, k, given);
+        double gain = w->substeps * (1.0 - f->since) * (double)push[k];
+        velocity[k] -= (float)td_gain_clamped(w, k, gain);
     }
 }
 
-/* Where joints tie it to others, all of them stop: one that went on alone would open them. */
-static void hold_tied(thud_world *w, td_trajectory *f) {
+/* Holds a body, and all bodies that joints tie to it at the same time: if they moved on, the
+ * joints would open. */
+static void hold_body_and_ring(thud_world *w, td_trajectory *f) {
     td_awake_slot slot = td_body_at(w, f->body)->awake;
     if (td_is_tied(w, slot) && !f->held) {
-        give_back(w, slot, f);
+        remove_remaining_gain(w, slot, f);
     }
-    hold(w, f);
-    if (f->all_held) {
+    hold_body(w, f);
+    if (f->ring_held) {
         return;
     }
-    f->all_held = true;
+    f->ring_held = true;
     for (td_awake_slot i = slot; td_is_tied(w, i) && td_next_tied(w, i).at != slot.at;) {
         i = td_next_tied(w, i);
         td_trajectory *other = td_trajectory_at(w, i);
-        other->all_held = true;
+        other->ring_held = true;
         if (!other->held) {
             td_trajectory_advance(w, other, f->since);
-            give_back(w, i, other);
-            hold(w, other);
-            td_toi_queue_renew(w, other);
+            remove_remaining_gain(w, i, other);
+            hold_body(w, other);
+            td_toi_queue_update_body(w, other);
         }
     }
 }
 
-static bool ties_any(const thud_world *w, const td_toi_candidate *e) {
+/* Whether joints tie one of the candidate's bodies to others. */
+static bool is_tied(const thud_world *w, const td_toi_candidate *e) {
     return td_is_tied(w, td_body_at(w, e->body[0])->awake) ||
            td_is_tied(w, td_body_at(w, e->body[1])->awake);
 }
 
-/* The prologue has been asked about what touched at the start of the step. */
-static bool vetoes(thud_world *w, int number, const td_toi_candidate *e, const thud_contact *seen,
-                   thud_contact_settings *settings) {
+/* Whether the prologue refuses the pair; then the candidate is marked and is not computed again in
+ * this step. It fills `settings` with the surface of the pair. The prologue is not called again
+ * for pairs that touched at the start of the step, whose settings are in their lane. */
+static bool is_vetoed(thud_world *w, int number, const td_toi_candidate *e,
+                      const thud_contact *seen, thud_contact_settings *settings) {
     if (number < w->constraints.count && td_contact_at(w, number)->state == TD_TOUCHING) {
         const td_contact *contact = td_contact_at(w, number);
         td_lane at = td_lane_of(w, contact);
@@ -108,33 +130,36 @@ static bool vetoes(thud_world *w, int number, const td_toi_candidate *e, const t
     if (veto && number < w->constraints.count) {
         td_contact_at(w, number)->vetoed = TD_VETOED;
     } else if (veto) {
-        td_extra_at(w, number)->vetoed = true;
+        td_extra_candidate_at(w, number)->vetoed = true;
     }
     return veto;
 }
 
-static bool is_spent(const thud_world *w) {
-    return w->stats.motion_exact / MOST_LOOKS_OF_A_BODY >
-           MOST_LOOKS / MOST_LOOKS_OF_A_BODY + w->body_of.count;
+/* Whether the step has computed its budget of times of impact; see TOI_BUDGET. */
+static bool is_over_budget(const thud_world *w) {
+    return w->stats.motion_exact / TOI_BUDGET_PER_BODY >
+           TOI_BUDGET / TOI_BUDGET_PER_BODY + w->body_of.count;
 }
 
-/* Shapes that swing about their bodies' centres are stopped early, where their arcs may be near:
- * from there on less of the arc is left. This counts as having met, or they would never arrive. */
-static void look_again(thud_world *w, int number, td_trajectory *const trajectories[2]) {
+/* Computes the time of a candidate anew that was stopped before it met: the test of its path goes
+ * by the chord, and stops early where the arc may be nearer; from here on less of the arc is left.
+ * The stop counts as an impact of both bodies, so that their number is bounded. */
+static void requeue_early_stop(thud_world *w, int number, td_trajectory *const trajectories[2]) {
     for (int side = 0; side < 2; side++) {
         td_trajectory *f = trajectories[side];
         if (f && td_body_at(w, f->body)->kind == THUD_DYNAMIC &&
-            (++f->impacts > MOST_IMPACTS || is_spent(w))) {
-            hold_tied(w, f);
-            td_toi_queue_renew(w, f);
+            (++f->impacts > IMPACTS_MAX || is_over_budget(w))) {
+            hold_body_and_ring(w, f);
+            td_toi_queue_update_body(w, f);
         }
     }
     td_toi_queue_set(w, number);
 }
 
-/* The two are at the place of their collision now. Whoever is asleep wakes in the next step, and is
- * met then. */
-static void collide(thud_world *w, int number, double time) {
+/* Moves both bodies of a candidate to `time` and resolves the impact. A pair with a sleeping or a
+ * tied body gets no impulse here: its dynamic bodies are held, and the narrowphase of the next
+ * step makes a contact of them, which wakes the sleeper. */
+static void resolve_candidate(thud_world *w, int number, double time) {
     td_toi_candidate e = td_toi_candidate_at(w, number);
     td_trajectory *trajectories[2] = {NULL, NULL};
     for (int side = 0; side < 2; side++) {
@@ -146,52 +171,56 @@ static void collide(thud_world *w, int number, double time) {
     }
     td_impact_point at;
     if (!td_impact_point_of(w, &e, time, &at) || at.speed <= 0.0) {
-        look_again(w, number, trajectories);
+        requeue_early_stop(w, number, trajectories);
         return;
     }
     td_impact impact = {.seen = td_impact_view(w, &e, &at)};
     thud_contact_settings settings;
-    if (vetoes(w, number, &e, &impact.seen, &settings)) {
+    if (is_vetoed(w, number, &e, &impact.seen, &settings)) {
         return;
     }
-    /* What is tied to others meets in the next step, as sleepers do. */
-    bool later = td_body_sleeps(w, e.body[0]) || td_body_sleeps(w, e.body[1]) || ties_any(w, &e);
-    if (!later) {
+    /* Sleeping and tied bodies are left to the contacts of the next step. */
+    bool next_step = td_body_sleeps(w, e.body[0]) || td_body_sleeps(w, e.body[1]) || is_tied(w, &e);
+    if (!next_step) {
         impact.touching =
             number < w->constraints.count && td_contact_at(w, number)->state == TD_TOUCHING;
         td_impact_resolve(w, &e, &at, time, &settings, &impact);
         TD_PUSH(td_impact, &w->scratch.impacts) = impact;
     }
-    int most = settings.restitution < 1.0f ? MOST_IMPACTS : MOST_BOUNCES;
+    int impacts_max = settings.restitution < 1.0f ? IMPACTS_MAX : ELASTIC_IMPACTS_MAX;
     for (int side = 0; side < 2; side++) {
         td_trajectory *f = trajectories[side];
-        if (f && td_body_at(w, f->body)->kind == THUD_DYNAMIC && !impact.stayed[side] &&
-            (later || f->impacts > most || is_spent(w) || !td_toi_candidates_around(w, f))) {
-            hold_tied(w, f);
+        if (f && td_body_at(w, f->body)->kind == THUD_DYNAMIC && !impact.kept_motion[side] &&
+            (next_step || f->impacts > impacts_max || is_over_budget(w) ||
+             !td_toi_candidates_find(w, f))) {
+            hold_body_and_ring(w, f);
         }
     }
     w->stats.impacts++;
     for (int side = 0; side < 2; side++) {
-        if (trajectories[side] && (!impact.stayed[side] || impact.bent[side])) {
-            td_toi_queue_renew(w, trajectories[side]);
+        if (trajectories[side] && (!impact.kept_motion[side] || impact.fall_reduced[side])) {
+            td_toi_queue_update_body(w, trajectories[side]);
         }
     }
 }
 
 /* ---- the stage ---- */
 
-static bool takes_part(const thud_world *w, td_awake_slot slot) {
+/* Whether the body is dynamic and its detection finds times of impact. */
+static bool is_bisected_or_swept(const thud_world *w, td_awake_slot slot) {
     const td_body *body = td_body_at(w, td_body_of(w, slot));
     return body->kind == THUD_DYNAMIC && body->detection->meet;
 }
 
-/* From where the solver's motion began. */
-static void take_off(thud_world *w, td_awake_slot slot) {
+/* Sets a trajectory to the motion that the solver gave the body, from the start of the step. Of
+ * the one before, `fall` and `free` are kept (ballistics.c). */
+static void begin_trajectory(thud_world *w, td_awake_slot slot) {
     td_body_index index = td_body_of(w, slot);
     const td_pose *pose = td_pose_at(w, index);
     const float *delta = td_row(&w->delta, slot);
     td_trajectory f = *td_trajectory_at(w, slot);
-    if (!td_same_body(f.body, index)) { /* somebody was quarantined, and it stands in his slot */
+    /* A body was quarantined since, and this one was moved into its slot. */
+    if (!td_same_body(f.body, index)) {
         f = (td_trajectory){.body = index};
     }
     *td_trajectory_at(w, slot) =
@@ -207,8 +236,9 @@ static void take_off(thud_world *w, td_awake_slot slot) {
                         .free = f.free};
 }
 
-/* Whether its way was no more the solver's. */
-static bool land(thud_world *w, td_awake_slot slot) {
+/* Writes the end of a changed trajectory to pose, motion and shapes of the body. False: it was not
+ * changed. */
+static bool end_trajectory(thud_world *w, td_awake_slot slot) {
     td_trajectory *f = td_trajectory_at(w, slot);
     if (!f->changed) {
         return false;
@@ -231,8 +261,9 @@ static bool land(thud_world *w, td_awake_slot slot) {
     return true;
 }
 
-/* Bounds for the next step reach as far as the body is going to move. */
-static void expect(thud_world *w, td_awake_slot slot) {
+/* Extends the fat bounds of the body's shapes by the motion that its velocity gives in the next
+ * step. */
+static void extend_fat_bounds(thud_world *w, td_awake_slot slot) {
     const float *v = td_row(&w->velocity, slot);
     float h = (float)w->def.time_step;
     int i = td_body_at(w, td_body_of(w, slot))->first_shape;
@@ -241,28 +272,30 @@ static void expect(thud_world *w, td_awake_slot slot) {
     }
 }
 
-static void note_touch(thud_world *w, const td_constraint *contact) {
+/* Adds a touching contact to the contact_count of its bodies. */
+static void count_contacts(thud_world *w, const td_constraint *contact) {
     for (int side = 0; side < 2 && contact->state == TD_TOUCHING; side++) {
         td_awake_slot slot = td_body_at(w, contact->body[side])->awake;
         if (slot.at > 0) {
-            td_trajectory_at(w, slot)->touching++;
+            td_trajectory_at(w, slot)->contact_count++;
         }
     }
 }
 
-/* Everything that may meet, from the start of the step. */
-static void schedule_everything(thud_world *w) {
+/* Sets all trajectories to the start of the step, and queues all candidates by their times of
+ * impact. */
+static void schedule_candidates(thud_world *w) {
     w->scratch.candidates.count = w->scratch.strays.count = w->scratch.impacts.count = 0;
     td_event_queue_clear(&w->scratch.queue, w->constraints.count);
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
-        take_off(w, slot);
+        begin_trajectory(w, slot);
     }
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         td_trajectory *f = td_trajectory_at(w, slot);
-        bool own = takes_part(w, slot), strays = td_trajectory_is_unexpected(w, f);
-        if ((own && !td_toi_candidates_on_ground(w, f)) ||
-            (strays && !td_toi_candidates_around(w, f))) {
-            hold(w, f);
+        bool detects = is_bisected_or_swept(w, slot), leaves = td_trajectory_leaves_bounds(w, f);
+        if ((detects && !td_toi_candidates_find_terrain(w, f)) ||
+            (leaves && !td_toi_candidates_find(w, f))) {
+            hold_body(w, f);
         }
         w->stats.unbisectable += td_is_unbisectable(w, slot);
     }
@@ -270,15 +303,15 @@ static void schedule_everything(thud_world *w) {
         td_constraint *contact = td_constraint_at(w, i);
         if (contact->live) {
             contact->vetoed = contact->state == TD_TOUCHING ? contact->vetoed : 0;
-            note_touch(w, contact);
+            count_contacts(w, contact);
         }
     }
-    td_gaps_judge(w);
+    td_gaps_find_open(w);
     for (int i = 0; i < w->constraints.count; i++) {
         const td_constraint *c = td_constraint_at(w, i);
-        if (c->live && td_toi_queue_has(w, i) &&
-            !(c->state == TD_TOUCHING && td_gap_is_judged(w, c))) {
-            td_toi_queue_begin(w, i);
+        if (c->live && td_toi_queue_accepts(w, i) &&
+            !(c->state == TD_TOUCHING && td_gap_was_found_open(w, c))) {
+            td_toi_queue_set_first(w, i);
         }
     }
     for (int i = 0; i < w->scratch.candidates.count; i++) {
@@ -286,6 +319,7 @@ static void schedule_everything(thud_world *w) {
     }
 }
 
+/* A hit event for each impact that is faster than the hit speed. */
 static void hit_events(thud_world *w) {
     for (int i = 0; i < w->scratch.impacts.count && w->def.contact_events; i++) {
         const td_impact *impact = TD_AT(td_impact, &w->scratch.impacts, i);
@@ -299,53 +333,60 @@ static void hit_events(thud_world *w) {
     }
 }
 
+/* Reserves all memory that the stage uses; see td_detection_stage. */
 static bool reserve(thud_world *w) {
-    /* Every impact has a body that was not held before it. */
-    int awake = w->body_of.count, most = (MOST_BOUNCES + 1) * awake;
-    int extras = awake * (w->terrains.live + 1) + SPARE;
-    int hits = w->scratch.begins.count; /* of contacts */
-    int shapes =
-        w->awake_shapes.ids.count + w->rest_shapes.ids.count; /* each may be found, and asked for */
-    /* Two an impact, and all to the end; before, those that continuous.c holds. */
-    int legs = w->sensors > 0 ? 2 * most + 2 * awake : 0;
+    /* Each impact has a body that is not held yet, and is counted for it. */
+    int awake = w->body_of.count, impacts_max = (ELASTIC_IMPACTS_MAX + 1) * awake;
+    int extras = awake * (w->terrains.live + 1) + SPARE_CANDIDATES;
+    /* Hit events of contacts that begin in the step. */
+    int hits = w->scratch.begins.count;
+    /* A query may find each shape, and reserves as many again. */
+    int shapes = w->awake_shapes.ids.count + w->rest_shapes.ids.count;
+    /* Each impact ends two legs, each body's last leg is one, and continuous.c makes one a held
+     * body. */
+    int legs = w->sensors > 0 ? 2 * impacts_max + 2 * awake : 0;
     return td_held_reserve(w) && td_array_reserve(&w->memory, &w->scratch.legs, legs) &&
            td_array_reserve(&w->memory, &w->scratch.hits, 2 * shapes + 4 * TD_LANES) &&
            td_array_reserve(&w->memory, &w->scratch.trajectories, awake) &&
            td_array_reserve(&w->memory, &w->scratch.strays, awake) &&
-           td_array_reserve(&w->memory, &w->scratch.impacts, td_max_int(most, td_gaps_room(w))) &&
+           td_array_reserve(&w->memory, &w->scratch.impacts,
+                            td_max_int(impacts_max, td_gaps_room(w))) &&
            td_array_reserve(&w->memory, &w->scratch.candidates, extras) &&
-           td_array_reserve(&w->memory, &w->events.hit, w->events.hit.count + hits + most) &&
+           td_array_reserve(&w->memory, &w->events.hit, w->events.hit.count + hits + impacts_max) &&
            td_event_queue_reserve(&w->memory, &w->scratch.queue, w->constraints.count + extras);
 }
 
-/* Before the solver: what it is to leave alone. */
-static void prepare(thud_world *w) {
+/* Before the solver: ties bodies of joints into rings, saves velocities, and mutes the contacts
+ * that bounce on the way (solver/bounces.h). */
+static void run_before_solving(thud_world *w) {
     if (w->joint_hooks) {
         w->joint_hooks->tie(w);
     }
-    td_ballistics_note(w);
+    td_ballistics_save_velocities(w);
     td_bounces_take(w);
 }
 
-/* After the solver: what it left of motion into each other, and who flies freely. */
-static void launch(thud_world *w) {
+/* After the solver: removes motion of touching shapes into each other (gaps.c), and sets the paths
+ * of bodies in free flight. */
+static void run_before_moving(thud_world *w) {
     if (w->skin > 0.0f) {
         td_gaps_project(w);
     }
-    td_ballistics_fly(w);
+    td_ballistics_set_parabolas(w);
 }
 
-static void run(thud_world *w) {
+/* After td_finalize: see the head of this file. */
+static void run_after_moving(thud_world *w) {
     double time;
-    schedule_everything(w);
+    schedule_candidates(w);
     for (int n; (n = td_event_queue_next(&w->scratch.queue, &time)) != TD_NONE;) {
-        collide(w, n, time);
+        resolve_candidate(w, n, time);
     }
     bool changed = false;
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
-        changed |= land(w, slot);
-        if (takes_part(w, slot)) {
-            expect(w, slot);
+        changed |= end_trajectory(w, slot);
+        if (is_bisected_or_swept(w, slot)) {
+            extend_fat_bounds(w, slot);
         }
     }
     if (changed) {
@@ -354,4 +395,6 @@ static void run(thud_world *w) {
     hit_events(w);
 }
 
-const td_detection_stage td_stage_impacts = {.reserve = reserve, .run = {prepare, launch, run}};
+const td_detection_stage td_stage_impacts = {.reserve = reserve,
+                                             .run = {run_before_solving, run_before_moving,
+                                                     run_after_moving}};

@@ -1,9 +1,10 @@
 /* sensing.c: see sensing.h.
  *
- * A way is a chain of legs, each straight or a parabola: impacts.c and continuous.c note a leg of
- * each body whose way they change, where there are sensors. A body without legs went straight. Two
- * shapes are looked at from turn to turn of either of them: forward in time for when they first
- * meet, and backward for when they part. */
+ * The path of a body in the step is a chain of legs, each straight or a parabola: impacts.c and
+ * continuous.c append a leg for each body whose path they change, where there are sensors. A body
+ * without legs moved straight. Two shapes are tested on each interval in which neither changes its
+ * leg: forward in time for when they begin to overlap, and backward for when they end to, by time
+ * of impact (geometry/toi.c). */
 #include "detection/sensing.h"
 
 #include "base/rotation.h"
@@ -13,15 +14,16 @@
 #include "state/kinds.h"
 #include "state/shape.h"
 
-/* ---- ways ---- */
+/* ---- paths ---- */
 
+/* Index in scratch.legs of the first leg of an awake body, or TD_NONE. */
 static int first_leg(const thud_world *w, td_awake_slot slot) {
     const td_array *first = &w->scratch.first_legs;
     return slot.at > 0 && slot.at < first->count ? td_int_at(first, slot.at) : TD_NONE;
 }
 
-/* The leg on which the body is at that time and from then on; null where its way has none, or it
- * stays where the last one ended. */
+/* The leg on which the body is at `time` and from then on; null where its path has no legs, or it
+ * remains where its last leg ended. */
 static const td_leg *leg_at(const thud_world *w, td_awake_slot slot, double time) {
     int i = first_leg(w, slot);
     while (i != TD_NONE && TD_AT(td_leg, &w->scratch.legs, i)->end <= time) {
@@ -30,96 +32,107 @@ static const td_leg *leg_at(const thud_world *w, td_awake_slot slot, double time
     return i == TD_NONE ? NULL : TD_AT(td_leg, &w->scratch.legs, i);
 }
 
-static td_trajectory way_at(const thud_world *w, td_body_index body, double time) {
+/* The trajectory on which the body is at `time`: of its leg, at rest after the last one, or
+ * straight through the step. */
+static td_trajectory trajectory_at(const thud_world *w, td_body_index body, double time) {
     td_awake_slot slot = td_body_at(w, body)->awake;
     const td_leg *leg = leg_at(w, slot, time);
     const td_pose *pose = td_pose_at(w, body);
-    td_trajectory way = {.place = pose->center, .angle = pose->angle, .body = body};
+    td_trajectory trajectory = {.place = pose->center, .angle = pose->angle, .body = body};
     if (leg) {
-        way = leg->way;
+        trajectory = leg->trajectory;
     } else if (slot.at > 0 && first_leg(w, slot) == TD_NONE) {
         const float *delta = td_row(&w->delta, slot);
-        way.place.x -= td_length_from(w, delta[0]);
-        way.place.y -= td_length_from(w, delta[1]);
-        way.angle -= td_angle_between(delta[2]);
+        trajectory.place.x -= td_length_from(w, delta[0]);
+        trajectory.place.y -= td_length_from(w, delta[1]);
+        trajectory.angle -= td_angle_between(delta[2]);
         for (int k = 0; k < 3; k++) {
-            way.motion[k] = (double)delta[k];
+            trajectory.motion[k] = (double)delta[k];
         }
     }
-    return way;
+    return trajectory;
 }
 
-/* Until when a body that is there at `time` keeps its leg. */
-static double leg_end(const thud_world *w, td_body_index body, double time) {
+/* The time at which the leg that the body is on at `time` ends. */
+static double leg_end_at(const thud_world *w, td_body_index body, double time) {
     const td_leg *leg = leg_at(w, td_body_at(w, body)->awake, time);
     return leg ? leg->end : 1.0;
 }
 
-/* A shape on a piece of its way that has no turn; backward in time where `to` is before `from`. */
-typedef struct piece {
-    thud_shape_instance at;
-    thud_motion motion;
-} piece;
+/* A shape and its motion on a part of a leg; backward in time where that ends before it begins. */
+typedef struct moving_shape {
+    thud_shape_instance at; /* at the first time */
+    thud_motion motion;     /* to the second time */
+} moving_shape;
 
-static piece piece_of(const thud_world *w, int shape, double from, double to, td_position origin) {
-    td_trajectory way = way_at(w, td_shape_at(w, shape)->body, td_min_double(from, to));
-    thud_shape_instance at = td_trajectory_shape(w, &way, shape, from, origin);
-    thud_shape_instance end = td_trajectory_shape(w, &way, shape, to, origin);
+/* A shape from time `from` to time `to`, relative to `origin`. */
+static moving_shape moving_shape_of(const thud_world *w, int shape, double from, double to,
+                                    td_position origin) {
+    td_trajectory trajectory =
+        trajectory_at(w, td_shape_at(w, shape)->body, td_min_double(from, to));
+    thud_shape_instance at = td_trajectory_shape(w, &trajectory, shape, from, origin);
+    thud_shape_instance end = td_trajectory_shape(w, &trajectory, shape, to, origin);
     bool turns = td_kind_turns(at.kind);
-    return (piece){at, {end.x - at.x, end.y - at.y, turns ? way.motion[2] * (to - from) : 0.0}};
+    return (moving_shape){at,
+                          {end.x - at.x, end.y - at.y,
+                           turns ? trajectory.motion[2] * (to - from) : 0.0}};
 }
 
-/* Two shapes, the first of which may be a line, and then nothing moves it. */
-typedef struct couple {
+/* Two shapes. The first may be a terrain (line), which does not move. Places are relative to
+ * `origin`. */
+typedef struct shape_pair {
     int a, b;
-    bool line;
+    bool line; /* a is a terrain */
     td_position origin;
-} couple;
+} shape_pair;
 
-static couple couple_of(const thud_world *w, int a, int b) {
+/* The pair with a terrain, if it is one, as the first shape. */
+static shape_pair shape_pair_of(const thud_world *w, int a, int b) {
     bool second = td_kind_is_line(td_shape_at(w, b)->kind);
-    couple c = {.a = second ? b : a, .b = second ? a : b};
+    shape_pair c = {.a = second ? b : a, .b = second ? a : b};
     c.line = td_kind_is_line(td_shape_at(w, c.a)->kind);
     c.origin = td_shape_proxy_at(w, c.a)->center;
     return c;
 }
 
-/* Whether the two meet on their ways from one time to another, which have no turn; *time is the
- * part of the way there, in [0, 1]. */
-static bool meet(const thud_world *w, const couple *c, double from, double to, double *time) {
+/* Whether the pair comes to overlap from time `from` to time `to`, in which no leg ends; *time is
+ * the share, in [0, 1], of that interval. */
+static bool first_overlap(const thud_world *w, const shape_pair *c, double from, double to,
+                          double *time) {
     bool hit = false;
-    piece b = piece_of(w, c->b, from, to, c->origin);
+    moving_shape b = moving_shape_of(w, c->b, from, to, c->origin);
     if (c->line) {
         w->ground->time_of_impact(w, c->a, &b.at, b.motion, &hit, time);
     } else {
-        piece a = piece_of(w, c->a, from, to, c->origin);
+        moving_shape a = moving_shape_of(w, c->a, from, to, c->origin);
         thud_shapes_time_of_impact(&a.at, a.motion, &b.at, b.motion, 0.0, &hit, time);
     }
     return hit;
 }
 
-/* Whether the two overlap within the step: from when on, and when they last do. */
-static bool overlap_on_way(const thud_world *w, int shape_a, int shape_b, double *from,
-                           double *until) {
-    couple c = couple_of(w, shape_a, shape_b);
+/* Whether the pair overlaps within the step: *from is when first, *until when last. */
+static bool overlap_on_path(const thud_world *w, int shape_a, int shape_b, double *from,
+                            double *until) {
+    shape_pair c = shape_pair_of(w, shape_a, shape_b);
     td_body_index body_a = td_shape_at(w, c.a)->body, body_b = td_shape_at(w, c.b)->body;
-    bool met = false;
+    bool overlaps = false;
     for (double now = 0.0, next; now < 1.0; now = next) {
-        next = td_min_double(leg_end(w, body_a, now), leg_end(w, body_b, now));
-        double part = 0.0, rest = 0.0;
-        if (meet(w, &c, now, next, &part)) {
+        next = td_min_double(leg_end_at(w, body_a, now), leg_end_at(w, body_b, now));
+        double part = 0.0, back = 0.0;
+        if (first_overlap(w, &c, now, next, &part)) {
             double first = now + part * (next - now);
-            bool parts = meet(w, &c, next, now, &rest);
-            *from = met ? *from : first;
-            *until = parts ? next - rest * (next - now) : first;
-            met = true;
+            bool ends = first_overlap(w, &c, next, now, &back);
+            *from = overlaps ? *from : first;
+            *until = ends ? next - back * (next - now) : first;
+            overlaps = true;
         }
     }
-    return met;
+    return overlaps;
 }
 
-/* Continuous detection looks at static sensors alone. */
-static bool is_looked_at(const thud_world *w, int a, int b) {
+/* Whether the detection of the pair tests its paths. Continuous detection does for sensors of
+ * static bodies only. */
+static bool is_detected(const thud_world *w, int a, int b) {
     const td_shape *shapes[2] = {td_shape_at(w, a), td_shape_at(w, b)};
     const thud_detection *detection = td_detection_of(w, shapes[0]->body, shapes[1]->body);
     bool fixed = false;
@@ -130,18 +143,19 @@ static bool is_looked_at(const thud_world *w, int a, int b) {
     return detection->meet || (detection->rank == TD_RANK_CONTINUOUS && fixed);
 }
 
-float td_sensing_when(const thud_world *w, int a, int b, bool begins) {
+float td_sensing_time(const thud_world *w, int a, int b, bool begins) {
     double from = 1.0, until = 1.0;
-    if (is_looked_at(w, a, b)) {
-        overlap_on_way(w, a, b, &from, &until);
+    if (is_detected(w, a, b)) {
+        overlap_on_path(w, a, b, &from, &until);
     }
     return (float)(begins ? from : until);
 }
 
-/* ---- what was passed ---- */
+/* ---- pairs that overlapped within the step only ---- */
 
-/* Those that were open as the step began end by themselves. */
-static bool is_open(const thud_world *w, int a, int b) {
+/* Whether the overlap was reported at an earlier step and has not ended: its end is reported by
+ * contact/sensor_events.c. */
+static bool was_open(const thud_world *w, int a, int b) {
     int e = td_body_at(w, td_shape_at(w, b)->body)->first_constraint;
     bool open = false;
     for (; e != TD_NONE && !open; e = td_next_edge(w, e)) {
@@ -152,57 +166,61 @@ static bool is_open(const thud_world *w, int a, int b) {
     return open;
 }
 
-static bool senses(const thud_world *w, int a, int b) {
+/* Whether one of the shapes is a sensor. */
+static bool has_sensor(const thud_world *w, int a, int b) {
     return (td_shape_at(w, a)->flags | td_shape_at(w, b)->flags) & TD_SHAPE_SENSOR;
 }
 
-void td_sensing_look(thud_world *w, int a, int b) {
+void td_sensing_test_pair(thud_world *w, int a, int b) {
     double from, until;
-    if (senses(w, a, b) && td_pair_allowed(w, a, b) && !td_pair_is_silent(w, a, b) &&
-        is_looked_at(w, a, b) && overlap_on_way(w, a, b, &from, &until) &&
-        !td_sensor_overlaps(w, a, b) && !is_open(w, a, b)) {
+    if (has_sensor(w, a, b) && td_pair_allowed(w, a, b) && !td_pair_is_silent(w, a, b) &&
+        is_detected(w, a, b) && overlap_on_path(w, a, b, &from, &until) &&
+        !td_sensor_overlaps(w, a, b) && !was_open(w, a, b)) {
         bool second = !(td_shape_at(w, a)->flags & TD_SHAPE_SENSOR);
         td_sensor_passed(w, second ? b : a, second ? a : b, (float)from, (float)until);
     }
 }
 
-bool td_sensing_straight(const thud_world *w, td_awake_slot slot) {
+bool td_sensing_is_straight(const thud_world *w, td_awake_slot slot) {
     return first_leg(w, slot) == TD_NONE;
 }
 
-bool td_sensing_quick(const thud_world *w, td_awake_slot slot) {
+bool td_sensing_is_fast(const thud_world *w, td_awake_slot slot) {
     const float *delta = td_row(&w->delta, slot), *reach = td_row(&w->reach, slot);
-    return !td_sensing_straight(w, slot) ||
+    return !td_sensing_is_straight(w, slot) ||
            delta[0] * delta[0] + delta[1] * delta[1] > 0.25f * reach[0] * reach[0];
 }
 
-/* How far, along either axis, any of its shapes is on its way from where it ends. */
-static double reach_of_way(const thud_world *w, td_awake_slot slot) {
+/* Half the width of the square about the end of the path that contains the whole path of the body,
+ * by the places where its legs begin and its max_extent. A length. */
+static double path_reach(const thud_world *w, td_awake_slot slot) {
     td_body_index body = td_body_of(w, slot);
     td_position end = td_pose_at(w, body)->center;
-    double most = 0.0;
-    for (double now = 0.0; now < 1.0; now = leg_end(w, body, now)) {
-        td_position place = way_at(w, body, now).place;
-        most = td_max_double(most, td_abs((double)(place.x - end.x)));
-        most = td_max_double(most, td_abs((double)(place.y - end.y)));
+    double distance_max = 0.0;
+    for (double now = 0.0; now < 1.0; now = leg_end_at(w, body, now)) {
+        td_position place = trajectory_at(w, body, now).place;
+        distance_max = td_max_double(distance_max, td_abs((double)(place.x - end.x)));
+        distance_max = td_max_double(distance_max, td_abs((double)(place.y - end.y)));
     }
-    return most / w->to_fixed + (double)td_row(&w->reach, slot)[1];
+    return distance_max / w->to_fixed + (double)td_row(&w->reach, slot)[1];
 }
 
-/* The set of what rests is the broadphase's: the narrowphase may have woken some of it since, which
- * sensing_awake.c looks at. */
-static void look_at_resting(thud_world *w, int shape, int other) {
+/* Tests a pair with a shape of the set of resting ones. Its body may have been woken by the
+ * narrowphase since that set was made, and is then left to sensing_awake.c. */
+static void test_resting(thud_world *w, int shape, int other) {
     if (td_body_at(w, td_shape_at(w, other)->body)->awake.at <= 0) {
-        td_sensing_look(w, shape, other);
+        td_sensing_test_pair(w, shape, other);
     }
 }
 
-/* Against what rests, in the order of shapes, so that it is the same with each broadphase. */
-static void among_resting(thud_world *w, td_awake_slot slot) {
+/* Tests a fast body against all shapes at rest near its path, and all terrains. In the order of
+ * shapes, so that the result does not depend on the broadphase. */
+static void test_all_resting(thud_world *w, td_awake_slot slot) {
     td_body_index index = td_body_of(w, slot);
     const td_array *found = &w->rest_shapes.ids;
-    double reach = reach_of_way(w, slot);
-    if (reach < 0x1p14 * (double)w->unit) { /* bounds that are wider wrap around */
+    double reach = path_reach(w, slot);
+    /* Wider bounds might wrap around: 2^14 length scales are a sixteenth of the period. */
+    if (reach < 0x1p14 * (double)w->unit) {
         td_position end = td_pose_at(w, index)->center;
         int32_t half = (int32_t)(reach * w->to_coarse) + 3;
         td_bounds bounds = td_bounds_about(end, half, half);
@@ -216,19 +234,20 @@ static void among_resting(thud_world *w, td_awake_slot slot) {
     }
     for (int a = td_body_at(w, index)->first_shape; a != TD_NONE; a = td_shape_at(w, a)->next) {
         for (int i = 0; i < found->count; i++) {
-            look_at_resting(w, a, td_int_at(found, i));
+            test_resting(w, a, td_int_at(found, i));
         }
         for (int t = 0; t < w->terrains.count; t++) {
             int line = td_terrain_record_at(w, t)->shape;
             if (line != TD_NONE) {
-                td_sensing_look(w, a, line);
+                td_sensing_test_pair(w, a, line);
             }
         }
     }
 }
 
-/* Links the legs of each body, which were noted in the order of time. One that continuous.c held
- * and impacts.c moved on the way that this left has the legs of impacts.c. */
+/* Links the legs of each body, which were appended in the order of time. If continuous.c held a
+ * body and impacts.c then moved it on the path that was left, both made legs of the same times,
+ * and those of impacts.c count. */
 static void link_legs(thud_world *w) {
     td_array *first = &w->scratch.first_legs;
     first->count = w->body_of.count;
@@ -237,15 +256,16 @@ static void link_legs(thud_world *w) {
     }
     for (int i = w->scratch.legs.count - 1; i >= 0; i--) {
         td_leg *leg = TD_AT(td_leg, &w->scratch.legs, i);
-        int slot = td_body_at(w, leg->way.body)->awake.at, next = td_int_at(first, slot);
-        if (next == TD_NONE || TD_AT(td_leg, &w->scratch.legs, next)->way.since > leg->way.since) {
+        int slot = td_body_at(w, leg->trajectory.body)->awake.at, next = td_int_at(first, slot);
+        if (next == TD_NONE ||
+            TD_AT(td_leg, &w->scratch.legs, next)->trajectory.since > leg->trajectory.since) {
             leg->next = next;
             td_int_set(first, slot, i);
         }
     }
 }
 
-/* A query asks for room as if every shape of the ranges that it scans were a hit. */
+/* A query reserves room as if each shape of the ranges that it scans were found. */
 bool td_sensing_reserve(thud_world *w) {
     return td_array_reserve(&w->memory, &w->scratch.first_legs, w->body_of.count) &&
            td_array_reserve(&w->memory, &w->scratch.legs, w->body_of.count) &&
@@ -253,17 +273,18 @@ bool td_sensing_reserve(thud_world *w) {
                             3 * w->rest_shapes.ids.count + 4 * TD_LANES);
 }
 
-void td_sensing_pass(thud_world *w) {
-    void (*among_awake)(thud_world *, td_awake_slot) = td_sensing_of(w)->among_awake;
+void td_sensing_find_passed(thud_world *w) {
+    void (*test_awake)(thud_world *, td_awake_slot) = td_sensing_of(w)->test_awake;
     link_legs(w);
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
-        if (td_sensing_quick(w, slot)) {
-            among_resting(w, slot);
-            if (among_awake) {
-                among_awake(w, slot);
+        if (td_sensing_is_fast(w, slot)) {
+            test_all_resting(w, slot);
+            if (test_awake) {
+                test_awake(w, slot);
             }
         }
     }
 }
 
-const td_sensing td_sensing_at_rest = {td_sensing_reserve, td_sensing_pass, td_sensing_when, NULL};
+const td_sensing td_sensing_at_rest = {td_sensing_reserve, td_sensing_find_passed, td_sensing_time,
+                                       NULL};

@@ -1,13 +1,14 @@
-/* sensing_awake.c: what bodies pass of others that move as well, for detections that look at both
- * ways. */
+/* sensing_awake.c: the part of sensing.c for detections that test the paths of both bodies:
+ * overlaps of fast bodies with sensors of awake bodies, and of fast sensors with awake bodies. */
 #include "contact/contact.h"
 #include "detection/sensing.h"
 #include "state/body.h"
 #include "state/shape.h"
 
-/* Whether two bodies that went straight are too far apart to have met. */
+/* Whether two bodies with straight paths are too far apart to have met in the step; bodies with
+ * several legs are not told apart. */
 static bool are_apart(const thud_world *w, td_awake_slot a, td_awake_slot b) {
-    if (!td_sensing_straight(w, a) || !td_sensing_straight(w, b)) {
+    if (!td_sensing_is_straight(w, a) || !td_sensing_is_straight(w, b)) {
         return false;
     }
     const td_position *p = &td_pose_at(w, td_body_of(w, a))->center;
@@ -21,8 +22,10 @@ static bool are_apart(const thud_world *w, td_awake_slot a, td_awake_slot b) {
     return x * x + y * y > reach * reach;
 }
 
-static void between(thud_world *w, td_awake_slot slot, td_awake_slot other) {
-    if (other.at == slot.at || (other.at < slot.at && td_sensing_quick(w, other)) ||
+/* Tests all shapes of two bodies. Of two fast bodies only the call with `slot` the lower one does.
+ */
+static void test_bodies(thud_world *w, td_awake_slot slot, td_awake_slot other) {
+    if (other.at == slot.at || (other.at < slot.at && td_sensing_is_fast(w, other)) ||
         are_apart(w, slot, other)) {
         return;
     }
@@ -30,11 +33,12 @@ static void between(thud_world *w, td_awake_slot slot, td_awake_slot other) {
     for (; a != TD_NONE; a = td_shape_at(w, a)->next) {
         int b = td_body_at(w, td_body_of(w, other))->first_shape;
         for (; b != TD_NONE; b = td_shape_at(w, b)->next) {
-            td_sensing_look(w, a, b);
+            td_sensing_test_pair(w, a, b);
         }
     }
 }
 
+/* Whether a shape of the body is a sensor. */
 static bool has_sensor(const thud_world *w, td_awake_slot slot) {
     int i = td_body_at(w, td_body_of(w, slot))->first_shape;
     while (i != TD_NONE && !(td_shape_at(w, i)->flags & TD_SHAPE_SENSOR)) {
@@ -43,19 +47,20 @@ static bool has_sensor(const thud_world *w, td_awake_slot slot) {
     return i != TD_NONE;
 }
 
-/* Against what moves as well. Of two quick bodies the one in the lower slot finds the other. */
-static void among_awake(thud_world *w, td_awake_slot slot) {
+/* Tests a fast body against awake bodies: against all if it has a sensor, else against those with
+ * sensors. */
+static void test_awake(thud_world *w, td_awake_slot slot) {
     const td_array *sensing = &w->scratch.sensing;
     if (sensing->count > 0 && has_sensor(w, slot)) {
         for (td_awake_slot other = {1}; other.at < w->body_of.count; other.at++) {
-            between(w, slot, other);
+            test_bodies(w, slot, other);
         }
         return;
     }
     for (int i = 0; i < sensing->count; i++) {
-        between(w, slot, td_slot_in(sensing, i));
+        test_bodies(w, slot, td_slot_in(sensing, i));
     }
 }
 
-const td_sensing td_sensing_on_ways = {td_sensing_reserve, td_sensing_pass, td_sensing_when,
-                                       among_awake};
+const td_sensing td_sensing_on_ways = {td_sensing_reserve, td_sensing_find_passed, td_sensing_time,
+                                       test_awake};

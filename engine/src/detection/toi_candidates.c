@@ -1,4 +1,5 @@
-/* toi_candidates.c: see toi_candidates.h. */
+/* toi_candidates.c: see toi_candidates.h. Pairs whose bounds overlapped at the start of the step
+ * have a contact already; a pair is added if its bounds did not, while those of the path do. */
 #include "detection/toi_candidates.h"
 
 #include "contact/contact.h"
@@ -6,7 +7,7 @@
 #include "state/body.h"
 #include "state/shape.h"
 
-/* Whether the pair is a candidate already: where both stray, each may find the other. */
+/* Whether the pair is an extra candidate already: of two strays each may find the other. */
 static bool is_listed(const thud_world *w, int shape_a, int shape_b) {
     td_awake_slot slot = td_body_at(w, td_shape_at(w, shape_b)->body)->awake;
     int e = slot.at > 0 ? td_trajectory_at(w, slot)->extras : TD_NONE;
@@ -21,7 +22,8 @@ static bool is_listed(const thud_world *w, int shape_a, int shape_b) {
     return e != TD_NONE;
 }
 
-/* False when memory is short; what strays is then held. */
+/* Adds an extra candidate, if it is not there yet, to the lists of both bodies. It is not queued.
+ * False when memory is short. */
 static bool add_extra(thud_world *w, int shape_a, int shape_b) {
     td_array *extras = &w->scratch.candidates;
     int number = w->constraints.count + extras->count, index = extras->count;
@@ -49,8 +51,7 @@ static bool add_extra(thud_world *w, int shape_a, int shape_b) {
 
 /* ---- bounds ---- */
 
-/* The bounds that the broadphase knew at the start of the step, unwrapped about where the body was.
- */
+/* A shape's fat bounds at the start of the step, unwrapped about the place of its body there. */
 static td_far_bounds bounds_at_start(const thud_world *w, int shape) {
     const td_bounds *b =
         *td_marks_at(w, shape) & TD_MARK_MOVED ? td_was_at(w, shape) : td_fat_at(w, shape);
@@ -66,56 +67,64 @@ static td_far_bounds bounds_at_start(const thud_world *w, int shape) {
                            (double)td_unwrap(b->max_x, p.x), (double)td_unwrap(b->max_y, p.y)};
 }
 
+/* Whether two bounds share a point. */
 static bool overlap(const td_far_bounds *a, const td_far_bounds *b) {
     return a->min_x <= b->max_x && b->min_x <= a->max_x && a->min_y <= b->max_y &&
            b->min_y <= a->max_y;
 }
 
-static bool contain(const td_far_bounds *outer, const td_far_bounds *inner) {
+/* Whether the outer bounds contain the inner ones. */
+static bool contains(const td_far_bounds *outer, const td_far_bounds *inner) {
     return outer->min_x <= inner->min_x && inner->max_x <= outer->max_x &&
            outer->min_y <= inner->min_y && inner->max_y <= outer->max_y;
 }
 
-/* Whether these and those of any shape reach less than half the way around td_bounds. */
+/* Whether a query of the broadphase works with the bounds: 2^30 quanta, and those of any shape,
+ * are less than half the period of 2^32. */
 static bool fits(const td_far_bounds *b) {
     return td_max_double(b->max_x - b->min_x, b->max_y - b->min_y) < 0x1p30;
 }
 
+/* The low 32 bits of a whole number, as td_bounds has them. */
 static int32_t wrapped(double x) {
     return (int32_t)(uint32_t)(uint64_t)(int64_t)x;
 }
 
+/* Bounds as the broadphase has them, wrapped around. */
 static td_bounds wrap(const td_far_bounds *b) {
     return (td_bounds){wrapped(b->min_x), wrapped(b->min_y), wrapped(b->max_x), wrapped(b->max_y)};
 }
 
-/* A half extent in bounds quanta, never too small. */
-static double reach_of(const thud_world *w, double length) {
+/* A half extent in bounds quanta, at least the true one: 2 covers the rounding of the length and
+ * of the place. Bounded by 2^60, which int64_t holds. */
+static double half_extent_quanta(const thud_world *w, double length) {
     return (double)(int64_t)td_min_double(length * w->to_coarse, 0x1p60) + 2.0;
 }
 
-/* Widens the bounds by a shape, as td_placed_bounds has it. */
+/* Extends bounds to contain a placed shape with `slack` (a length) on each side, like
+ * td_placed_bounds. */
 static void widen(const thud_world *w, const thud_shape_instance *p, td_position origin,
                   double slack, td_far_bounds *b) {
     double x = (double)((origin.x + td_round64(p->x * w->to_fixed)) >> TD_COARSE_SHIFT);
     double y = (double)((origin.y + td_round64(p->y * w->to_fixed)) >> TD_COARSE_SHIFT);
-    double half_x = reach_of(w, td_half_along(p, 1.0, 0.0) + slack);
-    double half_y = reach_of(w, td_half_along(p, 0.0, 1.0) + slack);
+    double half_x = half_extent_quanta(w, td_half_along(p, 1.0, 0.0) + slack);
+    double half_y = half_extent_quanta(w, td_half_along(p, 0.0, 1.0) + slack);
     b->min_x = td_min_double(b->min_x, x - half_x);
     b->min_y = td_min_double(b->min_y, y - half_y);
     b->max_x = td_max_double(b->max_x, x + half_x + 1.0);
     b->max_y = td_max_double(b->max_y, y + half_y + 1.0);
 }
 
-/* Bounds of one of the body's shapes on the rest of its way. While it turns, nothing of it is
- * further out than at one of both ends, but for what the turn moves its furthest corner. */
+/* Bounds of a shape on the rest of its path. A turn by phi takes no point out of the bounds of
+ * both ends by more than r |phi| / 2, where r bounds its distance from the body's centre; a
+ * parabola leaves them by its sagitta at most. */
 static td_far_bounds bounds_ahead(const thud_world *w, const td_trajectory *f, int index) {
     thud_shape_instance now = td_trajectory_shape(w, f, index, f->since, f->place);
     thud_shape_instance end = td_trajectory_shape(w, f, index, 1.0, f->place);
     double turn = 0.5 * td_abs(f->motion[2]) * (1.0 - f->since);
-    double slack = (td_reach(&now) + td_abs(now.x) + td_abs(now.y)) * turn +
-                   (double)(TD_MEET * w->unit) +
-                   td_trajectories_bend(&(td_trajectory){.body = {TD_NONE}}, f, 1.0 - f->since);
+    double slack =
+        (td_reach(&now) + td_abs(now.x) + td_abs(now.y)) * turn + (double)(TD_MEET * w->unit) +
+        td_trajectories_chord_error(&(td_trajectory){.body = {TD_NONE}}, f, 1.0 - f->since);
     double huge = (double)__builtin_inf();
     td_far_bounds b = {huge, huge, -huge, -huge};
     widen(w, &now, f->place, slack, &b);
@@ -123,9 +132,10 @@ static td_far_bounds bounds_ahead(const thud_world *w, const td_trajectory *f, i
     return b;
 }
 
-/* Appends to scratch.hits, which have room for all, whatever may be on that way. */
-static bool find(thud_world *w, const td_proxy_set *set, const td_far_bounds *ahead,
-                 td_position near_place) {
+/* Appends to scratch.hits the shapes of a proxy set whose fat bounds overlap those of the path;
+ * all of the set where the path is too long for a query. False when memory is short. */
+static bool append_overlapping(thud_world *w, const td_proxy_set *set, const td_far_bounds *ahead,
+                               td_position near_place) {
     td_array *hits = &w->scratch.hits;
     if (fits(ahead)) {
         td_bounds bounds = wrap(ahead);
@@ -139,15 +149,17 @@ static bool find(thud_world *w, const td_proxy_set *set, const td_far_bounds *ah
 
 /* ---- candidates ---- */
 
-/* Whether a detection sees to it that the two do not pass each other. */
-static bool is_looked_at(const thud_world *w, int shape, int other) {
+/* Whether the pair is one for times of impact: neither shape is a sensor or new, they may collide,
+ * and the detection of the pair finds them. */
+static bool is_detected(const thud_world *w, int shape, int other) {
     const td_shape *a = td_shape_at(w, shape), *b = td_shape_at(w, other);
     return !((a->flags | b->flags) & TD_SHAPE_HOLLOW) && td_pair_allowed(w, shape, other) &&
            td_detection_of(w, a->body, b->body)->meet;
 }
 
-/* Adds what was found, in the order of shapes, so that it is the same whichever order a broadphase
- * finds it in; and whichever takes what is once around the bounds for near. */
+/* Adds candidates for the shapes that a query found, in the order of their numbers, which does not
+ * depend on the broadphase. The exact bounds are compared again, since those of the broadphase
+ * wrap around. */
 static bool add_found(thud_world *w, const td_stray *s) {
     const td_array *hits = &w->scratch.hits;
     td_sort_ints(&w->scratch.hits);
@@ -155,20 +167,21 @@ static bool add_found(thud_world *w, const td_stray *s) {
         int other = td_int_at(hits, i);
         td_far_bounds there = bounds_at_start(w, other);
         if (!overlap(&s->start, &there) && overlap(&s->ahead, &there) &&
-            is_looked_at(w, s->shape, other) && !add_extra(w, s->shape, other)) {
+            is_detected(w, s->shape, other) && !add_extra(w, s->shape, other)) {
             return false;
         }
     }
     return true;
 }
 
-/* Looks among the shapes that strayed, since those are not where the broadphase has them. */
+/* Adds candidates for the strays of other bodies, which the broadphase has at their old places.
+ * One body of the pair at least finds times of impact by its own detection. */
 static bool add_strays(thud_world *w, const td_stray *s) {
     const td_array *strays = &w->scratch.strays;
     for (int i = 0; i < strays->count; i++) {
         const td_stray *other = TD_AT(td_stray, strays, i);
-        if ((s->chose || other->chose) && overlap(&s->ahead, &other->ahead) &&
-            !overlap(&s->start, &other->start) && is_looked_at(w, s->shape, other->shape) &&
+        if ((s->detects || other->detects) && overlap(&s->ahead, &other->ahead) &&
+            !overlap(&s->start, &other->start) && is_detected(w, s->shape, other->shape) &&
             !add_extra(w, s->shape, other->shape)) {
             return false;
         }
@@ -176,7 +189,9 @@ static bool add_strays(thud_world *w, const td_stray *s) {
     return true;
 }
 
-static bool note_stray(thud_world *w, td_trajectory *f, const td_stray *s) {
+/* Adds a stray to scratch.strays and to its body, or updates the path of one that is there. False
+ * when memory is short. */
+static bool add_stray_record(thud_world *w, td_trajectory *f, const td_stray *s) {
     td_array *strays = &w->scratch.strays;
     int i = f->strays;
     while (i != TD_NONE && TD_AT(td_stray, strays, i)->shape != s->shape) {
@@ -194,25 +209,25 @@ static bool note_stray(thud_world *w, td_trajectory *f, const td_stray *s) {
     return true;
 }
 
-bool td_toi_candidates_around(thud_world *w, td_trajectory *f) {
+bool td_toi_candidates_find(thud_world *w, td_trajectory *f) {
     const td_body *body = td_body_at(w, f->body);
-    bool chose = body->kind == THUD_DYNAMIC && body->detection->meet;
+    bool detects = body->kind == THUD_DYNAMIC && body->detection->meet;
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
-        td_stray s = {bounds_at_start(w, i), bounds_ahead(w, f, i), i, f->strays, chose};
-        if (contain(&s.start, &s.ahead) || (td_shape_at(w, i)->flags & TD_SHAPE_HOLLOW)) {
+        td_stray s = {bounds_at_start(w, i), bounds_ahead(w, f, i), i, f->strays, detects};
+        if (contains(&s.start, &s.ahead) || (td_shape_at(w, i)->flags & TD_SHAPE_HOLLOW)) {
             continue;
         }
         w->scratch.hits.count = 0;
-        if (!find(w, &w->awake_shapes, &s.ahead, f->place) ||
-            !find(w, &w->rest_shapes, &s.ahead, f->place) || !add_found(w, &s) ||
-            !add_strays(w, &s) || !note_stray(w, f, &s)) {
+        if (!append_overlapping(w, &w->awake_shapes, &s.ahead, f->place) ||
+            !append_overlapping(w, &w->rest_shapes, &s.ahead, f->place) || !add_found(w, &s) ||
+            !add_strays(w, &s) || !add_stray_record(w, f, &s)) {
             return false;
         }
     }
     return true;
 }
 
-bool td_toi_candidates_on_ground(thud_world *w, const td_trajectory *f) {
+bool td_toi_candidates_find_terrain(thud_world *w, const td_trajectory *f) {
     for (int t = 0; t < w->terrains.count; t++) {
         const td_terrain_record *record = td_terrain_record_at(w, t);
         int i = record->shape == TD_NONE ? TD_NONE : td_body_at(w, f->body)->first_shape;
@@ -231,8 +246,10 @@ bool td_toi_candidates_on_ground(thud_world *w, const td_trajectory *f) {
     return true;
 }
 
-/* A turn may take corners out of the bounds of both ends. */
-bool td_trajectory_is_unexpected(const thud_world *w, const td_trajectory *f) {
+/* A turn by phi takes corners at distance r up to r phi^2 / 8 out of the bounds of both ends; with
+ * more than TD_MARGIN of that the fat bounds may not contain the path. Otherwise a shape has left
+ * its fat bounds if td_finalize has marked it as moved. */
+bool td_trajectory_leaves_bounds(const thud_world *w, const td_trajectory *f) {
     const td_body *body = td_body_at(w, f->body);
     double out = 0.125 * (double)body->max_extent * f->motion[2] * f->motion[2];
     int i = body->first_shape;

@@ -1,15 +1,18 @@
-/* toi_candidates.h: whom a body may meet on its way, beyond those that it has contacts with. All
- * are false when memory is short; the body is then best held where it is. */
+/* toi_candidates.h: finds the extra time-of-impact candidates of a body, which have no contact:
+ * terrains, and shapes that its strays may meet. A stray is a shape that leaves the fat bounds by
+ * which the broadphase paired it. Both functions return false when memory is short; the caller
+ * then holds the body where it is. */
 #ifndef TD_TOI_CANDIDATES_H
 #define TD_TOI_CANDIDATES_H
 
 #include "detection/trajectory.h"
 
-/* The ground is looked up along the whole way at once. */
-bool td_toi_candidates_on_ground(thud_world *w, const td_trajectory *trajectory);
-/* A body that leaves the bounds that the broadphase knew looks for what else it may meet. */
-bool td_toi_candidates_around(thud_world *w, td_trajectory *trajectory);
-/* Whether the solver's motion may have taken the body out of those bounds. */
-bool td_trajectory_is_unexpected(const thud_world *w, const td_trajectory *trajectory);
+/* Adds a candidate for each terrain that the whole path of the body may come down to. */
+bool td_toi_candidates_find_terrain(thud_world *w, const td_trajectory *trajectory);
+/* Queries the broadphase for each shape of the body that leaves its bounds on the rest of its
+ * path, and adds candidates with what it may meet there, strays of other bodies among them. */
+bool td_toi_candidates_find(thud_world *w, td_trajectory *trajectory);
+/* Whether the solver's motion may have taken one of the body's shapes out of its fat bounds. */
+bool td_trajectory_leaves_bounds(const thud_world *w, const td_trajectory *trajectory);
 
 #endif

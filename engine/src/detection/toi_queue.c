@@ -1,4 +1,4 @@
-/* toi_queue.c: see toi_queue.h. */
+/* toi_queue.c: see toi_queue.h. Times are shares, in [0, 1], of the step. */
 #include "detection/toi_queue.h"
 
 #include "constraint/constraint.h"
@@ -8,72 +8,89 @@
 #include "detection/ghosts.h"
 #include "state/body.h"
 
-/* Both are multiples of TD_MEET. Shapes nearer than TOUCHING touch. Motion into each other by less
- * than NOTHING is none. */
-#define TOUCHING 0.01
-#define NOTHING 0.01
+/* In multiples of TD_MEET. Shapes nearer than TOUCHING_DISTANCE touch: they meet when they close
+ * further, not at a distance. Motion that closes by less than CLOSING_MIN in the step does not
+ * count. Both chosen, far above the rounding of places (2^-32 length scales; this is 1e-5) and far
+ * below what is seen. At half and twice of both the times of impact in the scene smash change by
+ * less than 5 %. */
+#define TOUCHING_DISTANCE 0.01
+#define CLOSING_MIN 0.01
 
-enum { MOST_GHOSTS = 16 }; /* of a pair, that it may meet on its way */
+/* Ghosts of a pair in one test; a pair that meets more of them is not queued. Chosen: each face
+ * that separates two boxes, of which they have 8, is one ghost; turning boxes take more, since the
+ * time at which they pass a face is only bounded from below. The scene platformer is the same with
+ * 4. */
+enum { GHOSTS_MAX = 16 };
 
-static double later(double a, double b) {
+/* The later of two times. */
+static double max_time(double a, double b) {
     return a > b ? a : b;
 }
 
-/* What joints tie to others is left to the solver where it touches, as in td_gap_is_solvers: held
- * where it presses, a vehicle would stand still for as long as its wheels do. */
+/* Whether joints tie one of the bodies to others, so that the pair is left to the solver once it
+ * touches, as in td_gap_is_left_to_solver: if a body of a vehicle were held where it touches, the
+ * vehicle would stand still as long as a wheel does. */
 static bool is_tied(const thud_world *w, const td_toi_candidate *e) {
     return td_is_tied(w, td_body_at(w, e->body[0])->awake) ||
            td_is_tied(w, td_body_at(w, e->body[1])->awake);
 }
 
-/* Shapes that touch meet at once if they go on into each other. */
-static bool presses(thud_world *w, const td_toi_candidate *e, double now) {
+/* Whether touching shapes close further from `now` on, so that they meet at once. */
+static bool closes(thud_world *w, const td_toi_candidate *e, double now) {
     td_impact_point at;
-    return td_impact_point_of(w, e, now, &at) && at.closing > NOTHING * (double)(TD_MEET * w->unit);
+    return td_impact_point_of(w, e, now, &at) &&
+           at.closing_distance > CLOSING_MIN * (double)(TD_MEET * w->unit);
 }
 
-static bool gives_way(const thud_world *w, td_body_index body) {
+/* Whether an impact can stop the body: it is dynamic, awake and not held. */
+static bool can_stop(const thud_world *w, td_body_index body) {
     const td_body *b = td_body_at(w, body);
     return b->kind == THUD_DYNAMIC && b->awake.at > 0 && !td_trajectory_at(w, b->awake)->held;
 }
 
-/* Whether the body had a collision in this step. */
-static bool has_met(const thud_world *w, td_body_index body) {
+/* Whether the body had an impact in this step. */
+static bool had_impact(const thud_world *w, td_body_index body) {
     const td_body *b = td_body_at(w, body);
     return b->awake.at > 0 && td_trajectory_at(w, b->awake)->impacts > 0;
 }
 
-/* When the two meet after `now`, or are to be looked at again; false where that is not in this
- * step. */
-static bool meets_after(thud_world *w, const td_toi_candidate *e, const thud_detection *detection,
-                        double now, bool *hit, double *time) {
+/* Finds when a pair meets after `now` in this step (*hit is true), or when it is to be tested
+ * again since only a part of its path was tested (*hit is false); false if neither. *time is in
+ * [0, 1] of the step. */
+static bool next_check(thud_world *w, const td_toi_candidate *e, const thud_detection *detection,
+                       double now, bool *hit, double *time) {
     td_approach approach;
     double unit = (double)(TD_MEET * w->unit);
     *hit = false;
     if (now >= 1.0 || !td_toi_candidate_approach(w, e, now, 1.0, &approach)) {
         return false;
     }
-    /* Where an arc may swing further than they are apart, only as much of it as is nearly straight.
-     */
-    double until = 1.0, apart = later(approach.distance, TOUCHING * unit);
-    if (approach.swing > 0.5 * apart) {
-        until = now + (1.0 - now) * __builtin_sqrt(0.5 * apart / approach.swing);
+    /* Where the error of the straight path may exceed half the present distance, only a part of
+     * the path is tested, in which it does not: it grows with the square of the time. */
+    double until = 1.0, apart = max_time(approach.distance, TOUCHING_DISTANCE * unit);
+    if (approach.path_error > 0.5 * apart) {
+        until = now + (1.0 - now) * __builtin_sqrt(0.5 * apart / approach.path_error);
         if (!td_toi_candidate_approach(w, e, now, until, &approach)) {
             *time = until;
             return true;
         }
     }
+    /* A tenth of the target. Chosen: turning shapes may stop so early, which saves advancement
+     * steps. */
     approach.tolerance = 0.1 * approach.target;
-    if (approach.target <= TOUCHING * unit) {
+    if (approach.target <= TOUCHING_DISTANCE * unit) {
+        /* The shapes touch. On a terrain they meet now if they close. Two shapes meet where they
+         * are nearer by a margin: what load may do, where they overlapped before any impact of the
+         * step, else CLOSING_MIN. */
         if (approach.on_ground) {
-            *hit = !is_tied(w, e) && presses(w, e, now);
+            *hit = !is_tied(w, e) && closes(w, e, now);
             *time = *hit ? now : until;
             return *hit || until < 1.0;
         }
         bool pressed =
-            approach.distance <= 0.0 && !has_met(w, e->body[0]) && !has_met(w, e->body[1]);
-        approach.target = approach.distance - (pressed ? TD_PRESSED : NOTHING) * unit;
-        approach.tolerance = 0.1 * NOTHING * unit;
+            approach.distance <= 0.0 && !had_impact(w, e->body[0]) && !had_impact(w, e->body[1]);
+        approach.target = approach.distance - (pressed ? TD_LOAD_CLOSING_MAX : CLOSING_MIN) * unit;
+        approach.tolerance = 0.1 * CLOSING_MIN * unit;
     }
     double part;
     w->stats.motion_exact++;
@@ -82,65 +99,66 @@ static bool meets_after(thud_world *w, const td_toi_candidate *e, const thud_det
     return *hit || until < 1.0;
 }
 
-/* When the two meet, if they do. */
-static bool meets(thud_world *w, const td_toi_candidate *e, double *time) {
+/* The time for the queue, see next_check; false if the pair does not meet in this step. Ghosts are
+ * passed over, and so are pairs that the prologue refused, that have no detection on the way, or
+ * of which no body can stop. */
+static bool meeting_time(thud_world *w, const td_toi_candidate *e, double *time) {
     const thud_detection *detection = td_detection_of(w, e->body[0], e->body[1]);
     double now =
-        later(td_trajectory_of(w, e->body[0]).since, td_trajectory_of(w, e->body[1]).since);
-    bool fixed = !gives_way(w, e->body[0]) && !gives_way(w, e->body[1]), hit = true;
+        max_time(td_trajectory_of(w, e->body[0]).since, td_trajectory_of(w, e->body[1]).since);
+    bool fixed = !can_stop(w, e->body[0]) && !can_stop(w, e->body[1]), hit = true;
     if (e->vetoed || !detection->meet || fixed) {
         return false;
     }
-    for (int i = 0; i < MOST_GHOSTS && meets_after(w, e, detection, now, &hit, time); i++) {
-        if (!hit || !td_ghost_met(w, e, *time, &now)) {
+    for (int i = 0; i < GHOSTS_MAX && next_check(w, e, detection, now, &hit, time); i++) {
+        if (!hit || !td_is_ghost(w, e, *time, &now)) {
             return true;
         }
     }
     return false;
 }
 
-/* Whether it is a contact that load may press, but no motion closes. */
-static bool stays_apart(const thud_world *w, int number) {
+/* Whether it is a touching contact whose gap surely stays open, or which is left to the solver, so
+ * that it is not queued. */
+static bool contact_stays_open(const thud_world *w, int number) {
     if (number >= w->constraints.count || td_contact_at(w, number)->state != TD_TOUCHING) {
         return false;
     }
     const td_contact *contact = td_contact_at(w, number);
-    if (td_gap_is_solvers(w, contact)) {
+    if (td_gap_is_left_to_solver(w, contact)) {
         return true;
     }
-    double now = later(td_trajectory_of(w, contact->body[0]).since,
-                       td_trajectory_of(w, contact->body[1]).since);
-    return td_gap_stays(w, contact, now);
+    double now = max_time(td_trajectory_of(w, contact->body[0]).since,
+                          td_trajectory_of(w, contact->body[1]).since);
+    return td_gap_stays_open(w, contact, now);
 }
 
-/* Puts down when the two meet. */
 void td_toi_queue_set(thud_world *w, int number) {
     td_toi_candidate e = td_toi_candidate_at(w, number);
     double time;
-    if (!stays_apart(w, number) && meets(w, &e, &time)) {
+    if (!contact_stays_open(w, number) && meeting_time(w, &e, &time)) {
         td_event_queue_set(&w->scratch.queue, number, time);
     } else {
         td_event_queue_strike(&w->scratch.queue, number);
     }
 }
 
-void td_toi_queue_begin(thud_world *w, int number) {
+void td_toi_queue_set_first(thud_world *w, int number) {
     td_toi_candidate e = td_toi_candidate_at(w, number);
     double time;
-    if (!td_toi_candidate_is_far(w, &e) && meets(w, &e, &time)) {
+    if (!td_toi_candidate_is_far(w, &e) && meeting_time(w, &e, &time)) {
         td_event_queue_set(&w->scratch.queue, number, time);
     }
 }
 
-/* Whether a contact is one of those that are looked at here. */
-bool td_toi_queue_has(const thud_world *w, int contact) {
+bool td_toi_queue_accepts(const thud_world *w, int contact) {
     const td_constraint *c = td_constraint_at(w, contact);
     return c->kind < TD_PAIR_SENSOR && !td_pair_is_on_line((td_pair_kind)c->kind);
 }
 
-void td_toi_queue_renew(thud_world *w, const td_trajectory *f) {
+void td_toi_queue_update_body(thud_world *w, const td_trajectory *f) {
     for (int e = td_body_at(w, f->body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        if (td_toi_queue_has(w, e / 2)) {
+        if (td_toi_queue_accepts(w, e / 2)) {
             td_toi_queue_set(w, e / 2);
         }
     }

@@ -1,18 +1,21 @@
-/* toi_queue.h: when candidates meet, in a queue by time. Numbers are those of td_toi_candidate. */
+/* toi_queue.h: the queue (scratch.queue, by time) of time-of-impact candidates. Numbers are those
+ * of td_toi_candidate; a candidate is in the queue if its shapes meet before the step ends, at the
+ * time at which they do or at which the pair is to be tested again. */
 #ifndef TD_TOI_QUEUE_H
 #define TD_TOI_QUEUE_H
 
 #include "detection/trajectory.h"
 
-/* Whether a contact is one of those that are looked at: neither a sensor's, nor on a line, which is
- * an extra candidate. */
-bool td_toi_queue_has(const thud_world *w, int contact);
+/* Whether a contact is a candidate: not if it is a sensor's, or on a terrain, whose pairs are
+ * extra candidates. */
+bool td_toi_queue_accepts(const thud_world *w, int contact);
 
-/* Puts down when a contact meets on the ways that the step began with. */
-void td_toi_queue_begin(thud_world *w, int number);
-/* Puts down when a candidate meets from where its two bodies are now. */
+/* Queues a contact for the trajectories at the start of the step. */
+void td_toi_queue_set_first(thud_world *w, int number);
+/* Queues a candidate for the present trajectories of its two bodies, or takes it out of the queue.
+ */
 void td_toi_queue_set(thud_world *w, int number);
-/* The same for all candidates of a body that goes another way. */
-void td_toi_queue_renew(thud_world *w, const td_trajectory *trajectory);
+/* The same for all candidates of a body, whose trajectory has changed. */
+void td_toi_queue_update_body(thud_world *w, const td_trajectory *trajectory);
 
 #endif

@@ -1,5 +1,6 @@
-/* trajectory.c: see trajectory.h. Tests come in the order of their cost: circles around both
- * motions, boxes around both motions, distance, and only then the time of impact. */
+/* trajectory.c: see trajectory.h. Pairs are tested in the order of the cost of the tests: circles
+ * around both motions, boxes around both motions, separation along the present normal; only pairs
+ * that pass all need a time of impact. */
 #include "detection/trajectory.h"
 
 #include "state/body.h"
@@ -28,23 +29,24 @@ td_trajectory td_trajectory_of(const thud_world *w, td_body_index body) {
                            .extras = TD_NONE};
 }
 
+/* The angle at `time`; 2^32 is a full turn. */
 static uint32_t angle_at(const td_trajectory *f, double time) {
     double turn = f->motion[2] * (time - f->since);
     return f->angle + (uint32_t)(uint64_t)td_round64(turn * (1.0 / TD_RADIANS_A_QUANTUM));
 }
 
-/* How far it goes along x or y from `since` on. */
-static double way_of(const td_trajectory *f, int axis, double time) {
+/* The displacement along x or y (axis 0, 1) from `since` to `time`. */
+static double path_along(const td_trajectory *f, int axis, double time) {
     double part = time - f->since;
     return (f->motion[axis] + 0.5 * f->fall[axis] * part) * part;
 }
 
-void td_leg_note(thud_world *w, const td_trajectory *way, double end) {
+void td_leg_note(thud_world *w, const td_trajectory *trajectory, double end) {
     td_array *legs = &w->scratch.legs;
-    if (w->scratch.sensed_room > 0 && end > way->since &&
+    if (w->scratch.sensed_room > 0 && end > trajectory->since &&
         td_array_reserve(&w->memory, legs, legs->count + 1)) {
         td_leg *leg = td_append(legs, sizeof *leg);
-        leg->way = *way;
+        leg->trajectory = *trajectory;
         leg->end = end;
     }
 }
@@ -69,31 +71,32 @@ void td_held_count(thud_world *w, td_awake_slot slot, double time) {
 
 void td_trajectory_advance(thud_world *w, td_trajectory *f, double time) {
     td_leg_note(w, f, time);
-    f->place.x += td_round64(way_of(f, 0, time) * w->to_fixed);
-    f->place.y += td_round64(way_of(f, 1, time) * w->to_fixed);
+    f->place.x += td_round64(path_along(f, 0, time) * w->to_fixed);
+    f->place.y += td_round64(path_along(f, 1, time) * w->to_fixed);
     f->angle = angle_at(f, time);
     f->motion[0] += f->fall[0] * (time - f->since);
     f->motion[1] += f->fall[1] * (time - f->since);
     f->since = time;
 }
 
-void td_trajectory_gone(const thud_world *w, const td_trajectory *f, double time, double gone[3]) {
+void td_trajectory_displacement(const thud_world *w, const td_trajectory *f, double time,
+                                double displacement[3]) {
     td_awake_slot slot = td_body_at(w, f->body)->awake;
-    const td_pose *pose = td_pose_at(w, f->body); /* of the solver's motion */
+    const td_pose *pose = td_pose_at(w, f->body); /* the end of the solver's motion */
     const float *delta = td_row(&w->delta, slot);
-    gone[0] =
-        (double)delta[0] + (double)(f->place.x - pose->center.x) / w->to_fixed + way_of(f, 0, time);
-    gone[1] =
-        (double)delta[1] + (double)(f->place.y - pose->center.y) / w->to_fixed + way_of(f, 1, time);
-    gone[2] = (double)delta[2] + f->motion[2] * (time - f->since) +
-              (double)(int32_t)(f->angle - pose->angle) * TD_RADIANS_A_QUANTUM;
+    displacement[0] = (double)delta[0] + (double)(f->place.x - pose->center.x) / w->to_fixed +
+                      path_along(f, 0, time);
+    displacement[1] = (double)delta[1] + (double)(f->place.y - pose->center.y) / w->to_fixed +
+                      path_along(f, 1, time);
+    displacement[2] = (double)delta[2] + f->motion[2] * (time - f->since) +
+                      (double)(int32_t)(f->angle - pose->angle) * TD_RADIANS_A_QUANTUM;
 }
 
-void td_trajectory_bear(const thud_world *w, td_trajectory *f, double x, double y) {
+void td_trajectory_reduce_fall(const thud_world *w, td_trajectory *f, double x, double y) {
     float *velocity = td_row(&w->velocity, td_body_at(w, f->body)->awake);
-    double rest = (1.0 - f->since) / w->def.time_step;
-    velocity[0] = (float)((double)velocity[0] - x * rest);
-    velocity[1] = (float)((double)velocity[1] - y * rest);
+    double gain_per_fall = (1.0 - f->since) / w->def.time_step;
+    velocity[0] = (float)((double)velocity[0] - x * gain_per_fall);
+    velocity[1] = (float)((double)velocity[1] - y * gain_per_fall);
     f->fall[0] -= x;
     f->fall[1] -= y;
 }
@@ -105,10 +108,10 @@ thud_shape_instance td_trajectory_shape(const thud_world *w, const td_trajectory
     td_angle_turn(angle_at(f, time), &c, &s);
     thud_shape_instance p = {.kind = (thud_shape_kind)shape->kind,
                              .x = (double)(f->place.x - origin.x) / w->to_fixed +
-                                  way_of(f, 0, time) +
+                                  path_along(f, 0, time) +
                                   (double)(c * shape->arm_x - s * shape->arm_y),
                              .y = (double)(f->place.y - origin.y) / w->to_fixed +
-                                  way_of(f, 1, time) +
+                                  path_along(f, 1, time) +
                                   (double)(s * shape->arm_x + c * shape->arm_y),
                              .c = 1.0,
                              .hx = (double)shape->half_x,
@@ -120,13 +123,13 @@ thud_shape_instance td_trajectory_shape(const thud_world *w, const td_trajectory
     return p;
 }
 
-td_toi_candidate *td_extra_at(const thud_world *w, int number) {
+td_toi_candidate *td_extra_candidate_at(const thud_world *w, int number) {
     return TD_AT(td_toi_candidate, &w->scratch.candidates, number - w->constraints.count);
 }
 
 td_toi_candidate td_toi_candidate_at(const thud_world *w, int number) {
     if (number >= w->constraints.count) {
-        return *td_extra_at(w, number);
+        return *td_extra_candidate_at(w, number);
     }
     const td_contact *c = td_contact_at(w, number);
     return (td_toi_candidate){.shape = {c->shape_a, c->shape_b},
@@ -136,20 +139,23 @@ td_toi_candidate td_toi_candidate_at(const thud_world *w, int number) {
 
 /* ---- tests of rising cost ---- */
 
+/* Whether circles of radii ra and rb, b at (x, y) from a, stay apart by more than the target while
+ * b moves by (mx, my) relative to a. */
 static bool circles_miss(const td_approach *p, double x, double y, double mx, double my, double ra,
                          double rb) {
     double reach = ra + rb + p->target + __builtin_sqrt(mx * mx + my * my);
     return x * x + y * y > reach * reach;
 }
 
-/* x from -reach to reach is where intervals of half length `reach` in all overlap. */
-static bool apart(double x, double motion, double reach) {
+/* Whether two intervals stay apart while their centres, now at a distance x, move by `motion`
+ * relative to each other; `reach` is the sum of both half lengths. */
+static bool intervals_miss(double x, double motion, double reach) {
     double end = x + motion;
     return (x > reach && end > reach) || (x < -reach && end < -reach);
 }
 
-/* Half the width and height of what contains the shape, turned as it may be. */
-static void extent_of(const thud_shape_instance *p, bool turns, double *x, double *y) {
+/* Half the width and height of a box that contains the shape, at any angle if it `turns`. */
+static void half_extents(const thud_shape_instance *p, bool turns, double *x, double *y) {
     if (td_kind_is_round(p->kind)) {
         *x = *y = p->hx;
     } else if (turns) {
@@ -160,6 +166,7 @@ static void extent_of(const thud_shape_instance *p, bool turns, double *x, doubl
     }
 }
 
+/* Whether circles or boxes around both motions show that the pair does not meet. */
 static bool motions_miss(thud_world *w, const td_approach *p) {
     double x = p->b.x - p->a.x, y = p->b.y - p->a.y;
     double mx = p->motion_b.dx - p->motion_a.dx, my = p->motion_b.dy - p->motion_a.dy;
@@ -169,9 +176,9 @@ static bool motions_miss(thud_world *w, const td_approach *p) {
         return true;
     }
     w->stats.motion_circles++;
-    extent_of(&p->a, p->motion_a.turn != 0.0, &ax, &ay);
-    extent_of(&p->b, p->motion_b.turn != 0.0, &bx, &by);
-    if (apart(x, mx, ax + bx + p->target) || apart(y, my, ay + by + p->target)) {
+    half_extents(&p->a, p->motion_a.turn != 0.0, &ax, &ay);
+    half_extents(&p->b, p->motion_b.turn != 0.0, &bx, &by);
+    if (intervals_miss(x, mx, ax + bx + p->target) || intervals_miss(y, my, ay + by + p->target)) {
         return true;
     }
     w->stats.motion_boxes++;
@@ -180,36 +187,39 @@ static bool motions_miss(thud_world *w, const td_approach *p) {
 
 /* ---- approaches ---- */
 
-/* Whether the motion comes down to the line at all. */
-static bool above_ground(const thud_world *w, int terrain_shape, const td_approach *p) {
+/* Whether the motion stays above the highest point of the terrain. */
+static bool stays_above_line(const thud_world *w, int terrain_shape, const td_approach *p) {
     const td_terrain_record *record =
         td_terrain_record_at(w, td_shape_at(w, terrain_shape)->terrain);
     double end = p->a.y + p->motion_a.dy;
     return (end < p->a.y ? end : p->a.y) - td_reach(&p->a) - p->target > record->highest;
 }
 
+/* The motion of a shape of the body between two placements, `duration` (share of the step) apart.
+ */
 static thud_motion motion_between(const td_trajectory *f, const thud_shape_instance *from,
-                                  const thud_shape_instance *to, double rest) {
+                                  const thud_shape_instance *to, double duration) {
     return (thud_motion){to->x - from->x, to->y - from->y,
-                         td_kind_turns(from->kind) ? f->motion[2] * rest : 0.0};
+                         td_kind_turns(from->kind) ? f->motion[2] * duration : 0.0};
 }
 
-/* A shape off its body's centre of mass moves on an arc, of which the chord is tested: no further
- * apart than this. */
-static double arc_error(const thud_world *w, const td_trajectory *f, int index, double rest) {
+/* The distance of the arc of a shape that is off its body's centre of mass from its chord: r phi^2
+ * / 8, the sagitta, for the arm r (bounded by |x| + |y|) and the turn phi. */
+static double arc_error(const thud_world *w, const td_trajectory *f, int index, double duration) {
     const td_shape *shape = td_shape_at(w, index);
-    double turn = f->motion[2] * rest;
+    double turn = f->motion[2] * duration;
     double arm = td_abs((double)shape->arm_x) + td_abs((double)shape->arm_y);
     return 0.125 * arm * turn * turn;
 }
 
-double td_trajectories_bend(const td_trajectory *a, const td_trajectory *b, double rest) {
+double td_trajectories_chord_error(const td_trajectory *a, const td_trajectory *b,
+                                   double duration) {
     double x = b->fall[0] - a->fall[0], y = b->fall[1] - a->fall[1];
-    return 0.125 * __builtin_sqrt(x * x + y * y) * rest * rest;
+    return 0.125 * __builtin_sqrt(x * x + y * y) * duration * duration;
 }
 
-void td_toi_candidate_ways(const thud_world *w, const td_toi_candidate *e, double now, double until,
-                           td_approach *p) {
+void td_toi_candidate_motions(const thud_world *w, const td_toi_candidate *e, double now,
+                              double until, td_approach *p) {
     td_trajectory a = td_trajectory_of(w, e->body[0]), b = td_trajectory_of(w, e->body[1]);
     td_position origin = a.place;
     *p = (td_approach){.on_ground = td_kind_is_line(td_shape_at(w, e->shape[0])->kind)};
@@ -229,28 +239,29 @@ void td_toi_candidate_ways(const thud_world *w, const td_toi_candidate *e, doubl
     p->motion_b = motion_between(&b, &p->b, &end_b, until - now);
 }
 
-bool td_toi_candidate_has_seams(const thud_world *w, const td_toi_candidate *e) {
+bool td_toi_candidate_has_internal_edges(const thud_world *w, const td_toi_candidate *e) {
     return td_shape_at(w, e->shape[0])->internal_edges |
            td_shape_at(w, e->shape[1])->internal_edges;
 }
 
-/* Whether they stay apart along the line on which they are nearest to each other now: what a turn
- * adds is no more than its arc at the furthest corner. */
-static bool stays_apart(const td_approach *p, const thud_closest *c) {
+/* Whether the pair stays apart along the present normal c->n: the relative motion along it, and at
+ * most the arcs of the furthest corners, leave more than the target. */
+static bool normal_separates(const td_approach *p, const thud_closest *c) {
     double x = p->motion_b.dx - p->motion_a.dx, y = p->motion_b.dy - p->motion_a.dy;
     double turn =
         td_abs(p->motion_a.turn) * td_reach(&p->a) + td_abs(p->motion_b.turn) * td_reach(&p->b);
     return c->distance + td_min_double(c->nx * x + c->ny * y, 0.0) - turn > p->target;
 }
 
-/* Boxes that overlap by a hidden face are as deep as where they can be met. */
-static double distance_of(thud_world *w, const td_toi_candidate *e, const td_approach *p,
-                          thud_closest *closest) {
+/* The distance of both shapes, and their closest points. Where they overlap along a normal that an
+ * internal edge forbids (a ghost), the overlap along an allowed normal counts. */
+static double allowed_distance(thud_world *w, const td_toi_candidate *e, const td_approach *p,
+                               thud_closest *closest) {
     td_internal_edge_contact contact;
     thud_closest c;
     td_closest(&p->a, &p->b, &c);
     *closest = c;
-    if (c.distance < 0.0 && td_toi_candidate_has_seams(w, e)) {
+    if (c.distance < 0.0 && td_toi_candidate_has_internal_edges(w, e)) {
         td_internal_edge_pair pair = {w, {e->shape[0], e->shape[1]}, {p->a, p->b}};
         if (w->internal_edges->is_ghost(&pair, c.nx, c.ny) &&
             w->internal_edges->contact(&pair, &contact)) {
@@ -262,19 +273,19 @@ static double distance_of(thud_world *w, const td_toi_candidate *e, const td_app
 }
 
 bool td_toi_candidate_is_far(thud_world *w, const td_toi_candidate *e) {
-    if (td_body_at(w, e->body[0])->kind == THUD_STATIC) { /* nobody knows how far it reaches */
+    if (td_body_at(w, e->body[0])->kind == THUD_STATIC) { /* its max_extent is not set */
         return false;
     }
     td_trajectory a = td_trajectory_of(w, e->body[0]), b = td_trajectory_of(w, e->body[1]);
     double x = (double)(b.place.x - a.place.x) / w->to_fixed;
     double y = (double)(b.place.y - a.place.y) / w->to_fixed;
-    double mx = way_of(&b, 0, 1.0) - way_of(&a, 0, 1.0);
-    double my = way_of(&b, 1, 1.0) - way_of(&a, 1, 1.0);
+    double mx = path_along(&b, 0, 1.0) - path_along(&a, 0, 1.0);
+    double my = path_along(&b, 1, 1.0) - path_along(&a, 1, 1.0);
     double reach =
         (double)(td_body_at(w, e->body[0])->max_extent + td_body_at(w, e->body[1])->max_extent) +
-        2.0 * (double)(TD_MEET * w->unit) + td_trajectories_bend(&a, &b, 1.0);
-    double rest = __builtin_sqrt(x * x + y * y) - reach;
-    bool far = rest > 0.0 && rest * rest > mx * mx + my * my;
+        2.0 * (double)(TD_MEET * w->unit) + td_trajectories_chord_error(&a, &b, 1.0);
+    double gap = __builtin_sqrt(x * x + y * y) - reach;
+    bool far = gap > 0.0 && gap * gap > mx * mx + my * my;
     w->stats.motion_pairs += far;
     return far;
 }
@@ -283,40 +294,43 @@ bool td_toi_candidate_approach(thud_world *w, const td_toi_candidate *e, double 
                                td_approach *p) {
     td_trajectory a = td_trajectory_of(w, e->body[0]), b = td_trajectory_of(w, e->body[1]);
     double target = (double)(TD_MEET * w->unit) + arc_error(w, &b, e->shape[1], until - now) +
-                    td_trajectories_bend(&a, &b, until - now);
-    td_toi_candidate_ways(w, e, now, until, p);
+                    td_trajectories_chord_error(&a, &b, until - now);
+    td_toi_candidate_motions(w, e, now, until, p);
     p->target = target;
     if (p->on_ground) {
         w->stats.motion_pairs++;
-        if (above_ground(w, e->shape[0], p)) {
+        if (stays_above_line(w, e->shape[0], p)) {
             return false;
         }
         w->stats.motion_circles++;
         w->stats.motion_boxes++;
+        /* Beyond twice the target the exact distance does not matter: any greater one will do. */
         thud_contacts near;
         thud_terrain_contacts(&p->ground, &p->a, 2.0 * target, &near);
-        p->swing = target - (double)(TD_MEET * w->unit);
+        p->path_error = target - (double)(TD_MEET * w->unit);
         p->distance = near.count ? near.point[0].distance : 4.0 * target;
         p->target = 0.5 * p->distance < target ? 0.5 * p->distance : target;
         return true;
     }
     p->target += arc_error(w, &a, e->shape[0], until - now);
-    p->swing = p->target - (double)(TD_MEET * w->unit);
+    p->path_error = p->target - (double)(TD_MEET * w->unit);
     if (motions_miss(w, p)) {
         return false;
     }
     thud_closest closest;
-    p->distance = distance_of(w, e, p, &closest);
-    if (stays_apart(p, &closest)) {
+    p->distance = allowed_distance(w, e, p, &closest);
+    if (normal_separates(p, &closest)) {
         return false;
     }
+    /* Shapes that are nearer than the target meet at half their distance. */
     p->target = 0.5 * p->distance < p->target ? 0.5 * p->distance : p->target;
     return true;
 }
 
-/* The contacts of a pair at a ghost go to where boxes can be met, if anywhere. */
-static void amend(thud_world *w, const td_toi_candidate *e, const thud_shape_instance *a,
-                  const thud_shape_instance *b, thud_contacts *contacts) {
+/* Replaces the contact points of a ghost by those along an allowed normal, or by none. */
+static void move_ghost_contacts(thud_world *w, const td_toi_candidate *e,
+                                const thud_shape_instance *a, const thud_shape_instance *b,
+                                thud_contacts *contacts) {
     td_internal_edge_pair pair = {w, {e->shape[0], e->shape[1]}, {*a, *b}};
     td_internal_edge_contact open = {.count = 0};
     if (!w->internal_edges->is_ghost(&pair, contacts->point[0].nx, contacts->point[0].ny)) {
@@ -331,33 +345,35 @@ static void amend(thud_world *w, const td_toi_candidate *e, const thud_shape_ins
     }
 }
 
-/* A normal off by less than this, in radians, is that of the ground. */
-#define STRAIGHT 1e-5
+/* Sine of an angle, and share of the extent: normals and places that differ by less from those of
+ * the ground are the same. Chosen, above single precision (6e-8) and the same as in
+ * internal_edges.c. */
+#define NORMAL_TOLERANCE 1e-5
 
-bool td_at_sealed_end(const thud_world *w, int line, const thud_terrain *ground,
-                      const thud_shape_instance *shape, const thud_closest *met, double *x,
-                      double *out) {
+bool td_is_at_sealed_end(const thud_world *w, int line, const thud_terrain *ground,
+                         const thud_shape_instance *shape, const thud_closest *met, double *x,
+                         double *out) {
     unsigned sealed = td_shape_at(w, line)->internal_edges;
     for (int side = 0; side < 2; side++) {
         td_segment s = td_terrain_segment(ground, side ? ground->count - 2 : 0, 0.0, 0.0);
         *x = side ? s.q.x : s.p.x;
         *out = side ? 1.0 : -1.0;
         if ((sealed >> (side ? TD_FACE_RIGHT : TD_FACE_LEFT) & 1) &&
-            (met->ax - *x) * *out > -STRAIGHT * td_reach(shape) &&
-            (met->nx * s.tx + met->ny * s.ty) * *out > STRAIGHT) {
+            (met->ax - *x) * *out > -NORMAL_TOLERANCE * td_reach(shape) &&
+            (met->nx * s.tx + met->ny * s.ty) * *out > NORMAL_TOLERANCE) {
             return true;
         }
     }
     return false;
 }
 
-/* What stands over the end of a line has a point there too, which is as much a ghost. */
+/* Removes the contact points of a shape at sealed ends of a line, which are ghosts. */
 static void drop_sealed_ends(const thud_world *w, int line, const thud_terrain *ground,
                              const thud_shape_instance *shape, thud_contacts *contacts) {
     int kept = 0;
     double x, out;
     for (int k = 0; k < contacts->count; k++) {
-        if (!td_at_sealed_end(w, line, ground, shape, &contacts->point[k], &x, &out)) {
+        if (!td_is_at_sealed_end(w, line, ground, shape, &contacts->point[k], &x, &out)) {
             contacts->point[kept++] = contacts->point[k];
         }
     }
@@ -373,7 +389,7 @@ void td_toi_candidate_features(thud_world *w, const td_toi_candidate *e, double 
         thud_terrain ground = td_terrain_view(w, e->shape[0]);
         thud_shape_instance shape = td_trajectory_shape(w, &b, e->shape[1], time, out->origin);
         thud_terrain_contacts(&ground, &shape, margin, &out->contacts);
-        if (td_toi_candidate_has_seams(w, e)) {
+        if (td_toi_candidate_has_internal_edges(w, e)) {
             drop_sealed_ends(w, e->shape[0], &ground, &shape, &out->contacts);
         }
         return;
@@ -382,7 +398,7 @@ void td_toi_candidate_features(thud_world *w, const td_toi_candidate *e, double 
     thud_shape_instance at_a = td_trajectory_shape(w, &a, e->shape[0], time, a.place);
     thud_shape_instance at_b = td_trajectory_shape(w, &b, e->shape[1], time, a.place);
     thud_shapes_contacts(&at_a, &at_b, margin, &out->contacts);
-    if (out->contacts.count && td_toi_candidate_has_seams(w, e)) {
-        amend(w, e, &at_a, &at_b, &out->contacts);
+    if (out->contacts.count && td_toi_candidate_has_internal_edges(w, e)) {
+        move_ghost_contacts(w, e, &at_a, &at_b, &out->contacts);
     }
 }

@@ -1,4 +1,12 @@
-/* trajectory.h: bodies on their way through a step, and the pairs that may meet on it. */
+/* trajectory.h: the paths of bodies through a step, and the pairs of shapes that may meet on them,
+ * for continuous collision detection (impacts.c, sensing.c).
+ *
+ * Time is a share, in [0, 1], of the step. With t from td_trajectory.since to 1 and s = t - since,
+ * a body's centre and angle are
+ *   p(t) = place + motion s + fall s^2 / 2
+ *   angle(t) = angle + motion[2] s
+ * `motion` is a velocity times the time step (lengths, radians), `fall` an acceleration times its
+ * square (lengths). `fall` is zero unless the body is in free flight (ballistics.c). */
 #ifndef TD_TRAJECTORY_H
 #define TD_TRAJECTORY_H
 
@@ -6,141 +14,169 @@
 #include "solver/motion.h"
 #include "state/world.h"
 
-/* Shapes that touch may be pressed into each other by load, by so many TD_MEET in a step, before it
- * is a collision: that much is left to the contact solver. */
-#define TD_PRESSED 0.15
+/* In multiples of TD_MEET: how much nearer to each other touching shapes may come in a step before
+ * it is a collision. The contact solver is soft, so that a load presses shapes together; up to
+ * this much it is left to that solver. Chosen: at half and twice of it the times of impact in the
+ * scene smash change by 3 %. thud_detection.h promises at most 0.00035 length scales a step from
+ * all causes (tests/guarantees/passing.c). */
+#define TD_LOAD_CLOSING_MAX 0.15
 
-/* The way of an awake body from `since` to the end of the step: at constant speed, or falling. */
+/* The path of an awake body from `since` to the end of the step. */
 typedef struct td_trajectory {
     td_position place; /* of the centre of mass, at `since` */
-    uint32_t angle;
+    uint32_t angle;    /* at `since`; 2^32 is a full turn */
     td_body_index body;
-    int32_t extras; /* edge of its first extra candidate: extra * 2 + side, or TD_NONE */
-    int32_t impacts;
+    int32_t extras;   /* first of the body's extra candidates, as an edge: candidate * 2 + side, or
+                         TD_NONE */
+    int32_t impacts;  /* of the body in this step so far */
     double since;     /* in [0, 1] of the step */
-    double motion[3]; /* in a whole step at the speed of `since`: x, y, angle */
-    double fall[2];   /* by how much gravity changes that in a step; 0 where something bears it */
-    bool free;        /* nothing but gravity acted on it: it moves as its velocity says */
-    bool yielded;     /* its motion gave way to a body that kept its own */
-    int32_t touching; /* contacts that it began the step with */
-    bool borne;       /* contacts pushed it in the step before */
-    bool changed;     /* its way is no more the one that finalize.c took */
-    bool held;        /* stays where it is for the rest of the step ... */
-    bool all_held;    /* ... and so do all that joints tie to it */
-    int32_t strays;   /* first of its shapes in scratch.strays, or TD_NONE */
+    double motion[3]; /* x, y (lengths), angle (radians) a step, at `since` */
+    double fall[2];   /* change of `motion` by gravity and forces in a whole step, lengths; 0 unless
+                         in free flight */
+    bool free;      /* only gravity and forces acted on the body: its motion follows its velocity */
+    bool deflected; /* the body was stopped by one that keeps its motion (collide.c) */
+    int32_t contact_count; /* touching contacts of the body at the start of the step */
+    bool borne;            /* contacts carry the body: solver/bounces.c */
+    bool changed;          /* its path differs from the one that td_finalize took */
+    bool held;             /* it stays at its place until the end of the step */
+    bool ring_held;        /* so do all bodies that joints tie to it: constraint/tied_bodies.h */
+    int32_t strays;        /* first of its shapes in scratch.strays, or TD_NONE */
 } td_trajectory;
 
-/* Of ways that are too long for td_bounds, which wrap around: bounds quanta, whole numbers. */
+/* Bounds of paths that may be too long for td_bounds, whose 32-bit numbers wrap around. In bounds
+ * quanta (base/fixed.h), whole numbers that do not wrap. */
 typedef struct td_far_bounds {
     double min_x, min_y, max_x, max_y;
 } td_far_bounds;
 
-/* A piece of the way of a body that turns off at its end, or stops there. */
+/* A piece of the path of a body, from trajectory.since to `end`, where it changes direction or
+ * stops. */
 typedef struct td_leg {
-    td_trajectory way;
-    double end;
-    int32_t next; /* of the same body, or TD_NONE */
+    td_trajectory trajectory;
+    double end;   /* time, in [0, 1] of the step */
+    int32_t next; /* next leg of the same body in scratch.legs, or TD_NONE */
 } td_leg;
 
-/* A shape that may leave the bounds that it had at the start of the step. */
+/* A stray: a shape that may leave the fat bounds by which the broadphase paired it at the start of
+ * the step. */
 typedef struct td_stray {
-    td_far_bounds start, ahead; /* those bounds, and what contains the rest of its way */
-    int32_t shape, next;        /* of the same body */
-    bool chose;                 /* its body's own detection looks for what it meets */
+    td_far_bounds start; /* those fat bounds */
+    td_far_bounds ahead; /* of the rest of its path */
+    int32_t shape, next; /* `next`: the next stray of the same body, or TD_NONE */
+    bool detects;        /* its body's own detection finds times of impact */
 } td_stray;
 
-/* Two shapes that may meet; a terrain comes first. Numbers below w->constraints.count are
- * contacts', the others extra ones': of terrain, and of bodies that strayed from where they were
- * expected. */
+/* A time-of-impact candidate: two shapes that may meet in the step; a terrain is shape[0].
+ * Candidates have numbers. One below w->constraints.count is that of a contact. From there on they
+ * are extra candidates, in scratch.candidates: a shape and a terrain, or a pair with a stray,
+ * which has no contact. */
 typedef struct td_toi_candidate {
     int32_t shape[2];
     td_body_index body[2];
-    int32_t next[2]; /* extra: edges of the same bodies */
-    bool vetoed;
+    int32_t next[2]; /* of extra candidates: next edge (candidate * 2 + side) of each body, or
+                        TD_NONE */
+    bool vetoed;     /* the prologue refused the pair in this step */
 } td_toi_candidate;
 
-/* Of motion in a step, x, y and angle, what places and angles can follow: a length as far as a
- * world reaches, so that what is in it leaves the range of 64 bits in no step, and turns likewise.
- * What spins, or pulls with no measure, may drive others at any speed. Not-a-number stays what it
- * is. */
-#define TD_MOTION_TURN_MOST 1e9
+/* Upper bound of the turn of a body in a step, radians. With the bound of its motion,
+ * THUD_PLACE_MAX length scales, it keeps places in the range of 64 bits and angles in that of
+ * td_round64. Impulses of spinning or unbounded drives may give any speed. Not-a-number stays what
+ * it is. */
+#define TD_MOTION_TURN_MAX 1e9
 
+/* Clamps a motion in a step: x and y (axes 0, 1) in lengths, the angle (axis 2) in radians. */
 static inline double td_motion_held(const thud_world *w, int axis, double motion) {
-    double most = axis < 2 ? THUD_PLACE_MAX * (double)w->unit : TD_MOTION_TURN_MOST;
-    return td_clamp(motion, -most, most);
+    double max = axis < 2 ? THUD_PLACE_MAX * (double)w->unit : TD_MOTION_TURN_MAX;
+    return td_clamp(motion, -max, max);
 }
 
-/* What is taken back of the velocity that gravity and forces give in a step: no more than it can
- * have been, since substeps hold a velocity to the greatest. */
-static inline double td_gain_held(const thud_world *w, int axis, double gain) {
-    double most = axis < 2 ? (double)(w->def.maximum_speed * w->unit) : (double)THUD_SPIN_MAX;
-    return td_clamp(gain, -2.0 * most, 2.0 * most);
+/* Clamps a velocity that gravity and forces gave within a step and that is removed again. Substeps
+ * clamp velocities to the maximum speed (length/s; spin in rad/s), so that a gain is at most twice
+ * that: from the one bound to the other. */
+static inline double td_gain_clamped(const thud_world *w, int axis, double gain) {
+    double max = axis < 2 ? (double)(w->def.maximum_speed * w->unit) : (double)THUD_SPIN_MAX;
+    return td_clamp(gain, -2.0 * max, 2.0 * max);
 }
 
-/* The trajectory of an awake body, by its slot. */
+/* The trajectory of an awake body, by its slot, for changes. */
 static inline td_trajectory *td_trajectory_at(const thud_world *w, td_awake_slot slot) {
     return TD_AT(td_trajectory, &w->scratch.trajectories, slot.at);
 }
 
-/* The detection that finds out when the two meet. */
+/* The detection that decides on a pair: of two dynamic bodies that of the higher rank, else that
+ * of the dynamic one. */
 const thud_detection *td_detection_of(const thud_world *w, td_body_index body_a,
                                       td_body_index body_b);
 
-/* The trajectory of any body; those at rest stay where they are. */
-td_trajectory td_trajectory_of(const thud_world *w, td_body_index body);
-/* For sensors, where there are any: it keeps its way until then. Forgotten where memory is short.
+/* A copy of the trajectory of any body. A body that is not awake has a trajectory without motion.
  */
-void td_leg_note(thud_world *w, const td_trajectory *way, double end);
+td_trajectory td_trajectory_of(const thud_world *w, td_body_index body);
+/* Appends the piece of a path from its `since` to `end` to scratch.legs, if the world has sensors.
+ * Where memory is short it is not kept, and sensors take the path as straight. */
+void td_leg_note(thud_world *w, const td_trajectory *trajectory, double end);
 
+/* Reserves memory for td_held_count; false: out of memory. */
 bool td_held_reserve(thud_world *w);
-/* Counts a body that is held at a part, in [0, 1], of the motion that is left to it: once a step,
- * and the time that it loses, however often it is held. */
+/* Counts a body that stops at the share `time`, in [0, 1], of the motion that is left to it, in
+ * thud_stats: held_bodies once a step, however often it stops, and held_seconds by the time that
+ * it loses. */
 void td_held_count(thud_world *w, td_awake_slot slot, double time);
 
-/* Brings it to `time`, which is no earlier than `since`. */
+/* Moves the start of the trajectory to `time`, not earlier than `since`. */
 void td_trajectory_advance(thud_world *w, td_trajectory *trajectory, double time);
-/* How far it has come at `time` from where it was at the start of the step: x, y, angle. */
-void td_trajectory_gone(const thud_world *w, const td_trajectory *trajectory, double time,
-                        double gone[3]);
-/* From `since` on something bears this part of the fall; the velocity at the end lacks it as well.
- */
-void td_trajectory_bear(const thud_world *w, td_trajectory *trajectory, double x, double y);
+/* The displacement at `time` from the pose at the start of the step: x, y (lengths), angle
+ * (radians). */
+void td_trajectory_displacement(const thud_world *w, const td_trajectory *trajectory, double time,
+                                double displacement[3]);
+/* Reduces `fall` by (x, y) from `since` on, since a contact carries that part of gravity. The
+ * body's velocity at the end of the step is reduced by as much. */
+void td_trajectory_reduce_fall(const thud_world *w, td_trajectory *trajectory, double x, double y);
 /* One of the body's shapes at `time`, relative to `origin`. */
 thud_shape_instance td_trajectory_shape(const thud_world *w, const td_trajectory *trajectory,
                                         int shape, double time, td_position origin);
 
-/* How far a parabola may be from its chord, of one body as the other sees it. */
-double td_trajectories_bend(const td_trajectory *a, const td_trajectory *b, double rest);
+/* The largest distance of the relative path of two bodies from its chord in a `duration` (share of
+ * the step): |fall_b - fall_a| duration^2 / 8, the sagitta of a parabola. */
+double td_trajectories_chord_error(const td_trajectory *a, const td_trajectory *b, double duration);
 
-td_toi_candidate *td_extra_at(const thud_world *w, int number);
+/* The extra candidate of a number >= w->constraints.count, for changes; and a copy of any
+ * candidate. */
+td_toi_candidate *td_extra_candidate_at(const thud_world *w, int number);
 td_toi_candidate td_toi_candidate_at(const thud_world *w, int number);
 
-/* Whether the bodies, wherever on them the shapes are, are too far apart at the start of the step
- * to meet in it. */
+/* Whether the two bodies, as circles of their max_extent, are too far apart at the start of the
+ * step to meet in it. Never true where the first body is static, whose extent is not known. */
 bool td_toi_candidate_is_far(thud_world *w, const td_toi_candidate *e);
 
-/* How the two fly from `now` until a later time; false where they surely do not meet. */
+/* Describes the pair from time `now` to `until` for a test of time of impact; false where bounds
+ * show that the two do not meet. Counts the tests in thud_stats.motion_pairs, motion_circles,
+ * motion_boxes. */
 bool td_toi_candidate_approach(thud_world *w, const td_toi_candidate *e, double now, double until,
                                td_approach *approach);
 
-/* Their ways alone: places at `now`, and motions from then on. */
-void td_toi_candidate_ways(const thud_world *w, const td_toi_candidate *e, double now, double until,
-                           td_approach *approach);
-/* One of them may be hidden from the other: see internal_edges.h. */
-bool td_toi_candidate_has_seams(const thud_world *w, const td_toi_candidate *e);
+/* Only the shapes at `now` and their motions until `until`. */
+void td_toi_candidate_motions(const thud_world *w, const td_toi_candidate *e, double now,
+                              double until, td_approach *approach);
+/* Whether one of the shapes has internal edges, so that contacts may be ghosts: see
+ * contact/internal_edges.h. */
+bool td_toi_candidate_has_internal_edges(const thud_world *w, const td_toi_candidate *e);
 
-/* The sealed end of a line is no edge: whether a shape is met there beside the ground's own normal.
- * Then *x is where the line ends, and *out the direction that leads out of it, 1 or -1. */
-bool td_at_sealed_end(const thud_world *w, int line, const thud_terrain *ground,
-                      const thud_shape_instance *shape, const thud_closest *met, double *x,
-                      double *out);
+/* Whether a shape meets a line of terrain at an end that a neighbour covers (a sealed end), along
+ * a normal that is not that of the end segment: this contact is a ghost. Then *x is the x
+ * coordinate of the end, and *out the direction out of the line, 1 or -1. `met` is the closest
+ * point of both. */
+bool td_is_at_sealed_end(const thud_world *w, int line, const thud_terrain *ground,
+                         const thud_shape_instance *shape, const thud_closest *met, double *x,
+                         double *out);
 
-/* Where two shapes are nearest to each other, relative to `origin`. */
+/* The contact points of two shapes at one time, relative to `origin`. */
 typedef struct td_features {
     td_position origin;
     thud_contacts contacts;
 } td_features;
 
+/* The contact points of a candidate at `time` that are nearer than TD_SPECULATIVE, without ghosts.
+ */
 void td_toi_candidate_features(thud_world *w, const td_toi_candidate *e, double time,
                                td_features *features);
 

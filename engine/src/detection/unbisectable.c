@@ -1,13 +1,16 @@
-/* unbisectable.c: see unbisectable.h. */
+/* unbisectable.c: see unbisectable.h. The test is that of thud_motion_is_bisectable
+ * (geometry/bisect.c), for a body against the thinnest shape of the world. */
 #include "detection/unbisectable.h"
 
 #include "detection/detection.h"
 #include "geometry/shape_instance.h"
 #include "state/shape.h"
 
-/* No point of the body is further out that moves as it turns: a circle about its centre does not.
- * As in thud_motion_is_bisectable, little of it is as good as none. */
-static double swinging_reach(const thud_world *w, const td_body *body, double least) {
+/* The greatest distance from the centre of mass of a point that moves as the body turns; a circle
+ * about it does not move. 0 if that is at most min_extent plus half of `thickness`, that of the
+ * thinnest shape: as in thud_motion_is_bisectable, such a turn takes no corner through the middle
+ * of another shape. */
+static double turning_reach(const thud_world *w, const td_body *body, double thickness) {
     double reach = 0.0;
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         const td_shape *s = td_shape_at(w, i);
@@ -16,7 +19,7 @@ static double swinging_reach(const thud_world *w, const td_body *body, double le
         double own = td_kind_turns(s->kind) ? __builtin_sqrt(hx * hx + hy * hy) : 0.0;
         reach = td_max_double(reach, __builtin_sqrt(x * x + y * y) + own);
     }
-    return reach > (double)body->min_extent + 0.5 * least ? reach : 0.0;
+    return reach > (double)body->min_extent + 0.5 * thickness ? reach : 0.0;
 }
 
 bool td_is_unbisectable(thud_world *w, td_awake_slot slot) {
@@ -27,7 +30,7 @@ bool td_is_unbisectable(thud_world *w, td_awake_slot slot) {
     }
     const float *delta = td_row(&w->delta, slot);
     double x = (double)delta[0], y = (double)delta[1], turn = td_abs((double)delta[2]);
-    double least = (double)td_thinnest(w);
-    double left = least - (turn > 0.0 ? turn * swinging_reach(w, body, least) : 0.0);
-    return !(left > 0.0 && x * x + y * y < left * left);
+    double thickness = (double)td_thinnest(w);
+    double reach_left = thickness - (turn > 0.0 ? turn * turning_reach(w, body, thickness) : 0.0);
+    return !(reach_left > 0.0 && x * x + y * y < reach_left * reach_left);
 }

@@ -1,11 +1,13 @@
-/* unbisectable.h: who moves further in a step than bisection can see. */
+/* unbisectable.h: bodies that move too far in a step for bisection to find all their collisions
+ * (thud_stats.unbisectable). */
 #ifndef TD_UNBISECTABLE_H
 #define TD_UNBISECTABLE_H
 
 #include "state/world.h"
 
-/* Whether an awake body moved further than the thinnest shape is thick, and may have passed through
- * it unseen: one that is bisected, or, where others are, is looked for in no finer way. */
+/* Whether an awake body moved further than the thinnest shape of the world is thick, so that it
+ * may have passed through a shape without overlap at the end of the step. Only in a world with
+ * bisected bodies, and not of dynamic bodies with a detection above it. */
 bool td_is_unbisectable(thud_world *w, td_awake_slot slot);
 
 #endif

@@ -1,11 +1,12 @@
-/* wide_project.c: see project.h. */
+/* wide_project.c: see project.h. Compiled once for each instruction set. */
 #include "detection/project.h"
 
 #include "solver/wide_solve.h"
 
-/* Gives motions or velocities `v` what pushes along the normals change in them. */
-TD_INLINE void give(float (*records)[4], const td_block *block, int points, bool fixed, sides v,
-                    const sides *mass, const f8 *normal) {
+/* Adds the impulses `normal` of the points, times the inverse masses, to the motions or velocities
+ * v, and writes them to `records`. */
+TD_INLINE void apply_sums(float (*records)[4], const td_block *block, int points, bool fixed,
+                          sides v, const sides *mass, const f8 *normal) {
     const td_point *p = block->point;
     f8 sum = normal[0], turn_a = p[0].cross_a * normal[0], turn_b = p[0].cross_b * normal[0];
     if (points == 2) {
@@ -25,20 +26,22 @@ TD_INLINE void give(float (*records)[4], const td_block *block, int points, bool
     td_scatter(records, block->b, v.b);
 }
 
-/* Pushes of two points one after the other, so that both lack nothing: what they are given, of
- * which no more can be taken back than was given before. */
-TD_INLINE void change_of(const td_block *block, int points, float over, f8 coupled, const f8 *lack,
-                         const i8 *here, f8 *given, f8 *change) {
+/* The changes of the impulses of a block's points, and their new sums in `applied`, which stay >=
+ * 0. `shortfall` is what the points lack, a length or speed. The second point is corrected after
+ * the first, with `coupled` what a unit of impulse at the first changes there. Lanes that are not
+ * `active` do not change. */
+TD_INLINE void point_changes(const td_block *block, int points, float over_relaxation, f8 coupled,
+                             const f8 *shortfall, const i8 *active, f8 *applied, f8 *change) {
     for (int k = 0; k < points; k++) {
-        f8 left = k ? lack[k] - coupled * change[0] : lack[k];
-        f8 push = f8_all(over) * block->point[k].normal_mass * left;
-        change[k] = f8_keep(here[k], f8_max(push, -given[k]));
-        given[k] += change[k];
+        f8 lack = k ? shortfall[k] - coupled * change[0] : shortfall[k];
+        f8 correction = f8_all(over_relaxation) * block->point[k].normal_mass * lack;
+        change[k] = f8_keep(active[k], f8_max(correction, -applied[k]));
+        applied[k] += change[k];
     }
 }
 
-/* Lanes of which no body is tied to others: those are left to the solver. */
-TD_INLINE i8 untied(const td_block *block, const int32_t *next_tied) {
+/* Mask of the lanes in which joints tie no body to others; all lanes where next_tied is null. */
+TD_INLINE i8 untied_lanes(const td_block *block, const int32_t *next_tied) {
     i8 out = i8_all(-1);
     for (int i = 0; i < TD_LANES && next_tied; i++) {
         int a = (int)(block->a[i] / TD_AWAKE_BYTES), b = (int)(block->b[i] / TD_AWAKE_BYTES);
@@ -47,26 +50,28 @@ TD_INLINE i8 untied(const td_block *block, const int32_t *next_tied) {
     return out;
 }
 
+/* td_project_fn for a number of points and a kind of side a that are known when compiling. */
 TD_INLINE bool project(td_block *const *blocks, td_pushes *pushes, int count, int points,
                        bool fixed, const td_project_context *c) {
-    f8 zero = f8_all(0.0f), skin = f8_all(c->skin), nearest = f8_all(c->nearest);
-    i8 lacking = i8_all(0);
+    f8 zero = f8_all(0.0f), skin = f8_all(c->skin), target_distance = f8_all(c->target_distance);
+    i8 unfinished = i8_all(0);
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         td_fetch_early(blocks, i, count, points);
         sides d = read_sides((const float(*)[4])c->delta, block, fixed);
         f8 opened = centres_along(&d, fixed, block->nx, block->ny);
-        f8 lack[2], closing[2], change[2];
-        i8 solid = (block->restitution < f8_all(1.0f)) & untied(block, c->next_tied);
-        i8 here[2], any = i8_all(0);
+        f8 shortfall[2], closing[2], change[2];
+        /* Elastic pairs and those of tied bodies are left out. */
+        i8 projected = (block->restitution < f8_all(1.0f)) & untied_lanes(block, c->next_tied);
+        i8 active[2], any = i8_all(0);
         for (int k = 0; k < points; k++) {
             td_point *p = &block->point[k];
             p->separation = p->base + at_point(opened, &d, fixed, ARMS_ALL, p);
-            lack[k] = f8_min(nearest, p->base + skin) - (p->separation + skin);
-            here[k] =
-                solid & (p->normal_mass > zero) & ((lack[k] > zero) | (pushes[i].motion[k] > zero));
-            lacking |= here[k] & (lack[k] > f8_all(c->enough));
-            any |= here[k];
+            shortfall[k] = f8_min(target_distance, p->base + skin) - (p->separation + skin);
+            active[k] = projected & (p->normal_mass > zero) &
+                        ((shortfall[k] > zero) | (pushes[i].motion[k] > zero));
+            unfinished |= active[k] & (shortfall[k] > f8_all(c->tolerance));
+            any |= active[k];
         }
         if (!i8_bits(any)) {
             continue;
@@ -77,12 +82,14 @@ TD_INLINE bool project(td_block *const *blocks, td_pushes *pushes, int count, in
         for (int k = 0; k < points; k++) {
             closing[k] = -at_point(speed, &v, fixed, ARMS_ALL, &block->point[k]);
         }
-        change_of(block, points, c->over, coupled, lack, here, pushes[i].motion, change);
-        give(c->delta, block, points, fixed, d, &v, change);
-        change_of(block, points, c->over, coupled, closing, here, pushes[i].velocity, change);
-        give(c->velocity, block, points, fixed, v, &v, change);
+        point_changes(block, points, c->over_relaxation, coupled, shortfall, active,
+                      pushes[i].motion, change);
+        apply_sums(c->delta, block, points, fixed, d, &v, change);
+        point_changes(block, points, c->over_relaxation, coupled, closing, active,
+                      pushes[i].velocity, change);
+        apply_sums(c->velocity, block, points, fixed, v, &v, change);
     }
-    return i8_bits(lacking);
+    return i8_bits(unfinished);
 }
 
 td_project_fn TD_WIDE(td_project_points);
@@ -96,7 +103,7 @@ bool TD_WIDE(td_project_points)(td_block *const *blocks, td_pushes *pushes, int 
                  : project(blocks, pushes, count, 1, false, c);
 }
 
-/* How far the bodies on one side reach. */
+/* The max_extent of the bodies on one side of a block. */
 TD_INLINE f8 reach_of(const float (*reach)[2], const uint32_t *side) {
     f8 out = f8_all(0.0f);
     for (int i = 0; i < TD_LANES; i++) {
@@ -105,41 +112,43 @@ TD_INLINE f8 reach_of(const float (*reach)[2], const uint32_t *side) {
     return out;
 }
 
-/* Two points lie where an edge goes past the ends of a face: beyond them it may be nearer, and
- * comes over the face as it slides. */
-TD_INLINE f8 slope_of(const td_block *block) {
+/* As edge_slope of gaps.c: by how much the gap may shrink per length of sliding. */
+TD_INLINE f8 edge_slope(const td_block *block) {
     const td_point *p = block->point;
     f8 width = f8_abs(p[0].cross_b - p[1].cross_b), rise = f8_abs(p[0].base - p[1].base);
     return f8_keep(width > f8_all(0.0f), rise / width);
 }
 
-/* Rows take a turn for linear, and the normal for the same while bodies turn past each other. A
- * point that is not there begins beyond the margin, and is swept by a turn. */
-td_judge_fn TD_WIDE(td_judge_points);
-void TD_WIDE(td_judge_points)(td_block *const *blocks, int count, int points, bool turns,
-                              const td_project_context *c) {
-    f8 zero = f8_all(0.0f), skin = f8_all(c->skin), least = f8_all(c->least);
+/* See td_find_open_fn. `slack` bounds the error of the rows, as row_error and slide in gaps.c. A
+ * point that is not there has a gap of at least `margin` at the start of the step, less what the
+ * motion along the normal and the turns take of it. */
+td_find_open_fn TD_WIDE(td_find_open_points);
+void TD_WIDE(td_find_open_points)(td_block *const *blocks, int count, int points, bool turns,
+                                  const td_project_context *c) {
+    f8 zero = f8_all(0.0f), skin = f8_all(c->skin),
+       collision_distance = f8_all(c->collision_distance);
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         sides d = read_sides((const float(*)[4])c->delta, block, false);
-        f8 along = centres_along(&d, false, block->nx, block->ny), slack = zero, swept = zero;
+        f8 along = centres_along(&d, false, block->nx, block->ny), slack = zero, turn_reach = zero;
         f8 x = d.b.x - d.a.x, y = d.b.y - d.a.y;
         if (turns) {
             f8 turn = f8_abs(d.a.z) + f8_abs(d.b.z);
-            swept = turn * (reach_of(c->reach, block->a) + reach_of(c->reach, block->b));
-            slack = turn * (f8_all(0.5f) * swept + f8_sqrt(x * x + y * y));
+            turn_reach = turn * (reach_of(c->reach, block->a) + reach_of(c->reach, block->b));
+            slack = turn * (f8_all(0.5f) * turn_reach + f8_sqrt(x * x + y * y));
         }
         if (points == 2) {
-            slack += slope_of(block) * (f8_abs(x * block->ny - y * block->nx) + swept);
+            slack += edge_slope(block) * (f8_abs(x * block->ny - y * block->nx) + turn_reach);
         }
         i8 apart = block->restitution < f8_all(1.0f), any = i8_all(0);
-        i8 clear = f8_all(c->margin) + along - swept - slack >= least;
+        i8 clear = f8_all(c->margin) + along - turn_reach - slack >= collision_distance;
         for (int k = 0; k < points; k++) {
             const td_point *p = &block->point[k];
             f8 from = p->base + skin, to = from + at_point(along, &d, false, ARMS_ALL, p) - slack;
-            i8 here = p->normal_mass > zero;
-            apart &= (here & (to >= f8_min(least, from - f8_all(c->pressed)))) | (~here & clear);
-            any |= here;
+            i8 present = p->normal_mass > zero;
+            apart &= (present & (to >= f8_min(collision_distance, from - f8_all(c->closing_max)))) |
+                     (~present & clear);
+            any |= present;
         }
         block->apart = i8_bits(apart & any);
     }
