@@ -75,9 +75,10 @@ struct thud_mover {
                              for a walking mover to follow it down; default as step_height */
     double push_force;    /* mass * length / s^2, [0, THUD_MOVER_FORCE_MAX]: the largest force on a
                              dynamic    body in the way; default 0: none */
-    thud_body_id body;    /* a kinematic body, about the mover's centre, that follows the mover, so
-                             that    dynamic bodies and sensors react to it: each move sets the velocity
-                             by which    the next step takes the body to the mover. Default null: none */
+    thud_body_id
+        body; /* a kinematic body, about the mover's centre, that follows the mover, so
+                 that    dynamic bodies and sensors react to it: each move sets the velocity
+                 by which    the next step takes the body to the mover. Default null: none */
     thud_query_filter filter; /* which shapes stop the mover; default all but sensors. Sensors never
                                 stop it; with `sensors` the report lists those that it passes */
     thud_mover_pass_fn *pass; /* default null: the mover passes through no shape */
