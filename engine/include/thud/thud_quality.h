@@ -27,7 +27,8 @@ typedef struct thud_quality {
                      with the substep rate, so that with more substeps contacts also overlap less.
                      Fewer substeps in a world def, or by a time budget, reduce island_work in
                      proportion, and do not make more islands direct */
-    float contact_stiffness;           /* frequency of the contact springs over the substep rate,
+    float
+        contact_stiffness;             /* frequency of the contact springs over the substep rate,
                                           [THUD_CONTACT_STIFFNESS_MIN,           THUD_CONTACT_STIFFNESS_MAX] */
     float contact_damping;             /* damping ratio of the contact springs, [0,
                                           THUD_CONTACT_DAMPING_MAX] */
