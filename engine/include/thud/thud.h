@@ -1,20 +1,23 @@
-/* thud.h: rigid bodies in two dimensions, in a world that advances in fixed steps.
+/* thud.h: rigid bodies in two dimensions, in a world that advances in fixed time steps.
  *
- * Units are the caller's own (metres, pixels), with one length scale in the world def; y is up,
- * angles are radians counter-clockwise, masses are density times area. One world is used by one
- * thread at a time; different worlds share nothing.
+ * Units: lengths are in a unit of the caller's choice (metres, pixels), and
+ * thud_world_def.length_scale tells the engine the size of a typical body in it. Time is in
+ * seconds, angles are in radians counter-clockwise, y points up. A mass is density times area.
  *
- * Every def starts from its thud_default_..., which fills in the defaults and leaves a cookie: a
- * def without it, zeroed for instance, is refused. Ranges are those of thud_limits.h, vectors as
- * thud_math.h says.
+ * Threads: one world may be used by one thread at a time. Different worlds share nothing.
  *
- * Every call that can fail returns a thud_result; when it fails, nothing has changed and the log
- * hook has heard why. Output pointers may be null where the answer is not wanted, unless said
- * otherwise.
+ * Defs: every def must be initialised by its thud_default_... function, which sets the defaults and
+ * a cookie. A def without the cookie, for example a zeroed one, is refused. The ranges of all
+ * values are in thud_limits.h; thud_math.h says which vector type is used where.
  *
- * A world computes, and calls back, in a floating-point mode of its own, whatever that of the
- * calling or a job system's thread is, and gives it back: on x86-64, AArch64 and wasm, elsewhere it
- * must be the thread's. */
+ * Errors: every call that can fail returns a thud_result. When a call fails, it has changed
+ * nothing, and the log hook has been told the reason. Output pointers may be null where the caller
+ * does not need the output, unless the comment says otherwise.
+ *
+ * Floating-point mode: a world computes, and calls callbacks, in a mode of its own (rounding to
+ * nearest, denormals kept), whatever the mode of the calling thread or a thread of the job system
+ * is, and restores the thread's mode afterwards. This holds on x86-64, AArch64 and wasm; on other
+ * platforms the thread must be in that mode. */
 #ifndef THUD_H
 #define THUD_H
 
@@ -36,390 +39,457 @@ extern "C" {
 
 /* ---- world ---- */
 
-/* One touching pair, as callbacks see it: of a static and a moving shape, a is the static one. */
+/* A pair of touching shapes, as callbacks get it. Of a static and a moving shape, a is the static
+ * one. */
 typedef struct thud_contact {
     thud_shape_id shape_a, shape_b;
     thud_body_id body_a, body_b;
-    thud_vec2 normal;      /* from a to b */
-    thud_pos point;        /* in the middle of the contact points */
-    float separation;      /* of the deepest point; negative is penetration */
-    float normal_impulse;  /* epilogue only: the sum really applied over the step */
-    float tangent_impulse; /* ... and that of friction, along (normal.y, -normal.x), on b */
+    thud_vec2 normal;      /* unit, from a to b */
+    thud_pos point;        /* the middle of the contact points */
+    float separation;      /* length, of the deepest point; negative: penetration */
+    float normal_impulse;  /* epilogue only: the sum applied over the step, mass * length / s */
+    float tangent_impulse; /* epilogue only: that of friction on b, along (normal.y, -normal.x) */
     int point_count;       /* 1 or 2 */
 } thud_contact;
 
-/* How the surfaces of a pair act on each other in this step: a prologue finds what the shapes' defs
- * make of it, and may write something else. Values that are not finite or out of range are refused
- * through the log hook, and the pair keeps its own. */
+/* The surface of a pair of shapes in this step. A prologue (pre-solve callback) gets the values
+ * that follow from the two shapes, and may change them. Where a value is not finite or out of
+ * range, the log hook is told, and the pair keeps its own values. */
 typedef struct thud_contact_settings {
-    float friction;      /* [0, THUD_FRICTION_MAX]; 0: ice */
-    float restitution;   /* [0, THUD_BOUNCE_MAX]; above 1 the pair leaves faster than it came */
-    float surface_speed; /* length/s, |.| <= THUD_SURFACE_SPEED_MAX; at which friction would have b
-                            slide over a, along (normal.y, -normal.x): on top of a, to +x */
+    float friction;    /* coefficient, [0, THUD_FRICTION_MAX] */
+    float restitution; /* speed after over speed before, [0, THUD_BOUNCE_MAX]; above 1 a bounce adds
+                          energy */
+    float surface_speed; /* length/s, |.| <= THUD_SURFACE_SPEED_MAX length scales a second: the
+                            speed of b over a at which friction is zero, along (normal.y,
+                            -normal.x), which is +x where b lies on top of a */
 } thud_contact_settings;
 
 typedef struct thud_world_def {
     thud_vec2 gravity;  /* length/s^2; default (0, -10) */
     double time_step;   /* s, (0, THUD_TIME_STEP_MAX]; default 1/60 */
     float length_scale; /* size of a typical body in the caller's unit, [THUD_LENGTH_SCALE_MIN,
-                           THUD_LENGTH_SCALE_MAX]; default 1 for metres; every tolerance is a
-                           multiple of it */
+                           THUD_LENGTH_SCALE_MAX]; default 1, for metres. Every tolerance of the
+                           engine is a multiple of it */
     const thud_quality *quality; /* default &thud_quality_default; never null */
-    /* For experts; 0 (default) takes the quality's: */
-    int substeps;            /* 1 .. THUD_SUBSTEPS_MAX */
-    float contact_stiffness; /* [THUD_CONTACT_STIFFNESS_MIN, THUD_CONTACT_STIFFNESS_MAX] */
-    float contact_damping;   /* [0, THUD_CONTACT_DAMPING_MAX] */
+    /* Overrides of the quality; the default 0 takes the value of the quality. */
+    int substeps;            /* a step is divided into so many, 1 .. THUD_SUBSTEPS_MAX */
+    float contact_stiffness; /* see thud_quality; [THUD_CONTACT_STIFFNESS_MIN,
+                                THUD_CONTACT_STIFFNESS_MAX] */
+    float contact_damping;   /* see thud_quality; [0, THUD_CONTACT_DAMPING_MAX] */
     /* Speeds, in length scales a second: */
-    float push_speed;            /* [0, THUD_SPEED_MAX], at most which overlap is pushed apart;
-                                    default 3 */
-    float restitution_threshold; /* [0, THUD_SPEED_MAX]; slower approaches do not bounce; default 1.
-                                    At restitution 1 at most 4 * gravity * time_step, swept in free
-                                    flight gravity * time_step / 8 */
-    float hit_speed;     /* [0, THUD_SPEED_MAX]; faster approaches are hit events; default 1 */
-    float maximum_speed; /* (0, THUD_SPEED_MAX]; default that. Steps hold x and y of a velocity to
-                            it, each; an impact on the way may leave more to the next step */
-    bool sleeping; /* default true: what is connected falls asleep once it has been slower than
-                      0.05 length scales a second for 0.5 s, and no gap of a joint and no
-                      overlap in it closes faster than that */
-    bool contact_events; /* collect begin, end and hit events; default true. Sensors report
-                            either way */
-    bool baseline_simd;  /* never AVX2: the same bits, slower; for tests. Default false */
-    thud_allocator allocator;
-    thud_log_fn *log; /* null: silent, the default; where thud is built without NDEBUG the default
-                         is thud_log_to_stderr */
-    void *log_context;
-    thud_clock_fn *clock; /* null: stages are not timed */
-    void *clock_context;
-    double max_error;   /* length, [0, THUD_MAX_ERROR_MAX]; default 0: none. Islands in which
-                           something overlaps by   more, or is going to under its load, go to the
-                           quality's island   solver, and back when they can. Needs a quality that has
-                           one: take   the one you want and set its `islands` */
-    double time_budget; /* s, [0, THUD_TIME_BUDGET_MAX]; default 0: none. Where steps take longer,
-                           substeps are halved, down to 1, and doubled again when there is time, and
-                           the quality's island_work with them: the clock then decides what happens,
-                           and runs differ. Needs `clock` */
+    float push_speed; /* [0, THUD_SPEED_MAX]: the largest speed at which overlapping shapes
+                         are separated; default 3 */
+    float restitution_threshold; /* [0, THUD_SPEED_MAX]: pairs that approach more slowly do not
+                                    bounce; default 1. With restitution 1 the threshold is at most
+                                    4 * gravity * time_step, and for swept bodies in free flight
+                                    gravity * time_step / 8 */
+    float
+        hit_speed; /* [0, THUD_SPEED_MAX]: pairs that approach faster make hit events; default 1 */
+    float maximum_speed; /* (0, THUD_SPEED_MAX]; default THUD_SPEED_MAX. A step clamps x and y of a
+                            velocity to it, each by itself; after an impact within a step a body may
+                            be faster until the next step */
+    bool sleeping; /* default true. An island (bodies that constraints connect) falls asleep once
+                      each of its bodies has been slower than 0.05 length scales a second for 0.5 s,
+                      and no gap of a joint and no overlap in it closes faster than that */
+    bool contact_events; /* collect begin, end and hit events; default true. Sensor events are
+                            collected in any case */
+    bool baseline_simd;  /* do not use AVX2: the same results bit for bit, but slower; for tests.
+                            Default false */
+    thud_allocator allocator; /* default (all zero): the C library's */
+    thud_log_fn *log;     /* default null: no log; where thud is built without NDEBUG the default is
+                             thud_log_to_stderr */
+    void *log_context;    /* handed to log */
+    thud_clock_fn *clock; /* default null: stages are not timed */
+    void *clock_context;  /* handed to clock */
+    double max_error;     /* length, [0, THUD_MAX_ERROR_MAX]; default 0: no limit. An island with a
+                             contact     that overlaps by more, or will under its load, is solved by the
+                             quality's     island solver until the soft solver keeps to the limit again.
+                             Needs a quality     with an island solver (thud_quality.islands) */
+    double time_budget;   /* s a step, [0, THUD_TIME_BUDGET_MAX]; default 0: no budget. Where steps
+                             take   longer, substeps and the quality's island_work are halved, down to
+                             one   substep, and doubled again where time allows. Results then depend
+                             on   the   clock, and differ from run to run. Needs `clock` */
     const thud_detection *detection;   /* default null: the quality's */
-    const thud_broadphase *broadphase; /* default (also null): &thud_broadphase_grid */
-    thud_job_system job_system;        /* threads to work on; default: the calling one alone */
-    uint32_t cookie;                   /* of thud_default_world_def */
+    const thud_broadphase *broadphase; /* default, also for null: &thud_broadphase_grid */
+    thud_job_system job_system;        /* default (all zero): the calling thread alone */
+    uint32_t cookie;                   /* set by thud_default_world_def */
 } thud_world_def;
 
+/* The defaults, with quality thud_quality_default. */
 THUD_API thud_world_def thud_default_world_def(void);
-/* The same with another quality. A program that never asks for the default one does not link what
- * that needs: at draft it goes without the island solver. */
+/* The defaults with another quality. A program that only uses qualities without an island solver,
+ * such as thud_quality_draft, and this call, does not link the island solver. */
 THUD_API thud_world_def thud_world_def_of(const thud_quality *quality);
 
+/* Creates a world, *out. THUD_ERROR_NULL for a null def or out, THUD_ERROR_INVALID for a def
+ * without cookie or with a field out of range, THUD_ERROR_MEMORY; *out is then not written. */
 THUD_NODISCARD THUD_API thud_result thud_world_create(const thud_world_def *def, thud_world **out);
-/* Null is fine. Inside a callback the log hook hears THUD_ERROR_LOCKED, and the world lives on. */
+/* Destroys a world with all its bodies, shapes and joints. Null does nothing. Inside a callback of
+ * the world the call does nothing either, and the log hook is told THUD_ERROR_LOCKED. */
 THUD_API void thud_world_destroy(thud_world *world);
 
-/* Runs one step. On THUD_ERROR_MEMORY nothing has moved and no event is told; edits are in effect,
- * as after a query, and whom it was to wake may be awake. Made again it ends with the same bits and
- * events. */
+/* Runs one step of time_step seconds. On THUD_ERROR_MEMORY no body has moved and no event is
+ * reported, but edits have taken effect, and bodies that the step was to wake may be awake. A step
+ * that is run again ends with the same results, bit for bit, and the same events. THUD_ERROR_NULL;
+ * THUD_ERROR_LOCKED inside a callback. */
 THUD_API thud_result thud_world_step(thud_world *world);
 
-/* The world keeps its own time: runs as many whole steps as `elapsed` seconds, in [0,
- * THUD_ADVANCE_MAX], allow, at most `max_steps` (>= 1; time beyond that is dropped), and gives in
- * *alpha, in [0, 1), how far the present lies between the last step and the next, for
- * thud_world_poses. Call it once a picture; what happens does not depend on how often that is:
+/* Advances the world by `elapsed` seconds, in [0, THUD_ADVANCE_MAX]: runs the whole steps that fit
+ * into it together with the time that earlier calls left over, but at most `max_steps` (>= 1), and
+ * drops the time of further steps. *steps: the number of steps run. *alpha, in [0, 1): the time
+ * left over as a fraction of a step, for thud_world_poses. Call it once a frame; the motion does
+ * not depend on the frame rate:
  *
- * Events, meetings, broken joints and impulses (thud_world_events and so on) are then those of all
- * steps that it made, in their order; none where it made none.
+ * Events, meetings, broken joints and impulses (thud_world_events and so on) are afterwards those
+ * of all steps of the call, in order; none if it ran no step.
  *
- * Forces that were applied since the last call act for all of `elapsed`: each step gets their mean
- * over its time, also where its time came with several calls. So a force that is applied before
- * each call acts all the time, whatever the rate; one that is applied once acts for the time of
- * one picture. What shall act in one step alone, or depends on where bodies are or how they move,
- * as the forces of thud_fields.h do, is for `before` below.
+ * Forces that were applied since the last call act over all of `elapsed`: each step applies their
+ * mean over its time, also where its time comes from several calls. So a force that is applied
+ * before each call acts all the time at any frame rate, and a force that is applied once acts for
+ * one frame. For forces that shall act in a single step, or that depend on positions or velocities
+ * of bodies, as those of thud_fields.h, use `before` of thud_world_advance_with.
  *
- * Where a step runs out of memory, *steps, *alpha and the events are of those before it, and the
- * time left waits for the next call; if it was the first, all is as if it had not been called.
+ * Where a step runs out of memory the call returns THUD_ERROR_MEMORY; *steps, *alpha and the events
+ * are those of the steps before it, and the rest of the time waits for the next call. If it was the
+ * first step, nothing has changed. THUD_ERROR_NULL; THUD_ERROR_INVALID for a value out of range;
  * THUD_ERROR_LOCKED inside a callback. */
 THUD_API thud_result thud_world_advance(thud_world *world, double elapsed, int max_steps,
                                         int *steps, double *alpha);
 
 typedef void thud_step_fn(thud_world *world, void *context);
 
-/* What to call before and after each step; either may be null. There the world may be edited, asked
- * and taken a snapshot of as between two calls of thud_world_step, but steps, thud_world_restore
- * and thud_world_destroy are THUD_ERROR_LOCKED. Forces act in one step: those of `before` in the
- * one that follows, those of `after` in the next. Events are those of the last step alone: in
- * `after` the one just made. Of a step that runs out of memory `before` is not called again when it
- * is tried again. */
+/* Callbacks before and after each step. Inside them the world may be edited, queried and saved to a
+ * snapshot as between two calls of thud_world_step; only stepping, thud_world_restore and
+ * thud_world_destroy are THUD_ERROR_LOCKED. Forces applied inside them act in one step: those of
+ * `before` in the step that follows, those of `after` in the one after it. Events are those of the
+ * last step alone; in `after`, of the step just run. When a step that ran out of memory is tried
+ * again, `before` is not called again. */
 typedef struct thud_step_calls {
-    thud_step_fn *before, *after;
-    void *context; /* handed to both */
+    thud_step_fn *before, *after; /* null: not called */
+    void *context;                /* handed to both */
 } thud_step_calls;
 
-/* thud_world_advance with such calls, which may be null. */
+/* As thud_world_advance, with these callbacks; `calls` may be null. */
 THUD_API thud_result thud_world_advance_with(thud_world *world, double elapsed, int max_steps,
                                              const thud_step_calls *calls, int *steps,
                                              double *alpha);
 
-/* In place of the world's own from now on, also inside a callback; null: silent. THUD_ERROR_NULL
- * without a world. */
+/* Replaces the world's log from now on; null: no log. Allowed inside a callback. THUD_ERROR_NULL
+ * for a null world. */
 THUD_API thud_result thud_world_set_log(thud_world *world, thud_log_fn *log, void *context);
 
-/* Settings hold from the next step on. Inside a callback they are refused with THUD_ERROR_LOCKED,
- * since the step under way has begun with the old ones. */
-/* Wakes everything. */
+/* Settings take effect with the next step. All return THUD_ERROR_NULL for a null world,
+ * THUD_ERROR_INVALID for a value out of range, and THUD_ERROR_LOCKED inside a callback, because the
+ * step under way has begun with the old value. */
+/* length/s^2, finite. Wakes all bodies. */
 THUD_API thud_result thud_world_set_gravity(thud_world *world, thud_vec2 gravity);
-/* (0, THUD_TIME_STEP_MAX]. */
+/* The length of a step, s, (0, THUD_TIME_STEP_MAX]. */
 THUD_API thud_result thud_world_set_time_step(thud_world *world, double time_step);
-/* [0, THUD_MAX_ERROR_MAX]; see thud_world_def. */
+/* length, [0, THUD_MAX_ERROR_MAX]; see thud_world_def.max_error. */
 THUD_API thud_result thud_world_set_max_error(thud_world *world, double max_error);
-/* What the def itself named stays as it is. Wakes everything. */
+/* Substeps, contact_stiffness, contact_damping and detection that the def of the world set itself
+ * keep their values. `quality` is copied. Wakes all bodies. */
 THUD_API thud_result thud_world_set_quality(thud_world *world, const thud_quality *quality);
+/* Whether islands fall asleep; false wakes all bodies. */
 THUD_API thud_result thud_world_set_sleeping(thud_world *world, bool sleeping);
 
 /* ---- bodies ---- */
 
 typedef enum thud_body_kind {
-    THUD_STATIC = 0, /* never moves by itself */
-    THUD_KINEMATIC,  /* moves at its set velocity, heeds no force */
-    THUD_DYNAMIC,
+    THUD_STATIC = 0, /* has no velocity; moves only by thud_body_set_transform */
+    THUD_KINEMATIC,  /* moves at the velocity that is set; no force or contact changes it */
+    THUD_DYNAMIC,    /* moves by forces and contacts */
     THUD_BODY_KIND_COUNT
 } thud_body_kind;
 
 typedef struct thud_body_def {
-    thud_body_kind kind;    /* default static */
-    thud_pos position;      /* of the body's origin; |x|, |y| <= THUD_PLACE_MAX length scales */
-    double angle;           /* |angle| <= THUD_ANGLE_MAX */
-    thud_vec2 velocity;     /* of the centre of mass; 0 where static, which never moves */
-    float angular_velocity; /* rad/s; likewise; a step holds it to |.| <= THUD_SPIN_MAX */
-    float gravity_scale;    /* default 1 */
-    float linear_damping;   /* 1/s, >= 0 */
-    float angular_damping;  /* 1/s, >= 0 */
-    bool fixed_rotation;
-    bool may_sleep;                  /* default true */
+    thud_body_kind kind; /* default static */
+    thud_pos position;   /* of the body's origin, |x|, |y| <= THUD_PLACE_MAX length scales; default
+                            (0, 0) */
+    double angle;        /* rad, |angle| <= THUD_ANGLE_MAX; default 0 */
+    thud_vec2 velocity;  /* of the centre of mass, length/s; default (0, 0); must be (0, 0) for
+                            static  bodies */
+    float angular_velocity; /* rad/s; default 0; must be 0 for static bodies. A step clamps it to
+                               |.| <= THUD_SPIN_MAX */
+    float gravity_scale;    /* factor of the world's gravity, finite; default 1 */
+    float linear_damping;   /* 1/s, >= 0; default 0. A substep of h seconds divides the velocity by
+                               1 + h * damping */
+    float angular_damping;  /* 1/s, >= 0; default 0; the same of the angular velocity */
+    bool fixed_rotation;    /* no torque turns the body; default false */
+    bool may_sleep;         /* default true */
     const thud_detection *detection; /* default null: the world's */
-    uint64_t user_data;
-    uint32_t cookie; /* of thud_default_body_def */
+    uint64_t user_data;              /* the caller's own; default 0 */
+    uint32_t cookie;                 /* set by thud_default_body_def */
 } thud_body_def;
 
 THUD_API thud_body_def thud_default_body_def(void);
 
+/* Creates a body without shapes; *out (may be null) is its handle. THUD_ERROR_NULL for a null world
+ * or def, THUD_ERROR_INVALID for a def without cookie or with a field out of range,
+ * THUD_ERROR_MEMORY. Inside a callback the body enters the world with the next step. */
 THUD_NODISCARD THUD_API thud_result thud_body_create(thud_world *world, const thud_body_def *def,
                                                      thud_body_id *out);
-THUD_API thud_result thud_body_destroy(thud_world *world, thud_body_id body); /* and its shapes */
+/* Destroys a body with its shapes and joints. THUD_ERROR_NULL, THUD_ERROR_STALE. */
+THUD_API thud_result thud_body_destroy(thud_world *world, thud_body_id body);
+/* Whether the handle names a body of this world. */
 THUD_API bool thud_body_is_valid(const thud_world *world, thud_body_id body);
 
 typedef struct thud_body_state {
     thud_body_kind kind;
-    thud_pos position; /* of the origin */
-    thud_pos center;   /* of mass */
-    double angle;      /* in (-pi, pi] */
-    float cosine, sine;
-    thud_vec2 velocity;
-    float angular_velocity;
-    float mass, inertia; /* 0 for static and kinematic, and 1 for a dynamic body without any;
-                            inertia 0 when rotation is fixed */
+    thud_pos position;      /* of the origin */
+    thud_pos center;        /* centre of mass, in the world */
+    double angle;           /* rad, in (-pi, pi] */
+    float cosine, sine;     /* of the angle */
+    thud_vec2 velocity;     /* of the centre of mass, length/s */
+    float angular_velocity; /* rad/s */
+    float mass, inertia; /* inertia: about the centre of mass, mass * length^2; 0 when rotation is
+                            fixed. Both are 0 for static and kinematic bodies; the mass of a dynamic
+                            body whose shapes have none is 1 */
     float gravity_scale;
-    bool awake, enabled, quarantined;
+    bool awake, enabled;
+    bool quarantined; /* its position or velocity became non-finite, and the engine stopped it */
     uint64_t user_data;
     int shape_count;
 } thud_body_state;
 
+/* All values of a body. THUD_ERROR_NULL, THUD_ERROR_STALE; *out is then not written. */
 THUD_API thud_result thud_body_get(const thud_world *world, thud_body_id body,
                                    thud_body_state *out);
 
-/* Edits wake the body, also the bodies that touch it; places and angles have the ranges of the def.
- * All take effect together, as the next step begins; queries see shapes where edits put them, and
- * change nothing. Inside a callback they wait for the start of the next step, and come after what
- * is edited in between: until then no query sees them, and a shape made there takes no part in
- * anything, its mass included. What is destroyed there is stale at once. */
+/* Edits. An edit wakes the body and the bodies that touch it. Places and angles have the ranges of
+ * the def. All edits take effect together when the next step begins; queries before it already see
+ * shapes where edits put them. Edits inside a callback wait for the start of the next step, and are
+ * applied after the edits that are made between the steps: until then no query sees them, and a
+ * shape that was made there takes part in nothing, and has no mass. What is destroyed inside a
+ * callback is stale at once. All return THUD_ERROR_NULL for a null world, THUD_ERROR_STALE,
+ * THUD_ERROR_INVALID for a value out of range, and, inside a callback, THUD_ERROR_MEMORY. */
+/* Puts the body's origin at a place, and turns it to an angle, rad. The angle of a body with an
+ * AABB or terrain must be 0. */
 THUD_API thud_result thud_body_set_transform(thud_world *world, thud_body_id body,
                                              thud_pos position, double angle);
+/* Sets the velocity of the centre of mass, length/s, and the angular velocity, rad/s; both finite.
+ * THUD_ERROR_INVALID for a static body, and for a kinematic body with an AABB that would turn. */
 THUD_API thud_result thud_body_set_velocity(thud_world *world, thud_body_id body,
                                             thud_vec2 velocity, float angular_velocity);
+/* Changes the velocities of a dynamic body by an impulse, mass * length / s, at a point of the
+ * world. |x|, |y| of the point <= THUD_PLACE_MAX length scales. */
 THUD_API thud_result thud_body_apply_impulse(thud_world *world, thud_body_id body,
                                              thud_vec2 impulse, thud_pos point);
-/* Acts through the next step only, or the time of the next thud_world_advance. */
+/* Applies to a dynamic body a force, mass * length / s^2, at its centre of mass, and a torque,
+ * through the next step, or through the time of the next thud_world_advance; forces add up. */
 THUD_API thud_result thud_body_apply_force(thud_world *world, thud_body_id body, thud_vec2 force,
                                            float torque);
-/* False: the body counts as at rest from now on, and sleeps as soon as its whole island does. */
+/* Of a dynamic body: true wakes it. False: it counts as at rest from now on, and falls asleep as
+ * soon as its whole island does. */
 THUD_API thud_result thud_body_set_awake(thud_world *world, thud_body_id body, bool awake);
-/* False takes the body and its shapes out of the world, as if destroyed: its contacts end, nothing
- * moves, meets or finds them. True brings it back, where it is and at the velocity it had. */
+/* False removes the body and its shapes from the simulation, as if it were destroyed: its contacts
+ * end, and no body, query or joint acts on it. True brings it back at its place, with the velocity
+ * that it had. */
 THUD_API thud_result thud_body_set_enabled(thud_world *world, thud_body_id body, bool enabled);
+/* Does not wake the body, and takes effect at once. */
 THUD_API thud_result thud_body_set_user_data(thud_world *world, thud_body_id body,
                                              uint64_t user_data);
-/* Writes up to `capacity` (>= 0) shape handles to `out`, unless it is null; *count (likewise) is
- * how many the body has. */
+/* Writes up to `capacity` (>= 0) handles of the body's shapes to `out`, unless it is null. *count,
+ * unless `count` is null, is the number of shapes of the body. THUD_ERROR_NULL, THUD_ERROR_STALE,
+ * THUD_ERROR_INVALID for a negative capacity. */
 THUD_API thud_result thud_body_shapes(const thud_world *world, thud_body_id body,
                                       thud_shape_id *out, int capacity, int *count);
 
 /* ---- shapes ---- */
 
+/* Which shapes collide: those where the category of each is in the mask of the other. */
 typedef struct thud_filter {
-    uint32_t category; /* what it is; default 1 */
-    uint32_t mask;     /* what it meets; default all */
-    int32_t group;     /* two of the same group: > 0 always meet, < 0 never; 0 no group */
-} thud_filter;         /* all zero meets nothing, which the log hears */
+    uint32_t category; /* bits: what the shape is; default 1 */
+    uint32_t mask;     /* bits: the categories that it collides with; default all */
+    int32_t group; /* two shapes of the same group > 0 always collide, of the same group < 0 never,
+                      whatever category and mask are; default 0: no group */
+} thud_filter;     /* an all-zero filter collides with nothing, which the log is told */
 
 typedef struct thud_shape_def {
-    float density;       /* [0, THUD_DENSITY_MAX]; default 1 */
-    float friction;      /* [0, THUD_FRICTION_MAX]; default 0.6; a pair's is the geometric mean */
-    float restitution;   /* [0, THUD_RESTITUTION_MAX]; default 0; a pair's is the larger */
-    float surface_speed; /* length/s, |.| <= THUD_SURFACE_SPEED_MAX; default 0; at which the surface
-                            runs clockwise about the shape, to +x on its top, as a conveyor belt;
-                            a pair's is the sum */
-    thud_filter filter;
-    bool sensor; /* reports overlaps, collides with nothing; see thud_events.h */
-    bool events; /* default true; false: nothing that it does is told; see thud_events.h */
-    uint64_t user_data;
-    uint32_t cookie; /* of thud_default_shape_def */
+    float density;     /* mass / length^2, [0, THUD_DENSITY_MAX]; default 1 */
+    float friction;    /* coefficient, [0, THUD_FRICTION_MAX]; default 0.6. A pair has the geometric
+                          mean of its two */
+    float restitution; /* [0, THUD_RESTITUTION_MAX]; default 0. A pair has the larger of its two */
+    float surface_speed; /* length/s, |.| <= THUD_SURFACE_SPEED_MAX length scales a second; default
+                            0. The surface moves clockwise about the shape at this speed, to +x on
+                            its top, like a conveyor belt. A pair has the sum of its two */
+    thud_filter filter;  /* default: category 1, mask all, no group */
+    bool sensor; /* reports overlaps and collides with nothing, see thud_events.h; default false */
+    bool events; /* default true; false: no contact of the shape makes events, see thud_events.h */
+    uint64_t user_data; /* the caller's own; default 0 */
+    uint32_t cookie;    /* set by thud_default_shape_def */
 } thud_shape_def;
 
 THUD_API thud_shape_def thud_default_shape_def(void);
 
-/* Offsets are in the body's frame, |x|, |y| <= THUD_SIZE_MAX length scales. Sizes (radius, half
- * extents) lie in [THUD_SIZE_MIN, THUD_SIZE_MAX] length scales, of static bodies in [THUD_SIZE_MIN,
- * THUD_STATIC_SIZE_MAX]; longer ground is a terrain, or boxes side by side. Where a large shape is
- * turned, or large both ways, its surface is told to 1e-7 of its size. |angle| <= THUD_ANGLE_MAX.
- */
+/* Creating shapes. The offset is the shape's centre in the body's frame, |x|, |y| <= THUD_SIZE_MAX
+ * length scales. Sizes (radius, half extents) lie in [THUD_SIZE_MIN, THUD_SIZE_MAX] length scales,
+ * of static bodies in [THUD_SIZE_MIN, THUD_STATIC_SIZE_MAX]; longer ground is a terrain, or several
+ * boxes. The surface of a large shape that is turned, or large in both directions, is rounded to
+ * 1e-7 of its size. |angle| <= THUD_ANGLE_MAX. *out (may be null) is the shape's handle. All return
+ * THUD_ERROR_NULL for a null world or def, THUD_ERROR_STALE for the body, THUD_ERROR_INVALID for a
+ * value out of range, and THUD_ERROR_MEMORY. */
 THUD_NODISCARD THUD_API thud_result thud_shape_create_circle(thud_world *world, thud_body_id body,
                                                              const thud_shape_def *def,
                                                              thud_vec2 offset, float radius,
                                                              thud_shape_id *out);
-/* An AABB keeps its axes: its body's rotation is fixed from then on, and its angle must be 0. */
+/* A box that stays parallel to the axes: the rotation of its body is fixed from then on, and the
+ * body's angle must be 0. */
 THUD_NODISCARD THUD_API thud_result thud_shape_create_aabb(thud_world *world, thud_body_id body,
                                                            const thud_shape_def *def,
                                                            thud_vec2 offset, thud_vec2 half_extents,
                                                            thud_shape_id *out);
+/* A box that turns with its body; `angle` is relative to the body, rad. */
 THUD_NODISCARD THUD_API thud_result thud_shape_create_obb(thud_world *world, thud_body_id body,
                                                           const thud_shape_def *def,
                                                           thud_vec2 offset, thud_vec2 half_extents,
                                                           double angle, thud_shape_id *out);
-/* Only on static bodies with angle 0; coordinates are relative to the body's origin; the points
- * are copied. */
+/* A ground line, on a static body with angle 0 only. Its coordinates are relative to the body's
+ * origin. The points are copied. */
 THUD_NODISCARD THUD_API thud_result thud_shape_create_terrain(thud_world *world, thud_body_id body,
                                                               const thud_shape_def *def,
                                                               const thud_terrain *terrain,
                                                               thud_shape_id *out);
+/* THUD_ERROR_NULL, THUD_ERROR_STALE. */
 THUD_API thud_result thud_shape_destroy(thud_world *world, thud_shape_id shape);
+/* Whether the handle names a shape of this world. */
 THUD_API bool thud_shape_is_valid(const thud_world *world, thud_shape_id shape);
 
 typedef struct thud_shape_state {
     thud_shape_kind kind;
     thud_body_id body;
-    thud_vec2 offset;       /* in the body's frame, from its origin */
-    thud_vec2 half_extents; /* circle: radius, 0; terrain: 0, 0 */
-    double angle;           /* in the body's frame */
-    float density, friction, restitution, surface_speed;
+    thud_vec2 offset;                                    /* in the body's frame, from its origin */
+    thud_vec2 half_extents;                              /* circle: (radius, 0); terrain: (0, 0) */
+    double angle;                                        /* in the body's frame, rad */
+    float density, friction, restitution, surface_speed; /* as in thud_shape_def */
     thud_filter filter;
     bool sensor, events;
     uint64_t user_data;
 } thud_shape_state;
 
+/* All values of a shape. THUD_ERROR_NULL, THUD_ERROR_STALE; *out is then not written. */
 THUD_API thud_result thud_shape_get(const thud_world *world, thud_shape_id shape,
                                     thud_shape_state *out);
-/* The world's own copy of a terrain; valid until the next edit of the world. Edits of the
- * line are in thud_terrain.h. */
+/* The world's own copy of a terrain's line; its points are valid until the next edit of the world.
+ * THUD_ERROR_INVALID for another kind of shape. Edits of the line are in thud_terrain.h. */
 THUD_API thud_result thud_shape_terrain(const thud_world *world, thud_shape_id shape,
                                         thud_terrain *out);
 
 /* ---- reading all poses at once ---- */
 
-/* Position relative to the given origin, and rotation, of one body's origin. */
+/* The pose of a body. */
 typedef struct thud_pose {
-    float x, y, c, s;
+    float x, y; /* the body's origin, relative to the origin of the call */
+    float c, s; /* cosine and sine of the body's angle */
 } thud_pose;
 
-/* Every body's pose at alpha in [0, 1] between the last two steps (0: the one before, 1: the last),
- * by slot (thud_body_id.index1 - 1); slots without a body have x = y = NaN. Belongs to the world,
- * valid until its next call. Null and *count = 0 if memory is short, or |origin.x| or |origin.y| >
- * THUD_PLACE_MAX length scales. */
+/* The poses of all bodies between the last two steps, interpolated by alpha in [0, 1] (0: the step
+ * before, 1: the last step). The array is indexed by slot (thud_body_id.index1 - 1) and has *count
+ * elements; slots without a body have x = y = NaN. It belongs to the world and is valid until the
+ * world's next call. Null and *count = 0 if memory is short, alpha is out of range, or |origin.x|
+ * or |origin.y| > THUD_PLACE_MAX length scales. */
 THUD_API const thud_pose *thud_world_poses(thud_world *world, thud_pos origin, double alpha,
                                            int *count);
 
 /* ---- statistics ---- */
 
+/* Stages of a step, in their order. */
 typedef enum thud_stage {
-    THUD_STAGE_CHANGES = 0,
-    THUD_STAGE_BROADPHASE,
-    THUD_STAGE_NARROWPHASE,
-    THUD_STAGE_CONTACTS, /* the prologue */
-    THUD_STAGE_SOLVE,
-    THUD_STAGE_FINALIZE,
-    THUD_STAGE_CONTINUOUS,
-    THUD_STAGE_EVENTS, /* the epilogue */
-    THUD_STAGE_SLEEP,
+    THUD_STAGE_CHANGES = 0, /* edits take effect */
+    THUD_STAGE_BROADPHASE,  /* new pairs of shapes whose bounds overlap */
+    THUD_STAGE_NARROWPHASE, /* contact points; memory for the rest of the step */
+    THUD_STAGE_CONTACTS,    /* rules and prologue (pre-solve) */
+    THUD_STAGE_SOLVE,       /* substeps and directly solved islands */
+    THUD_STAGE_FINALIZE,    /* motion is added to poses and bounds */
+    THUD_STAGE_CONTINUOUS,  /* detection of what bodies meet within the step */
+    THUD_STAGE_EVENTS,      /* sensors, epilogue (post-solve), breaking joints */
+    THUD_STAGE_SLEEP,       /* islands fall asleep */
     THUD_STAGE_COUNT
 } thud_stage;
 
+/* A name in lower case, "unknown" for another value; a static string. */
 THUD_API const char *thud_stage_name(thud_stage stage);
 
 typedef struct thud_stats {
-    uint64_t steps;
-    int bodies, shapes, awake_bodies, pairs, contacts; /* contacts: touching pairs */
-    int colours, blocks;
-    int substeps;                           /* of the last step; see time_budget */
-    uint64_t bytes;                         /* memory held by the world */
-    uint64_t step_allocations;              /* made by the last step */
+    uint64_t steps; /* steps that the world has run */
+    /* awake_bodies: dynamic and kinematic; pairs: of shapes whose fat bounds overlap; contacts:
+     * pairs that touch. */
+    int bodies, shapes, awake_bodies, pairs, contacts;
+    int colours, blocks;       /* graph colours of the solver; blocks of eight constraints */
+    int substeps;              /* of the last step; see time_budget */
+    uint64_t bytes;            /* memory that the world holds */
+    uint64_t step_allocations; /* allocations of the last step */
     double stage_seconds[THUD_STAGE_COUNT]; /* of the last step; 0 without a clock */
-    double step_seconds;
-    /* Islands solved at once in the last step, and what joints tie, see thud_joint.h. */
+    double step_seconds;                    /* of the whole step; 0 without a clock */
+    /* Islands solved directly in the last step, also those of joints, see thud_joint.h. */
     int direct_islands, direct_bodies;
-    int soft_islands;    /* of them, that stayed as the soft solver had them */
-    int factorings;      /* of matrices ... */
-    int64_t island_work; /* ... and operations on blocks, see thud_quality.h */
+    int soft_islands;    /* those of them that kept the result of the soft solver */
+    int factorings;      /* matrix factorisations */
+    int64_t island_work; /* operations on 3 x 3 blocks, see thud_quality.island_work */
     /* Detection in the last step. */
-    int impacts;         /* collisions within the step, bisected or swept */
-    int held_bodies;     /* stopped before its end ... */
-    double held_seconds; /* ... and the time that they lost, together */
-    int unbisectable;    /* bodies beyond the bisection limit, where any are bisected:
-                            unless swept, they may have passed through something */
-    int motion_pairs;    /* pairs whose motions were looked at, ... */
-    int motion_circles, motion_boxes, motion_exact; /* ... whose circles met, whose boxes, and whose
-                                             time of collision was worked out */
+    int impacts;         /* collisions that were resolved within the step, bisected or swept */
+    int held_bodies;     /* bodies that were stopped before the end of the step */
+    double held_seconds; /* the time that these lost, together */
+    int unbisectable; /* bodies faster than the bisection limit, where any body is bisected: unless
+                         swept, they may have passed through something */
+    int motion_pairs; /* pairs of moving shapes that were tested */
+    /* Those of them whose swept circles met, whose swept boxes met, and whose time of collision was
+     * computed. */
+    int motion_circles, motion_boxes, motion_exact;
 } thud_stats;
 
+/* All 0 for a null world. */
 THUD_API thud_stats thud_world_stats(const thud_world *world);
 
-/* The speed from which on bisection may miss something: the thickness of the thinnest shape, but
- * for terrain, a time step; infinite without. Bodies below it, with what turning adds, miss
- * nothing. */
+/* *speed: the thickness of the thinnest shape (terrain left out) over the time step, length/s;
+ * infinite without shapes. A body that moves faster, counted with its rotation, may pass through a
+ * shape between two steps, so that thud_detection_bisect misses the collision; slower bodies miss
+ * none. THUD_ERROR_NULL. */
 THUD_API thud_result thud_world_bisection_limit(thud_world *world, double *speed);
 
-/* What the last step got wrong, found as it was solved: costs nothing to ask, but in a step in
- * which detection held bodies back or resolved collisions a pass over contacts, and a pass over
- * joints, where there are any. Of contacts that are awake (thud_world_measure has those that sleep
- * as well), where detection left the bodies: one that it held back, or that met something within
- * the step, counts as it stands at the end. The same with any number of workers. */
+/* The errors of the last step. They are collected while it is solved, so that the call costs a pass
+ * over joints, where there are any, and otherwise nothing; after a step in which detection held
+ * bodies back or resolved collisions, a pass over contacts as well. Only contacts of awake bodies
+ * count (thud_world_measure also counts those of sleeping bodies), with bodies where detection left
+ * them at the end of the step. The values do not depend on the number of workers. */
 typedef struct thud_step_error {
-    double penetration_max, penetration_mean; /* lengths, at the end of the step, over the points of
-                                    touching pairs, with turns taken as linear in their angle */
-    double residual; /* length/s: fastest approach that the solver's last pass still met, before
-                              it took it away; in a step that solved islands directly, what is
-                              left */
-    double energy_change; /* of kinetic and potential energy, mass length^2/s^2, to a millionth of
-                             the kinetic: negative where friction, damping and restitution take
-                                   some; positive is energy that nobody put in, or that forces,
-                                   kinematic bodies and moving surfaces did */
-    int overlaps;     /* points deeper than max_error, or without one than 0.005 length scales */
-    double shortfall; /* length: how far the body that detection held back the most, of
-                         thud_stats.held_bodies, ended from where its motion would have taken it; 0
+    /* Length, at the end of the step, over the points of touching pairs; rotations are linearised.
+     */
+    double penetration_max, penetration_mean;
+    double residual; /* length/s: the largest approach speed of a contact before the last pass of
+                        the soft solver corrected it; in a step that solved islands directly, after
+                        the last */
+    double energy_change; /* change of kinetic plus potential energy, mass * length^2 / s^2, to a
+                             millionth of the kinetic energy. Friction, damping and restitution make
+                             it negative; forces, kinematic bodies, moving surfaces and errors of
+                             the solver make it positive */
+    int overlaps; /* points deeper than max_error, or than 0.005 length scales where that is 0 */
+    double shortfall; /* length: the largest distance between where a held body
+                         (thud_stats.held_bodies) ended and where its motion would have taken it; 0
                          where none was held */
-    double joint_gap_max,
-        joint_gap_mean;     /* lengths: by how much joints are open at the end of the
-                               step, asleep or awake, as thud_joint_state.gap has it */
-    double joint_angle_max; /* likewise, angle_gap, rad */
+    /* Length: the gaps of all joints, asleep or awake, at the end of the step:
+     * thud_joint_state.gap. */
+    double joint_gap_max, joint_gap_mean;
+    double joint_angle_max; /* rad: the same of thud_joint_state.angle_gap */
 } thud_step_error;
 
-/* All 0 before the first step. */
+/* All 0 before the first step, and for a null world. */
 THUD_API thud_step_error thud_world_error(const thud_world *world);
 
-/* Error and energy of the present state; costs a pass over contacts and bodies. */
+/* Penetration and energy of the present state. */
 typedef struct thud_measure {
-    double penetration_max, penetration_mean; /* over touching points, lengths; where detection
-                                    moved bodies on or held them, as in thud_step_error */
-    double kinetic_energy, potential_energy;  /* potential against the world's height 0 */
+    /* Length, over the points of touching pairs, asleep or awake; where detection moved or held
+     * bodies, as in thud_step_error. */
+    double penetration_max, penetration_mean;
+    /* mass * length^2 / s^2, of dynamic bodies; the potential energy is 0 at the world's origin. */
+    double kinetic_energy, potential_energy;
 } thud_measure;
 
+/* Costs a pass over contacts and bodies. All 0 for a null world. */
 THUD_API thud_measure thud_world_measure(const thud_world *world);
 
-/* Hash of every body's exact position, angle and velocity, in slot order. */
+/* A hash of the exact position, angle and velocity of every body, in the order of slots, to compare
+ * two runs. */
 THUD_API uint64_t thud_world_hash(const thud_world *world);
 
 #ifdef __cplusplus

@@ -1,5 +1,5 @@
-/* thud_all.h: every header of thud, for programs of a few hundred lines. It costs a compiler's
- * time alone: what is not called is not linked. */
+/* thud_all.h: includes every header of thud, for small programs. It only costs compile time:
+ * functions that a program does not call are not linked. */
 #ifndef THUD_ALL_H
 #define THUD_ALL_H
 

@@ -1,4 +1,5 @@
-/* thud_draw.h: a world drawn through the caller's functions, for viewers and tests. */
+/* thud_draw.h: debug drawing: a world draws its shapes, and what its detection and solver worked
+ * on, by calling functions of the caller. For viewers and tests. Included by thud.h. */
 #ifndef THUD_DRAW_H
 #define THUD_DRAW_H
 
@@ -10,70 +11,74 @@ extern "C" {
 #endif
 
 typedef enum thud_draw_style {
-    THUD_DRAW_STATIC = 0,
-    THUD_DRAW_KINEMATIC,
-    THUD_DRAW_DYNAMIC,
-    THUD_DRAW_SLEEPING,
-    THUD_DRAW_SENSOR,
-    THUD_DRAW_BOUNDS,
-    THUD_DRAW_CELL,
-    THUD_DRAW_CONTACT,
-    THUD_DRAW_NORMAL,
-    THUD_DRAW_INTERVAL,             /* of a shape's bounds along x; lines at the lower edge */
-    THUD_DRAW_INTERVAL_OVERLAPPING, /* ... that overlaps another one's */
-    THUD_DRAW_PAIR,                 /* line from centre to centre; bounds overlap */
-    THUD_DRAW_PAIR_TOUCHING,        /* ... and so do the shapes */
+    THUD_DRAW_STATIC = 0,           /* shape of a static body */
+    THUD_DRAW_KINEMATIC,            /* shape of an awake kinematic body */
+    THUD_DRAW_DYNAMIC,              /* shape of an awake dynamic body */
+    THUD_DRAW_SLEEPING,             /* shape of a sleeping body */
+    THUD_DRAW_SENSOR,               /* sensor of any body */
+    THUD_DRAW_BOUNDS,               /* box: fat bounds of a shape */
+    THUD_DRAW_CELL,                 /* box: cell of the grid broadphase */
+    THUD_DRAW_CONTACT,              /* point: the middle of a contact */
+    THUD_DRAW_NORMAL,               /* line from it along the normal */
+    THUD_DRAW_INTERVAL,             /* line: the interval along x of a shape's bounds */
+    THUD_DRAW_INTERVAL_OVERLAPPING, /* the same, where it overlaps another shape's */
+    THUD_DRAW_PAIR,                 /* line between two centres: tight bounds overlap */
+    THUD_DRAW_PAIR_TOUCHING,        /* line between two centres: the shapes touch */
     THUD_DRAW_MOTION,               /* outline of a swept volume */
-    THUD_DRAW_PAIR_CANDIDATE,       /* line from centre to centre; only the fat bounds overlap */
-    THUD_DRAW_DIRECT,               /* ...; the pair's island was solved directly */
-    THUD_DRAW_MANIFOLD,             /* one point of a contact */
-    THUD_DRAW_DEPTH,                /* line from it along the normal: as long as the penetration */
-    THUD_DRAW_IMPULSE,              /* ...: as far as its impulse in a step, alone, would move the
-                                       lighter of the two bodies in a second */
-    THUD_DRAW_COLOUR, /* line from centre to centre of a pair of the solver's colour 0 */
-    THUD_DRAW_COLOUR_LAST = THUD_DRAW_COLOUR + 15, /* ... 15, and of all further ones */
-    THUD_DRAW_JOINT,       /* line from a body's centre to where a joint has it, or between both
-                              places; points there */
+    THUD_DRAW_PAIR_CANDIDATE,       /* line between two centres: only the fat bounds overlap */
+    THUD_DRAW_DIRECT,   /* line between two centres: the pair's island was solved directly */
+    THUD_DRAW_MANIFOLD, /* point: one contact point */
+    THUD_DRAW_DEPTH,    /* line from it along the normal, as long as the penetration */
+    THUD_DRAW_IMPULSE,  /* line from it along the normal: the distance that its impulse of a step
+                           alone  would move the lighter body in a second */
+    THUD_DRAW_COLOUR,   /* line between two centres: the pair has graph colour 0 of the solver */
+    THUD_DRAW_COLOUR_LAST = THUD_DRAW_COLOUR + 15, /* the same for colour 15 and all further ones */
+    THUD_DRAW_JOINT,       /* line from a body's centre to its anchor of a joint, or between the two
+                              anchors; points at the anchors */
     THUD_DRAW_JOINT_AXIS,  /* line: the x axis of frame a, where the joint has one */
-    THUD_DRAW_JOINT_LIMIT, /* lines: between which places or angles b may be */
-    THUD_DRAW_JOINT_FORCE, /* line from b's place: as far as the joint's force would move b alone
-                              in a second, from rest */
+    THUD_DRAW_JOINT_LIMIT, /* lines: the range of places or angles of b that limits allow */
+    THUD_DRAW_JOINT_FORCE, /* line from b's anchor: the distance that the joint's force alone would
+                              move b in a second, from rest */
     THUD_DRAW_STYLE_COUNT
 } thud_draw_style;
 
+/* Bits of thud_debug_draw.flags. */
 enum {
     THUD_DRAW_SHAPES = 1 << 0,
-    THUD_DRAW_SHAPE_BOUNDS = 1 << 1,
-    THUD_DRAW_CELLS = 1 << 2, /* of the last step, that awake shapes lay in; only a grid has some */
-    THUD_DRAW_CONTACTS = 1 << 3, /* points and normals */
-    THUD_DRAW_ISLANDS = 1 << 4,  /* shapes carry their island's number, see `island`; and the pairs
-                                    of islands that were solved directly */
-    /* The order that a plane sweep kept in the last step: of each shape's bounds the interval along
-     * x, side by side in rows from the lower edge of the view up, first of awake shapes, then of
-     * resting ones. Where more than 12 overlap, bars lie upon each other. */
+    THUD_DRAW_SHAPE_BOUNDS = 1 << 1, /* fat bounds of shapes */
+    THUD_DRAW_CELLS = 1 << 2, /* grid cells that awake shapes lay in at the last step; with the grid
+                                 broadphase only */
+    THUD_DRAW_CONTACTS = 1 << 3, /* middles and normals of touching contacts */
+    THUD_DRAW_ISLANDS = 1 << 4,  /* shapes with the number of their island, see `island`; and the
+                                    pairs  of islands that were solved directly */
+    /* The intervals along x that the plane sweep broadphase kept sorted in the last step: bars in
+     * rows from the lower edge of the view up, first those of awake shapes, then those of resting
+     * ones. Where more than 12 intervals overlap, bars cover each other. */
     THUD_DRAW_AXES = 1 << 5,
-    THUD_DRAW_PAIRS = 1 << 6, /* of the last step's broadphase; to the ground straight down */
+    THUD_DRAW_PAIRS = 1 << 6, /* pairs of the last broadphase; lines to terrain are vertical */
     /* The swept volumes of the last step, for each shape of a body that moved further than a
-     * quarter of its smallest size: where it was, where it is, and the sides of their convex hull
-     * that join the two. Of a body that collided on its way this is the straight way. */
+     * quarter of its smallest size: the shape before and after, and the sides of their convex hull
+     * that join the two. A body that collided within the step is drawn as if it had moved straight.
+     */
     THUD_DRAW_MOTIONS = 1 << 7,
-    THUD_DRAW_STAGES = 1 << 8,  /* pairs as THUD_DRAW_PAIRS, by how far they came: fat bounds
-                                   overlap,  so do the true bounds, shapes touch */
-    THUD_DRAW_COLOURS = 1 << 9, /* touching pairs by the solver's graph colour: no two pairs of one
-                                   colour share a moving body, so that they are solved at once */
-    THUD_DRAW_MANIFOLDS = 1 << 10, /* every point of every contact, its depth and its impulse */
-    THUD_DRAW_JOINTS = 1 << 11,    /* places, axes and limits */
-    THUD_DRAW_JOINT_FORCES = 1 << 12
+    THUD_DRAW_STAGES = 1 << 8,  /* pairs as THUD_DRAW_PAIRS, with a style for each stage that they
+                                   passed: fat bounds overlap, tight bounds overlap, shapes touch */
+    THUD_DRAW_COLOURS = 1 << 9, /* touching pairs by graph colour: no two pairs of one colour share
+                                   a moving body, so that they are solved in parallel */
+    THUD_DRAW_MANIFOLDS = 1 << 10,   /* contact points with depth and impulse */
+    THUD_DRAW_JOINTS = 1 << 11,      /* anchors, axes and limits */
+    THUD_DRAW_JOINT_FORCES = 1 << 12 /* see THUD_DRAW_JOINT_FORCE */
 };
 
-/* Shapes are drawn where the edits made so far put them, all else as the last step left it, and
- * nothing changes. Null callbacks are skipped. `island` is -1 unless THUD_DRAW_ISLANDS is asked
- * for. Coordinates are relative to `origin`. */
+/* What to draw, and the functions that draw. Shapes are drawn where the edits made so far put them,
+ * everything else as the last step left it; drawing does not change the world. A null function is
+ * skipped. `island` is the number of the shape's island, or -1 without THUD_DRAW_ISLANDS and for
+ * bodies that are not awake. (c, s) are cosine and sine of an angle. */
 typedef struct thud_debug_draw {
-    unsigned flags;
-    thud_pos origin;
-    thud_pos lower, upper; /* shapes outside are skipped */
-    void *context;
+    unsigned flags;        /* what to draw; default 0: nothing */
+    thud_pos origin;       /* all coordinates are relative to it */
+    thud_pos lower, upper; /* corners of the view; shapes outside are skipped */
+    void *context;         /* handed to the functions */
     void (*circle)(thud_vec2 center, float radius, float c, float s, thud_draw_style style,
                    int island, void *context);
     void (*box)(thud_vec2 center, thud_vec2 half, float c, float s, thud_draw_style style,
@@ -82,9 +87,9 @@ typedef struct thud_debug_draw {
     void (*point)(thud_vec2 p, thud_draw_style style, void *context);
 } thud_debug_draw;
 
-/* THUD_ERROR_NULL; THUD_ERROR_INVALID where origin, lower or upper is not finite or farther out
- * than a body may be; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_MEMORY. Unknown flags do
- * nothing. */
+/* Draws the world. Unknown flags do nothing. The world is locked while the functions are called.
+ * THUD_ERROR_NULL; THUD_ERROR_INVALID where origin, lower or upper is not finite or further out
+ * than a body may be; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_MEMORY. */
 THUD_API thud_result thud_world_draw(thud_world *world, const thud_debug_draw *draw);
 
 #ifdef __cplusplus

@@ -1,20 +1,21 @@
-/* thud_edits.h: bodies that are made with their shapes in one call; and changing bodies and shapes
- * after they were made; places, velocities, awake and enabled have their setters in thud.h. A
- * program that uses none of this does not link it.
+/* thud_edits.h: creating a body with its shapes in one call, and setters of bodies and shapes.
+ * Position, velocity, awake and enabled have their setters in thud.h. A program that does not use
+ * this header does not link it.
  *
  * Ranges are those of the defs of thud.h: friction in [0, THUD_FRICTION_MAX], restitution in [0,
  * THUD_RESTITUTION_MAX], |surface_speed| <= THUD_SURFACE_SPEED_MAX length scales a second, density
- * in [0, THUD_DENSITY_MAX], sizes in [THUD_SIZE_MIN, THUD_SIZE_MAX] length scales, of what is
- * static to THUD_STATIC_SIZE_MAX, dampings finite and not negative, gravity_scale finite. A change
- * holds from the next step on, and wakes the body and what touches it: also what sleeps on a static
- * body that changes. A static shape that is changed so that it now meets what sleeps in its place
- * is found by the sleeper when that wakes, as one that is made there. Contacts go on, with their
- * impulses, unless said otherwise; where a body gets lighter, impulses that bore its old weight
- * shrink with it.
+ * in [0, THUD_DENSITY_MAX], sizes in [THUD_SIZE_MIN, THUD_SIZE_MAX] length scales and on static
+ * bodies up to THUD_STATIC_SIZE_MAX, dampings finite and >= 0, gravity_scale finite.
  *
- * All changes return THUD_ERROR_NULL for a null world, THUD_ERROR_STALE for a handle that names
+ * A change takes effect with the next step. It wakes the body and the bodies that touch it, also
+ * those that sleep on a static body. Where a static shape changes so that it now collides with a
+ * sleeping body that already overlaps it, the contact begins when that body wakes, as with a new
+ * static shape. Contacts and their impulses persist, unless the comment says otherwise; where a
+ * body becomes lighter, the impulses that carried its old weight are scaled down.
+ *
+ * All setters return THUD_ERROR_NULL for a null world, THUD_ERROR_STALE for a handle that names
  * nothing, THUD_ERROR_INVALID for a value out of range, and THUD_ERROR_LOCKED inside a callback:
- * then nothing has changed. A snapshot that is taken after a change has it. */
+ * then nothing has changed. A snapshot that is taken after a change contains it. */
 #ifndef THUD_EDITS_H
 #define THUD_EDITS_H
 
@@ -27,21 +28,21 @@ extern "C" {
 /* ---- a body with its shapes ---- */
 
 /* A circle, AABB or OBB in the body's frame; its offset, size and angle have the ranges of
- * thud_shape_create_circle and its like. The angle is told to 1e-9 of what was asked for. */
+ * thud_shape_create_circle and so on. The angle is exact to 1e-9. */
 typedef struct thud_body_shape {
-    thud_shape_instance shape;
+    thud_shape_instance shape; /* relative to the body's origin */
     const thud_shape_def *def; /* null: thud_default_shape_def */
 } thud_body_shape;
 
-/* A body and `count` (>= 0) shapes at once: if anything of it is refused, by the result that the
- * calls for each would have, nothing is made. The handles go to *body and, in the order of
+/* Creates a body and `count` (>= 0) shapes. If any part is refused nothing is made, and the result
+ * is that of the call for this part alone. The handles are written to *body and, in the order of
  * `shapes`, to shape_ids, which has room for `count`; both may be null.
  *
  *     thud_body_create_with_shapes(world, &def, &(thud_body_shape){thud_circle_at(0, 0, 0.5)}, 1,
  *                                  &ball, NULL);
  *
- * Terrain has a call of its own: thud_shape_create_terrain. A program that uses this links circles,
- * AABBs and OBBs. THUD_ERROR_NULL where `shapes` is null and count is not 0. */
+ * Terrain is made by thud_shape_create_terrain. A program that uses this call links circles, AABBs
+ * and OBBs. THUD_ERROR_NULL where `shapes` is null and count is not 0; THUD_ERROR_MEMORY. */
 THUD_NODISCARD THUD_API thud_result thud_body_create_with_shapes(thud_world *world,
                                                                  const thud_body_def *def,
                                                                  const thud_body_shape *shapes,
@@ -50,67 +51,75 @@ THUD_NODISCARD THUD_API thud_result thud_body_create_with_shapes(thud_world *wor
 
 /* ---- shapes ---- */
 
-/* Contacts with what it meets no more end, with an event; those that it meets now begin with the
- * next step. THUD_ERROR_MEMORY. */
+/* Contacts that the new filter does not allow end, with an end event; those that it newly allows
+ * begin with the next step. THUD_ERROR_MEMORY. */
 THUD_API thud_result thud_shape_set_filter(thud_world *world, thud_shape_id shape,
                                            thud_filter filter);
-/* A prologue has the last word on these three. */
+/* Friction, restitution and surface speed of a pair follow from those of its two shapes
+ * (thud_shape_def), then from a rule of the two, and last from a prologue (pre-solve callback). */
 THUD_API thud_result thud_shape_set_friction(thud_world *world, thud_shape_id shape,
                                              float friction);
 THUD_API thud_result thud_shape_set_restitution(thud_world *world, thud_shape_id shape,
                                                 float restitution);
 THUD_API thud_result thud_shape_set_surface_speed(thud_world *world, thud_shape_id shape,
                                                   float surface_speed);
-/* Its body is weighed anew at once, and its centre of mass moves; the body's velocity, which is
- * that of the centre, stays the same number. */
+/* Recomputes the mass of the body at once; its centre of mass moves. The velocity, which is that of
+ * the centre, keeps its value. */
 THUD_API thud_result thud_shape_set_density(thud_world *world, thud_shape_id shape, float density);
-/* Its contacts end, with events of what it was, and what it overlaps begins anew as what it is.
+/* Makes a shape a sensor, or a sensor a shape that collides. Its contacts end, with end events (or
+ * sensor_end events, if it was a sensor), and begin again as those of the other kind.
  * THUD_ERROR_MEMORY. */
 THUD_API thud_result thud_shape_set_sensor(thud_world *world, thud_shape_id shape, bool sensor);
-/* Of a circle, and of an AABB or OBB: about the same centre. Its body is weighed anew, see
- * thud_shape_set_density. What it then overlaps is pushed apart, no faster than the world's
- * push_speed. */
+/* The radius of a circle, and the half extents of an AABB or OBB, about the same centre;
+ * THUD_ERROR_INVALID for another kind. Recomputes the body's mass as thud_shape_set_density. Shapes
+ * that the larger shape overlaps are separated at no more than the world's push_speed. */
 THUD_API thud_result thud_shape_set_radius(thud_world *world, thud_shape_id shape, float radius);
 THUD_API thud_result thud_shape_set_half_extents(thud_world *world, thud_shape_id shape,
                                                  thud_vec2 half_extents);
-/* Whether its pairs have events: thud_events.h. Wakes nobody. */
+/* Whether contacts of the shape make events, see thud_events.h. Wakes no body. */
 THUD_API thud_result thud_shape_set_events(thud_world *world, thud_shape_id shape, bool events);
-/* Wakes nobody; inside a callback, too. */
+/* Wakes no body; allowed inside a callback. */
 THUD_API thud_result thud_shape_set_user_data(thud_world *world, thud_shape_id shape,
                                               uint64_t user_data);
 
 /* ---- bodies ---- */
 
-/* What becomes static stands still, and loses its velocity; what becomes kinematic keeps it, and
- * goes on so; what becomes dynamic is weighed by its shapes. All its contacts end, and those that
- * still touch begin with the next step; forces that wait for it are gone. The sizes of its shapes
- * must fit the new kind, and a body with terrain is static. THUD_ERROR_INVALID too for a body that
- * is quarantined, and for one with joints, unless it changes between kinematic and dynamic, and
- * each of them goes on joining what such a joint may (thud_joint.h). THUD_ERROR_MEMORY. */
+/* Changes the kind of a body. A body that becomes static loses its velocity; one that becomes
+ * kinematic keeps it; one that becomes dynamic gets the mass of its shapes. All its contacts end,
+ * and those that still touch begin again with the next step; forces that wait for the step are
+ * dropped. The sizes of its shapes must fit the new kind, and a body with terrain stays static.
+ * THUD_ERROR_INVALID also for a quarantined body, and for a body with joints, unless it changes
+ * between kinematic and dynamic and each joint allows the new kind (thud_joint.h).
+ * THUD_ERROR_MEMORY. */
 THUD_API thud_result thud_body_set_kind(thud_world *world, thud_body_id body, thud_body_kind kind);
+/* 1/s, both >= 0; see thud_body_def. */
 THUD_API thud_result thud_body_set_damping(thud_world *world, thud_body_id body, float linear,
                                            float angular);
+/* A factor of the world's gravity, finite. */
 THUD_API thud_result thud_body_set_gravity_scale(thud_world *world, thud_body_id body,
                                                  float gravity_scale);
-/* True stops a dynamic body's turning at once; kinematic ones turn as they are told. */
+/* True: no torque turns the body, and the angular velocity of a dynamic body becomes 0 at once. A
+ * kinematic body turns at the angular velocity that is set in any case. */
 THUD_API thud_result thud_body_set_fixed_rotation(thud_world *world, thud_body_id body, bool fixed);
-/* Null: the world's, now and whenever that changes. */
+/* Null: the body uses the world's detection, also when that changes later. */
 THUD_API thud_result thud_body_set_detection(thud_world *world, thud_body_id body,
                                              const thud_detection *detection);
+/* False: the body, and its island with it, does not fall asleep. */
 THUD_API thud_result thud_body_set_may_sleep(thud_world *world, thud_body_id body, bool may_sleep);
 
+/* A mass that does not follow from shapes. */
 typedef struct thud_mass {
     float mass;    /* [THUD_MASS_MIN, THUD_MASS_MAX] */
-    float inertia; /* mass length^2, about the centre; [THUD_MASS_MIN, THUD_MASS_MAX], or 0: it does
-                      not turn */
-    thud_vec2 center; /* of mass, from the origin, in the body's frame; |x|, |y| <=
-                         THUD_SIZE_MAX length scales */
+    float inertia; /* about the centre of mass, mass * length^2, [THUD_MASS_MIN, THUD_MASS_MAX], or
+                      0: no torque turns the body */
+    thud_vec2 center; /* the centre of mass in the body's frame, |x|, |y| <= THUD_SIZE_MAX length
+                         scales */
 } thud_mass;
 
-/* Of a dynamic body: these hold whatever shapes come, go and change, until they are set again, the
- * body changes its kind, or `mass` is null: then it is what its shapes weigh. While its rotation is
- * fixed the inertia waits; a body with an AABB never turns, and has none. The velocity, of the
- * centre, stays the same number. */
+/* Sets the mass of a dynamic body. It holds, whatever shapes are added, removed or changed, until
+ * it is set again, the body changes its kind, or `mass` is null: then the mass is that of the
+ * shapes. While the rotation is fixed the inertia has no effect; a body with an AABB never turns.
+ * The velocity, which is that of the centre of mass, keeps its value. */
 THUD_API thud_result thud_body_set_mass(thud_world *world, thud_body_id body,
                                         const thud_mass *mass);
 

@@ -1,5 +1,6 @@
-/* thud_hooks.h: what a world asks of its caller: memory, threads, a clock, and somebody to hear
- * what went wrong. No hook (allocator, log, clock, job system) calls any function of its world. */
+/* thud_hooks.h: services that the caller may provide to a world: memory, a log, a clock, and
+ * threads. A hook (allocator, log, clock, job system) must not call any function of the world.
+ * Included by thud.h. */
 #ifndef THUD_HOOKS_H
 #define THUD_HOOKS_H
 
@@ -12,39 +13,42 @@ extern "C" {
 
 /* ---- memory ---- */
 
+/* All zero: the C library's memory. One function without the other is refused. */
 typedef struct thud_allocator {
-    void *(*allocate)(size_t bytes, void *context); /* 64-byte aligned, or null */
-    void (*release)(void *block, size_t bytes, void *context);
-    void *context;
-} thud_allocator; /* all zero: the C library's; one function without the other is refused */
+    void *(*allocate)(size_t bytes, void *context);            /* 64-byte aligned memory, or null */
+    void (*release)(void *block, size_t bytes, void *context); /* bytes: as it was allocated */
+    void *context;                                             /* handed to both */
+} thud_allocator;
 
 /* ---- log and clock ---- */
 
-/* Hears why a call was refused; with THUD_OK, that one was done which is hardly meant. Where one
- * number is at fault the message names it, and tells the number and its range: "shape def: friction
- * is -1, not in [0, 1000000]". It is valid during the call. */
+/* Called with the reason when a call is refused; with THUD_OK, it warns of a call that was done but
+ * is probably a mistake. Where one number is out of range the message says which, its value and its
+ * range: "shape def: friction is -1, not in [0, 1000000]". The message is valid during the call. */
 typedef void thud_log_fn(thud_result result, const char *message, void *context);
-/* One line to the C library's stderr. A program that does not name it does not link that, but where
- * thud itself is built without NDEBUG: defs then have it as their log. */
+/* A log that writes one line to the C library's stderr. A program that does not use it does not
+ * link it, unless thud is built without NDEBUG: it is then the default log of defs. */
 THUD_API void thud_log_to_stderr(thud_result result, const char *message, void *context);
-typedef double thud_clock_fn(void *context); /* seconds, from any start, never backwards */
+/* The time in seconds since any start; it must not go backwards. */
+typedef double thud_clock_fn(void *context);
 
-/* ---- threads: the engine starts none itself, it asks the caller's own job system or thread pool.
- * Any number of workers gives the same bits ---- */
+/* ---- threads: the engine starts none, and uses the caller's job system or thread pool. The number
+ * of workers does not change any result ---- */
 
+/* A task of the engine. */
 typedef void thud_task_fn(void *argument);
 
-/* Calls task(argument) `workers` times, each on a thread of its own if it can, one of them the
- * calling thread, and returns when all calls have returned. Calls share the work among themselves
- * and never wait for one that has not begun, so that fewer threads make a step slower, not wrong.
- * It is called once or twice a step, from inside thud_world_step, and once by calls for many casts
- * (thud_casts.h), and never while an earlier call is under way. */
+/* Must call task(argument) `workers` times, each on a thread of its own if possible, one of them
+ * the calling thread, and return when all calls have returned. The calls divide the work among
+ * themselves and never wait for a call that has not begun: with fewer threads a step is slower, but
+ * the same. It is called once or twice a step, from inside thud_world_step, and once by each call
+ * for many casts (thud_casts.h), and never while an earlier call is under way. */
 typedef void thud_parallel_fn(thud_task_fn *task, void *argument, int workers, void *context);
 
 typedef struct thud_job_system {
     thud_parallel_fn *run; /* null (the default): the calling thread alone */
     void *context;         /* handed to run */
-    int workers;           /* 0 (as 1) .. THUD_WORKERS_MAX; more than 1 needs run */
+    int workers; /* 0 .. THUD_WORKERS_MAX; default 0, which means 1; more than 1 needs run */
 } thud_job_system;
 
 #ifdef __cplusplus

@@ -1,4 +1,4 @@
-/* thud_ids.h: the names by which callers hold a world, its bodies and its shapes. */
+/* thud_ids.h: the world and the handles of its bodies and shapes. */
 #ifndef THUD_IDS_H
 #define THUD_IDS_H
 
@@ -7,20 +7,20 @@
 /* One world is used by one thread at a time; different worlds share nothing. */
 typedef struct thud_world thud_world;
 
-/* Handles are index and generation. A zero handle is the null handle. A stale handle is refused in
- * every build until its slot has been used 2^32 times over. So is one of another world, but for one
- * case in which chance brings them together: with n worlds made in between, of two slots that were
- * used at least 2^32 / (2.24 n) times more in one world than in the other: 1.9 million with a
- * thousand. A world that a snapshot was restored to takes over the names of the world that it was
- * taken of. */
+/* A handle is a slot and a generation, which changes with each use of the slot. An all-zero handle
+ * is the null handle. A stale handle is refused until its slot has been used 2^32 times over. A
+ * handle of another world is refused as well, with one exception: if n worlds were created between
+ * the two, the same slot has the same generation by chance only where it was used at least 2^32 /
+ * (2.24 n) times more in one world than in the other: 1.9 million with n a thousand. A world that a
+ * snapshot was restored to takes over the handles of the world that the snapshot was taken of. */
 typedef struct thud_body_id {
     uint32_t index1;     /* slot + 1 */
     uint32_t generation; /* of the slot, mixed with the world's own number */
 } thud_body_id;
 
 typedef struct thud_shape_id {
-    uint32_t index1;
-    uint32_t generation;
+    uint32_t index1;     /* as in thud_body_id */
+    uint32_t generation; /* likewise */
 } thud_shape_id;
 
 #endif

@@ -1,9 +1,8 @@
-/* thud_limits.h: every range that values must lie in, in one place; each field and argument names
- * those that bound it. What lies at a limit is fine, what lies beyond is THUD_ERROR_INVALID, and so
- * is what is not finite. "length scales": of the world, see thud_world_def; where it is no power of
- * two, of the power of two below it.
+/* thud_limits.h: the ranges of all values. The comment of each field and argument names its limits.
+ * The limits themselves are allowed; values beyond them and values that are not finite are
+ * THUD_ERROR_INVALID. A value without a limit may be any finite number.
  *
- * What no limit bounds may be any finite number. */
+ * "length scales": multiples of thud_world_def.length_scale, rounded down to a power of two. */
 #ifndef THUD_LIMITS_H
 #define THUD_LIMITS_H
 
@@ -12,15 +11,16 @@
 #define THUD_LENGTH_SCALE_MIN 1e-6f
 #define THUD_LENGTH_SCALE_MAX 1e6f
 #define THUD_TIME_STEP_MAX 1.0   /* s */
-#define THUD_ADVANCE_MAX 1e9     /* s, that one call may be asked to advance by */
+#define THUD_ADVANCE_MAX 1e9     /* s, `elapsed` of thud_world_advance */
 #define THUD_TIME_BUDGET_MAX 1.0 /* s */
 #define THUD_MAX_ERROR_MAX 1e9   /* length */
-#define THUD_SPEED_MAX 1e6f      /* length scales a second, of the speeds that a def sets */
+#define THUD_SPEED_MAX 1e6f      /* length scales a second, of the speeds in a world def */
 #define THUD_SUBSTEPS_MAX 64     /* a step */
 #define THUD_CONTACT_STIFFNESS_MIN 0.01f
 #define THUD_CONTACT_STIFFNESS_MAX 0.5f
 #define THUD_CONTACT_DAMPING_MAX 100.0f
-#define THUD_ISLAND_LIMIT_MAX 16384   /* bodies; ordering them takes the square of that in bits */
+#define THUD_ISLAND_LIMIT_MAX \
+    16384 /* bodies; finding an elimination order takes its square in bits of memory */
 #define THUD_ISLAND_PATIENCE_MAX 1000 /* steps */
 #define THUD_WORKERS_MAX 64
 
@@ -28,29 +28,29 @@
 
 #define THUD_PLACE_MAX 1e9 /* |x|, |y| of a place in the world, length scales */
 #define THUD_ANGLE_MAX 1e6 /* |angle|, radians */
-/* |radians| a second, to which a step holds what turns. Nothing needs it but that values stay
- * finite: circles do not care how far they turn in a step, and free boxes turn by all of it. */
+/* |radians| a second; a step clamps angular velocities to it, only so that values stay finite. */
 #define THUD_SPIN_MAX 1e8f
-#define THUD_SIZE_MIN 1e-4f           /* radius or half extent, length scales ... */
-#define THUD_SIZE_MAX 16384.0f        /* ... and |x|, |y| of a shape in its body's frame */
-#define THUD_STATIC_SIZE_MAX 32000.0f /* ... radius or half extent on a static body */
-#define THUD_DENSITY_MAX 1e12f        /* denser is taken for a mistake in the units */
+#define THUD_SIZE_MIN 1e-4f           /* radius or half extent, length scales */
+#define THUD_SIZE_MAX 16384.0f        /* the same, and |x|, |y| of a shape in its body's frame */
+#define THUD_STATIC_SIZE_MAX 32000.0f /* radius or half extent on a static body, length scales */
+#define THUD_DENSITY_MAX 1e12f        /* mass/length^2; above it the units are probably wrong */
 #define THUD_FRICTION_MAX 1e6f
 #define THUD_RESTITUTION_MAX 1.0f   /* of a shape */
-#define THUD_BOUNCE_MAX 4.0f        /* of a pair, as a prologue may have it */
+#define THUD_BOUNCE_MAX 4.0f        /* of a pair, by a rule or a prologue */
 #define THUD_SURFACE_SPEED_MAX 1e6f /* |speed|, length scales a second */
 #define THUD_MASS_MIN 1e-30f
 #define THUD_MASS_MAX 1e30f
 
 /* ---- forces and fields ---- */
 
-/* |component| of a force, torque, impulse or angular impulse; of the force that an impulse is
- * inside a callback; and of the change of velocity that an impulse makes. */
+/* |component| of a force, torque, impulse or angular impulse, of the force that an impulse becomes
+ * inside a callback, and of the change of velocity that an impulse makes. */
 #define THUD_PUSH_MAX 1e30f
-#define THUD_DRAG_MAX 1e6f /* coefficient of drag, lift and rolling; drag in water, 1/s */
+#define THUD_DRAG_MAX \
+    1e6f /* coefficients of drag, lift and rolling resistance; drag in water, 1/s */
 #define THUD_FLOW_MAX 1e6f /* |component| of the velocity of wind and water, length scales/s */
 #define THUD_FLUID_DENSITY_MAX 1e12f
-#define THUD_EXPLOSION_MAX 1e15f /* |impulse| a length */
+#define THUD_EXPLOSION_MAX 1e15f /* |impulse| for each length, mass/s */
 #define THUD_EXPLOSION_RAYS_MAX 16
 
 /* ---- joints ---- */
@@ -67,9 +67,9 @@
 /* ---- movers ---- */
 
 #define THUD_MOVER_SLOPE_MAX 1.55 /* radians */
-#define THUD_MOVER_STEP_MAX 1e6   /* length, of a step and of a snap */
-#define THUD_MOVER_WAY_MAX 1e6    /* length, of one move */
-#define THUD_MOVER_FORCE_MAX 1e30
+#define THUD_MOVER_STEP_MAX 1e6   /* length, step_height and snap_distance */
+#define THUD_MOVER_WAY_MAX 1e6    /* length, |velocity| * dt of one move */
+#define THUD_MOVER_FORCE_MAX 1e30 /* mass * length / s^2 */
 
 /* ---- rollback ---- */
 
@@ -78,13 +78,15 @@
 
 /* ---- geometry without a world, in the caller's own lengths ---- */
 
-#define THUD_COORDINATE_MAX 1e15 /* |x|, |y| of shapes and points, their extents, and targets */
+#define THUD_COORDINATE_MAX                                                                      \
+    1e15                         /* |x|, |y| and extents of shapes, points, and target distances \
+                                  */
 #define THUD_VOLUME_MAX 1e16     /* the same of bounding volumes and Minkowski sums */
-#define THUD_TOLERANCE_MIN 1e-15 /* of a time of collision, of the motion */
-/* By how much (c, s) of a shape and `up` of a mover may miss a squared length of 1; less than that.
- */
+#define THUD_TOLERANCE_MIN 1e-15 /* of a time of collision, as a fraction of the motion */
+/* The squared length of (c, s) of a shape and of `up` of a mover must differ from 1 by less than
+ * this. */
 #define THUD_UNIT_ERROR 1e-5
-/* By how much the normal of a water line may miss a length of 1. */
+/* The length of the normal of a water line may differ from 1 by this. */
 #define THUD_NORMAL_ERROR 1e-3
 #define THUD_TERRAIN_SLOPE_MAX 100.0
 #define THUD_TERRAIN_PLACE_MAX 1e9       /* |x|, |y| of vertices */

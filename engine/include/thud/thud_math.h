@@ -1,11 +1,11 @@
-/* thud_math.h: the two vector types that every thud header speaks.
+/* thud_math.h: the two vector types of all thud headers, the results of calls, and macros.
  *
- * Of a world, a place is a thud_pos by value, and what is relative a thud_vec2: a velocity, force,
- * normal, an offset or size in a body's frame. Two are numbers of their own, since single precision
- * is too coarse for them: the way of a ray or cast (dx, dy), and the sizes of a shape that a query
- * has about a place, which go with thud_shape_instance. Geometry without a world is in double
- * precision throughout: its functions take and give coordinates as numbers (x, y; dx, dy; nx, ny),
- * and many points as an array of thud_pos. */
+ * Calls of a world take a place as a thud_pos by value, and relative quantities as a thud_vec2:
+ * velocities, forces, normals, and offsets and sizes in a body's frame. Two quantities are passed
+ * as single numbers, since they need double precision: the displacement (dx, dy) of a ray or cast,
+ * and the sizes of a query's shape, as in thud_shape_instance. Geometry without a world is in
+ * double precision throughout: its functions take and return coordinates as numbers (x, y; dx, dy;
+ * nx, ny), and many points as an array of thud_pos. */
 #ifndef THUD_MATH_H
 #define THUD_MATH_H
 
@@ -13,8 +13,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* What a shared library shows. THUD_SHARED comes with the CMake target of one; THUD_BUILDS is for
- * building it. */
+/* Marks the functions that a shared library exports. The CMake target of the shared library defines
+ * THUD_SHARED for its users; THUD_BUILDS is defined while the library itself is built. */
 #if defined(_WIN32)
 #if defined(THUD_SHARED) && defined(THUD_BUILDS)
 #define THUD_API __declspec(dllexport)
@@ -27,7 +27,7 @@
 #define THUD_API __attribute__((visibility("default")))
 #endif
 
-/* Of calls that make something: a compiler warns where nobody looks whether they were refused. */
+/* Marks calls that create something: a compiler warns where their result is not used. */
 #if (defined(__cplusplus) && __cplusplus >= 201703L) || \
     (defined(__STDC_VERSION__) && __STDC_VERSION__ >= 202311L)
 #define THUD_NODISCARD [[nodiscard]]
@@ -44,30 +44,32 @@
 extern "C" {
 #endif
 
+/* A relative quantity, in single precision. */
 typedef struct thud_vec2 {
     float x, y;
 } thud_vec2;
 
+/* A place in the world, or a point, in double precision. */
 typedef struct thud_pos {
     double x, y;
 } thud_pos;
 
-/* Results of every call that can fail. A call that fails changes nothing. */
+/* The result of every call that can fail. A call that fails has changed nothing. */
 typedef enum thud_result {
     THUD_OK = 0,
     THUD_ERROR_NULL,    /* a pointer that must not be null is null */
     THUD_ERROR_INVALID, /* a value is not finite or outside its documented range */
     THUD_ERROR_STALE,   /* a handle names nothing: destroyed, never made, or of another world */
-    THUD_ERROR_MEMORY,  /* the allocator refused; the world is as before the call */
+    THUD_ERROR_MEMORY,  /* the allocator returned null; the world is as before the call */
     THUD_ERROR_LOCKED   /* not allowed inside a callback */
 } thud_result;
 
 /* A short English sentence for a result; a static string, never null. */
 THUD_API const char *thud_result_text(thud_result result);
 
-/* Sine and cosine with the same bits from every compiler and processor, which the C library's do
- * not promise. |angle| <= THUD_ANGLE_MAX; the error stays below 1e-15. THUD_ERROR_NULL,
- * THUD_ERROR_INVALID. */
+/* Sine and cosine of an angle, rad, |angle| <= THUD_ANGLE_MAX, with the same bits from every
+ * compiler and processor, which the C library does not guarantee. The error is below 1e-15.
+ * THUD_ERROR_NULL, THUD_ERROR_INVALID. */
 THUD_API thud_result thud_sincos(double angle, double *sine, double *cosine);
 
 #ifdef __cplusplus

@@ -1,10 +1,10 @@
-/* thud_reads.h: single values of bodies and shapes, for who wants one and not all of thud_body_get
- * or thud_shape_get; and what a world's steps go by. Each costs a look at the handle and a copy.
- * They change nothing, and may be called inside callbacks: what waits for the next step is not
- * told.
+/* thud_reads.h: getters of single values of bodies and shapes, in place of all values by
+ * thud_body_get or thud_shape_get, and the settings that steps use. Each checks the handle and
+ * copies the value. They change nothing, and are allowed inside callbacks; edits made inside a
+ * callback do not show before the next step.
  *
- * Outputs may be null. THUD_ERROR_NULL for a null world, THUD_ERROR_STALE; outputs are then as they
- * were. */
+ * Outputs may be null. THUD_ERROR_NULL for a null world, THUD_ERROR_STALE; outputs are then not
+ * written. */
 #ifndef THUD_READS_H
 #define THUD_READS_H
 
@@ -15,12 +15,12 @@ extern "C" {
 #endif
 
 THUD_API thud_result thud_body_position(const thud_world *world, thud_body_id body,
-                                        thud_pos *position); /* of its origin */
+                                        thud_pos *position); /* of the origin */
 THUD_API thud_result thud_body_rotation(const thud_world *world, thud_body_id body, double *angle,
-                                        float *cosine, float *sine); /* angle in (-pi, pi] */
+                                        float *cosine, float *sine); /* angle: rad, in (-pi, pi] */
 THUD_API thud_result thud_body_velocity(const thud_world *world, thud_body_id body,
-                                        thud_vec2 *velocity, /* of the centre of mass */
-                                        float *angular_velocity);
+                                        thud_vec2 *velocity, /* of the centre of mass, length/s */
+                                        float *angular_velocity); /* rad/s */
 THUD_API thud_result thud_body_user_data(const thud_world *world, thud_body_id body,
                                          uint64_t *user_data);
 THUD_API thud_result thud_shape_user_data(const thud_world *world, thud_shape_id shape,
@@ -28,8 +28,8 @@ THUD_API thud_result thud_shape_user_data(const thud_world *world, thud_shape_id
 THUD_API thud_result thud_shape_body(const thud_world *world, thud_shape_id shape,
                                      thud_body_id *body);
 
-/* The same as values, for expressions: of the origin and of the centre of mass, (0, 0) where the
- * handle names nothing. */
+/* Position of the origin and velocity of the centre of mass as return values, for use in
+ * expressions; (0, 0) where the handle names nothing. */
 static inline thud_pos thud_position_of(const thud_world *world, thud_body_id body) {
     thud_pos position = {0.0, 0.0};
     thud_body_position(world, body, &position);
@@ -42,14 +42,14 @@ static inline thud_vec2 thud_velocity_of(const thud_world *world, thud_body_id b
     return velocity;
 }
 
-/* By which the next step is made. */
+/* The settings of the next step. */
 typedef struct thud_step_settings {
     thud_vec2 gravity; /* length/s^2 */
     double time_step;  /* s */
     double max_error;  /* length; 0: none */
-    int substeps;      /* fewer than the quality's where a time budget says so */
+    int substeps;      /* fewer than the quality's where a time budget has reduced them */
     bool sleeping;
-    thud_quality quality; /* the world's copy, with what its def itself named */
+    thud_quality quality; /* the world's copy, with the values that its def overrides */
 } thud_step_settings;
 
 THUD_API thud_result thud_world_step_settings(const thud_world *world, thud_step_settings *out);

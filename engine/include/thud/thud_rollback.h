@@ -1,7 +1,8 @@
-/* thud_rollback.h: networked play without waiting: a peer plays each step at once by the inputs
- * that it knows, takes the others to hold what they held last, and plays again what that was wrong
- * in. Inputs alone are sent; what arrives after up to `depth` steps is in time. Included by whoever
- * uses it; a program that uses it links what thud_snapshot.h says.
+/* thud_rollback.h: rollback for networked games: each peer runs every step at once, with the inputs
+ * that it knows; for players whose input has not arrived it predicts their last one. When an input
+ * arrives that differs from the prediction, the peer restores a snapshot and runs the steps since
+ * then again. Only inputs are sent; an input may arrive up to `depth` steps late. thud.h does not
+ * include this header; a program that uses it links what thud_snapshot.h names.
  *
  *     thud_rollback_options options = {.step = play, .state = &game, .state_bytes = sizeof game};
  *     thud_rollback_create(world, &options, &rollback);
@@ -10,8 +11,8 @@
  *     thud_rollback_advance(rollback, NULL);
  *
  * All calls return THUD_ERROR_NULL for a null pointer where none is allowed, and THUD_ERROR_LOCKED
- * inside a callback of the world and inside `step`; the world's log hears why. When they fail,
- * nothing has changed, unless said otherwise. */
+ * inside a callback of the world and inside `step`; the world's log is told the reason. When a call
+ * fails nothing has changed, unless its comment says otherwise. */
 #ifndef THUD_ROLLBACK_H
 #define THUD_ROLLBACK_H
 
@@ -23,64 +24,68 @@
 extern "C" {
 #endif
 
-/* Of one world, which it steps, and whose allocator it uses: to be destroyed before the world. */
+/* The rollback of one world. It steps the world and uses its allocator; destroy it before the
+ * world. */
 typedef struct thud_rollback thud_rollback;
 
-/* Plays one step: does what each player's input says, and calls thud_world_step. From the same
- * world, state and inputs it does the same, on every peer; nothing else changes the world. What it
- * returns but THUD_OK ends the call that asked for it, see thud_rollback_advance. */
+/* Runs one step of the game: applies the input of each player (inputs[player]), and calls
+ * thud_world_step. It must be deterministic: from the same world, state and inputs it must do the
+ * same on every peer, and nothing else may change the world. A result other than THUD_OK ends the
+ * call that runs the step, see thud_rollback_advance. */
 typedef thud_result thud_rollback_step_fn(thud_world *world, const uint64_t *inputs, void *state);
 
-/* Zero is the default. */
+/* All zero selects the defaults; `step` must be set. */
 typedef struct thud_rollback_options {
     int players; /* [0, THUD_ROLLBACK_PLAYERS_MAX]; default (0) 2 */
-    int depth;   /* steps that an input may be late, [0, THUD_ROLLBACK_DEPTH_MAX]; default (0) 60 */
-    uint64_t idle; /* what a player holds until something is known of it; buttons and sticks are the
-                      caller's to pack */
-    thud_rollback_step_fn *step; /* never null */
-    void *state; /* what goes back with the world: score, movers, handles and all. The caller's,
-                    for `step` to change, kept while the rollback lives; null: none */
-    size_t state_bytes; /* 0 without a state */
+    int depth; /* steps that an input may arrive late, [0, THUD_ROLLBACK_DEPTH_MAX]; default (0) 60
+                */
+    uint64_t idle; /* input of a player before the first that is known; the caller packs buttons and
+                      sticks into the 64 bits of an input */
+    thud_rollback_step_fn *step; /* not null */
+    void *state; /* the caller's data that is restored with the world: score, movers, handles.
+                    `step` may change it; it must exist as long as the rollback. Null: none */
+    size_t state_bytes; /* its size; 0 without a state */
 } thud_rollback_options;
 
-/* A snapshot of the world is kept for each of depth + 1 steps: that memory is taken here, and again
- * only where the world outgrows it. THUD_ERROR_INVALID, THUD_ERROR_MEMORY. */
+/* Creates a rollback, which keeps a snapshot of the world for each of depth + 1 steps. It allocates
+ * their memory here, and again only where the world outgrows it. THUD_ERROR_INVALID,
+ * THUD_ERROR_MEMORY. */
 THUD_NODISCARD THUD_API thud_result thud_rollback_create(thud_world *world,
                                                          const thud_rollback_options *options,
                                                          thud_rollback **out);
-/* Null is fine; so is the world's future. Where it may not be called the log hears
- * THUD_ERROR_LOCKED, and it lives on. */
+/* Destroys a rollback; the world stays usable. Null does nothing. Inside a callback or `step` the
+ * call does nothing either, and the log is told THUD_ERROR_LOCKED. */
 THUD_API void thud_rollback_destroy(thud_rollback *rollback);
 
-/* What a player, in [0, players), held in a step, from 0 on: in any order, late, early, or once
- * more. THUD_ERROR_INVALID for a step that is more than `depth` ahead, and for another input than
- * was told of that step before. */
+/* Sets the input of a player, in [0, players), in a step, >= 0. Inputs may come in any order, late,
+ * early, or more than once. THUD_ERROR_INVALID for a step that is more than `depth` ahead, and for
+ * an input that differs from the one set before for that step. */
 THUD_API thud_result thud_rollback_input(thud_rollback *rollback, int player, int64_t step,
                                          uint64_t input);
 
-/* Plays again what was wrong, and then the next step. *made (may be null) is false, and the next
- * step is not made, while an input of `depth` steps ago is not known: then wait for the others.
- * Where `step` fails, or memory (THUD_ERROR_MEMORY), that is the result: the step is not made,
- * world and state are at its beginning, or still at a later one's, and the next call begins there
- * again. */
+/* Runs again the steps with a wrong prediction, and then the next step. While an input of `depth`
+ * steps ago is not known, the next step is not run and *made (may be null) is false: wait for the
+ * other peers. Where `step` fails, or memory is short (THUD_ERROR_MEMORY), the call returns that
+ * error. World and state are then at the beginning of the step that failed, or still at that of a
+ * later one, and the next call starts from there. */
 THUD_API thud_result thud_rollback_advance(thud_rollback *rollback, bool *made);
-/* Plays again what was wrong, and no more: world and state are then the best that is known. Fails
- * as thud_rollback_advance. */
+/* Runs again the steps with a wrong prediction, and no further step: world and state then follow
+ * from all known inputs. Fails as thud_rollback_advance. */
 THUD_API thud_result thud_rollback_settle(thud_rollback *rollback);
 
 typedef struct thud_rollback_progress {
-    int64_t steps;     /* made: the number of the next */
-    int64_t confirmed; /* before this step every input is known: nothing there is played again */
-    int64_t replayed;  /* steps that were played again, in all */
+    int64_t steps;     /* steps run: the number of the next step */
+    int64_t confirmed; /* all inputs of the steps before this one are known: they are final */
+    int64_t replayed;  /* number of times that a step was run again */
 } thud_rollback_progress;
 
 /* All 0 for null. */
 THUD_API thud_rollback_progress thud_rollback_get(const thud_rollback *rollback);
 
-/* How it was before a step of the last `depth`, or is before the next one: the world's hash, which
- * is the same on all peers up to `confirmed`, or else `step` does not do the same everywhere; and a
- * copy of the state, of state_bytes. Either output may be null. Settles first, and fails as
- * thud_rollback_settle; THUD_ERROR_INVALID for a step that is not kept. */
+/* The world's hash, and a copy of the state (state_bytes), before one of the last `depth` steps or
+ * before the next one. Up to `confirmed` the hash is the same on all peers; if it is not, `step` is
+ * not deterministic. Either output may be null. Runs wrongly predicted steps again first, and fails
+ * as thud_rollback_settle; THUD_ERROR_INVALID for a step that is not kept. */
 THUD_API thud_result thud_rollback_at(thud_rollback *rollback, int64_t step, uint64_t *hash,
                                       void *state);
 

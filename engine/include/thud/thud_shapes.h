@@ -1,6 +1,11 @@
-/* thud_shapes.h: geometry without a world. Every function is pure: no state, no allocation.
- * Coordinates are the caller's own, relative to any origin near the shapes, y up, angles in
- * radians counter-clockwise. */
+/* thud_shapes.h: geometry of shapes without a world: overlap, distance, contact points, rays, times
+ * of impact, and terrain. Every function is pure: it has no state and allocates nothing.
+ * Coordinates are in any unit, relative to any origin near the shapes; y is up, angles are in
+ * radians counter-clockwise.
+ *
+ * Functions that return a thud_result return THUD_ERROR_NULL for a null pointer and
+ * THUD_ERROR_INVALID for an invalid shape or a value out of range; outputs are then not written.
+ * Included by thud.h. */
 #ifndef THUD_SHAPES_H
 #define THUD_SHAPES_H
 
@@ -15,26 +20,26 @@ typedef enum thud_shape_kind {
     THUD_CIRCLE = 0,
     THUD_AABB,   /* axis-aligned box; never rotates */
     THUD_OBB,    /* oriented box */
-    THUD_TERRAIN /* ground line, solid below */
+    THUD_TERRAIN /* a ground line, solid below; see below */
 } thud_shape_kind;
 
-/* How many kinds there are; no enumerator of thud_shape_kind, so that a switch over the kinds need
- * not name it. */
+/* The number of kinds; no enumerator of thud_shape_kind, so that a switch over the kinds need not
+ * name it. */
 enum { THUD_SHAPE_KIND_COUNT = THUD_TERRAIN + 1 };
 
-/* A circle, AABB or OBB in its place. */
+/* A circle, AABB or OBB at a place. */
 typedef struct thud_shape_instance {
     thud_shape_kind kind; /* not THUD_TERRAIN */
     double x, y;          /* centre; |x|, |y| <= THUD_COORDINATE_MAX */
-    double c, s;          /* cosine and sine of the angle; 1, 0 unless OBB: then c * c + s * s is 1
-                             within THUD_UNIT_ERROR; not read of a circle */
-    double hx, hy;        /* half extents, (0, THUD_COORDINATE_MAX]; a circle's radius is hx, its hy
-                             is 0 */
+    double c, s;          /* cosine and sine of the angle; of an OBB c * c + s * s is 1 within
+                             THUD_UNIT_ERROR, of an AABB they are 1, 0; not read for a circle */
+    double hx, hy; /* half extents, (0, THUD_COORDINATE_MAX]; a circle has its radius in hx, and
+                      hy 0 */
 } thud_shape_instance;
 
-/* Shapes in their places, each in one expression: for the functions here, for queries and movers,
- * and for bodies that are made with their shapes (thud_edits.h). Nothing is checked; an OBB whose
- * angle is beyond THUD_ANGLE_MAX has no direction, by which thud_placed_check refuses it. */
+/* Constructors of placed shapes, for the functions of this header, for queries and movers, and for
+ * bodies that are made with their shapes (thud_edits.h). They check nothing; an OBB with an angle
+ * beyond THUD_ANGLE_MAX gets (c, s) = (0, 0), which thud_placed_check refuses. */
 static inline thud_shape_instance thud_circle_at(double x, double y, double radius) {
     thud_shape_instance circle = {THUD_CIRCLE, x, y, 1.0, 0.0, radius, 0.0};
     return circle;
@@ -52,167 +57,176 @@ static inline thud_shape_instance thud_obb_at(double x, double y, double half_x,
     return box;
 }
 
-/* Straight motion with turning about the centre, over one unit of time. */
+/* A motion over one unit of time: a translation at constant velocity and a rotation about the
+ * centre at constant angular velocity. */
 typedef struct thud_motion {
-    double dx, dy;
-    double turn; /* radians, |turn| <= THUD_ANGLE_MAX; only an OBB heeds it */
+    double dx, dy; /* length */
+    double turn;   /* rad, |turn| <= THUD_ANGLE_MAX; only an OBB turns */
 } thud_motion;
 
-/* The closest (or deepest) features of two shapes; (b - a) = distance * normal. */
+/* The closest points of two shapes, or the deepest points where they overlap; point b - point a =
+ * distance * normal. */
 typedef struct thud_closest {
-    double distance; /* negative: penetration depth along the normal */
+    double distance; /* signed; negative: penetration depth along the normal */
     double nx, ny;   /* unit normal from a to b */
-    double ax, ay;   /* the feature's point on a's surface */
-    double bx, by;   /* ... and on b's */
+    double ax, ay;   /* point on a's surface */
+    double bx, by;   /* point on b's surface */
 } thud_closest;
 
-/* Where two shapes touch, or nearly: the closest features first, and where a face lies along
- * another the far end of what they share. */
+/* The contact points of two shapes that touch, or nearly: first the closest points; where two faces
+ * lie along each other, second the far end of the part that they share. */
 typedef struct thud_contacts {
     int count;             /* 0..2 */
-    thud_closest point[2]; /* a point's distance is its separation */
+    thud_closest point[2]; /* the distance of each is its separation */
 } thud_contacts;
 
 /* How two moving circles pass each other. */
 typedef struct thud_approach {
-    bool hit;
-    double time;       /* of the impact; 1 without one */
-    double least;      /* the smallest distance that ever separates the centres */
-    double least_time; /* when, in [0, 1]; the first time if the circles keep their distance */
+    bool hit;          /* the circles touch during the motion */
+    double time;       /* of the impact, in [0, 1]; 1 without one */
+    double least;      /* smallest distance of the centres during the motion */
+    double least_time; /* its time, in [0, 1]; the first where the distance is constant */
 } thud_approach;
 
-/* THUD_OK if finite and in range. */
+/* THUD_OK if all fields are finite and in their ranges; the kind must not be THUD_TERRAIN. */
 THUD_API thud_result thud_placed_check(const thud_shape_instance *shape);
 
-/* True if the shapes share a point. Touching counts. False also for invalid shapes. */
+/* Whether the shapes share a point. Touching counts. False for invalid shapes. */
 THUD_API bool thud_shapes_overlap(const thud_shape_instance *a, const thud_shape_instance *b);
 
-/* Signed distance, normal and closest points. Overlapping shapes give the axis of least
- * penetration. */
+/* Signed distance, normal and closest points. Where the shapes overlap, the normal is the axis of
+ * least penetration. */
 THUD_API thud_result thud_shapes_closest(const thud_shape_instance *a, const thud_shape_instance *b,
                                          thud_closest *out);
 
-/* The points at which the shapes are within `margin` ([0, THUD_COORDINATE_MAX]) of each other. The
- * first is that of thud_shapes_closest. Boxes of which one has a face across the normal may have a
- * second: the place furthest from the first along that face where the other box's opposite face
- * lies over it. */
+/* The contact points at which the shapes are within `margin` ([0, THUD_COORDINATE_MAX]) of each
+ * other. The first is that of thud_shapes_closest. Two boxes of which one has a face at a right
+ * angle to the normal may have a second: the point furthest from the first, along this face, at
+ * which the opposite face of the other box lies over it. */
 THUD_API thud_result thud_shapes_contacts(const thud_shape_instance *a,
                                           const thud_shape_instance *b, double margin,
                                           thud_contacts *out);
 
-/* Where the ray from (ox, oy) along (dx, dy) first meets the shape. *fraction is in [0, 1] of the
- * translation, (*nx, *ny) the outward unit normal there. A ray that starts inside hits nothing. */
+/* Whether the ray from (ox, oy) to (ox + dx, oy + dy) hits the shape; *fraction, in [0, 1], is the
+ * part of the ray before the hit, (*nx, *ny) the unit outward normal there. A ray that starts
+ * inside hits nothing. */
 THUD_API bool thud_shape_cast_ray(const thud_shape_instance *shape, double ox, double oy, double dx,
                                   double dy, double *fraction, double *nx, double *ny);
 
-/* First time in [0, 1] at which the moving shapes come within `target` ([0,
- * THUD_COORDINATE_MAX]) of each other; 1 and
- * *hit = false if they never do. Shapes that start within the target hit at 0. Without turning the
- * time is in closed form, exact but for rounding; with turning it is found by conservative
- * advancement, as soon as the shapes are within 1e-10 of their size of the target: never late, and
- * early where they turn so close by each other, for so long, that the work is cut off. */
+/* The first time in [0, 1] at which the moving shapes come within the distance `target` ([0,
+ * THUD_COORDINATE_MAX]) of each other; *hit = false and *time = 1 if they never do. Shapes that
+ * start within the target hit at 0. Without rotation the time is in closed form, exact up to
+ * rounding. With rotation it is found by conservative advancement (B. Mirtich, Impulse-based
+ * dynamic simulation, 1996), which ends when the distance is within 1e-10 of the shapes' size of
+ * the target. The time is never late; it is early where the shapes rotate close to each other for
+ * so long that the number of iterations is cut off. */
 THUD_API thud_result thud_shapes_time_of_impact(const thud_shape_instance *a, thud_motion motion_a,
                                                 const thud_shape_instance *b, thud_motion motion_b,
                                                 double target, bool *hit, double *time);
 
-/* Impact and nearest approach of two circles in closed form; turning does not matter. The nearest
- * approach is of the whole motion, as if the circles went through each other. THUD_ERROR_INVALID
- * unless both are circles. */
+/* Impact and closest approach of two moving circles, in closed form; rotation has no effect. The
+ * closest approach is that of the whole motion, as if the circles passed through each other.
+ * THUD_ERROR_INVALID unless both are circles. */
 THUD_API thud_result thud_circles_approach(const thud_shape_instance *a, thud_motion motion_a,
                                            const thud_shape_instance *b, thud_motion motion_b,
                                            thud_approach *out);
 
-/* When the moving shapes began to overlap, by bisection over the motion, for shapes that are apart
- * at time 0 and overlap at time 1. At *time, in [0, 1), they are still apart, and within
- * `tolerance` of it they overlap; tolerance is in [THUD_TOLERANCE_MIN, 1], of the motion, and each
- * halving costs one overlap test. *collided = false and *time = 1 where they are apart at the end,
- * whatever happened in between (see thud_motion_is_bisectable), or overlap at the start. */
+/* The time at which moving shapes that are apart at time 0 and overlap at time 1 began to overlap,
+ * by bisection over the motion. At *time, in [0, 1), they are still apart; at some time within
+ * `tolerance` after it they overlap. tolerance, in [THUD_TOLERANCE_MIN, 1], is a fraction of the
+ * motion; each halving of it costs one overlap test. *collided = false and *time = 1 where the
+ * shapes are apart at the end, whatever happened in between (see thud_motion_is_bisectable), or
+ * overlap at the start. */
 THUD_API thud_result thud_shapes_time_of_collision(const thud_shape_instance *a,
                                                    thud_motion motion_a,
                                                    const thud_shape_instance *b,
                                                    thud_motion motion_b, double tolerance,
                                                    bool *collided, double *time);
 
-/* Whether a test at the end of the motions cannot miss that one shape went through the middle of
- * the other: they move by less, relative to each other and with what turning adds at their corners,
- * than the smaller of both is thick. Corners that only graze each other can be missed all the same.
- * False for invalid shapes. */
+/* Whether an overlap test at the end of the motions cannot miss that one shape passed through the
+ * middle of the other: the relative motion, with the rotation at the corners, is less than the
+ * thickness of the thinner shape. Collisions in which corners only graze each other can still be
+ * missed. False for invalid shapes. */
 THUD_API bool thud_motion_is_bisectable(const thud_shape_instance *a, thud_motion motion_a,
                                         const thud_shape_instance *b, thud_motion motion_b);
 
 /* ---- terrain ---- */
 
 typedef enum thud_terrain_kind {
-    THUD_TERRAIN_FLAT = 0, /* an endless straight line: height = slope * x */
-    THUD_TERRAIN_UNIFORM,  /* heights at x0, x0 + spacing, ... */
+    THUD_TERRAIN_FLAT = 0, /* a straight line without ends: height = slope * x */
+    THUD_TERRAIN_UNIFORM,  /* heights at x0, x0 + spacing, x0 + 2 * spacing and so on */
     THUD_TERRAIN_IRREGULAR /* points with strictly increasing x */
 } thud_terrain_kind;
 
-/* A ground line, one-sided: solid below, with upright sides under its ends. The caller owns
- * `points` (uniform: only y is read) and must keep them while the view is used; a world copies
- * them. That every vertex is finite and further right than the one before is seen by
- * thud_terrain_check alone: the other functions refuse whatever is wrong at first sight, and give a
- * result without a meaning for a line that it would refuse. */
+/* A ground line, solid below, with upright sides below its two ends. The caller owns `points`, and
+ * must keep them as long as the struct is used; a world copies them. Only thud_terrain_check looks
+ * at all vertices; the other functions check the fields of the struct only, and give a meaningless
+ * result for a line that thud_terrain_check would refuse. */
 typedef struct thud_terrain {
     thud_terrain_kind kind;
     double slope;           /* flat only: rise over run, |slope| <= THUD_TERRAIN_SLOPE_MAX */
-    double x0, spacing;     /* uniform only; |x0| <= THUD_TERRAIN_PLACE_MAX, spacing in (0,
-                               THUD_TERRAIN_PLACE_MAX], and 1e-12 of the furthest x at least */
-    const thud_pos *points; /* uniform and irregular; |x|, |y| <= THUD_TERRAIN_PLACE_MAX */
-    int count;              /* [2, THUD_TERRAIN_COUNT_MAX] */
+    double x0, spacing;     /* uniform only: |x0| <= THUD_TERRAIN_PLACE_MAX, spacing in (0,
+                               THUD_TERRAIN_PLACE_MAX] and at least 1e-12 of the largest |x| */
+    const thud_pos *points; /* uniform (only y is read) and irregular: |x|, |y| <=
+                               THUD_TERRAIN_PLACE_MAX */
+    int count;              /* of points, [2, THUD_TERRAIN_COUNT_MAX] */
 } thud_terrain;
 
 /* Height, normal and interpolation weights at one x. */
 typedef struct thud_terrain_sample {
     double height;
     double nx, ny;    /* unit normal, ny > 0 */
-    int segment;      /* between vertices segment and segment + 1; 0 for flat */
-    double weight[2]; /* of those two vertices; they sum to 1. A flat line counts as one with
-                         vertices at x = 0 and x = 1, and goes on beyond them: 1 - x, x */
+    int segment;      /* the one between vertices segment and segment + 1; 0 for flat */
+    double weight[2]; /* interpolation weights of these two vertices, of sum 1. A flat line has
+                         vertices at x = 0 and x = 1, and the weights 1 - x and x at any x */
 } thud_terrain_sample;
 
+/* THUD_OK if all fields and all vertices are valid; a pass over the vertices. */
 THUD_API thud_result thud_terrain_check(const thud_terrain *terrain);
 
-/* Constant time for flat and uniform, logarithmic for irregular. THUD_ERROR_INVALID beyond the
- * ends. */
+/* The line at x. Takes constant time for flat and uniform lines, logarithmic for irregular ones.
+ * THUD_ERROR_INVALID beyond the ends. */
 THUD_API thud_result thud_terrain_sample_at(const thud_terrain *terrain, double x,
                                             thud_terrain_sample *out);
 
-/* First and last segment that the interval [x_min, x_max] touches; first > last when none. */
+/* The first and last segment that the interval [x_min, x_max] touches; *first > *last if there are
+ * none. */
 THUD_API void thud_terrain_segments(const thud_terrain *terrain, double x_min, double x_max,
                                     int *first, int *last);
 
-/* As thud_shape_cast_ray, against the line from above; a ray that starts below hits nothing. */
+/* As thud_shape_cast_ray, against the line from above. A ray that starts below the line hits
+ * nothing. */
 THUD_API bool thud_terrain_cast_ray(const thud_terrain *terrain, double ox, double oy, double dx,
                                     double dy, double *fraction, double *nx, double *ny);
 
-/* True if the shape reaches the line or the solid ground below it. */
+/* Whether the shape touches the line or the solid ground below it. */
 THUD_API bool thud_terrain_overlap(const thud_terrain *terrain, const thud_shape_instance *shape);
 
-/* As thud_shapes_closest with the terrain as a. Overlapping, the distance is that of the least
- * translation that takes the shape out of the ground, and the normal its direction; the points are
- * of one of the places that then touch. Time grows with the number of segments that are as near as
- * the result, and when overlapping with that number times those under the shape's width. */
+/* As thud_shapes_closest with the terrain as a. Where they overlap, distance and normal are those
+ * of the shortest translation that moves the shape out of the ground, and the points are one of the
+ * places that touch after it. The time is proportional to the number of segments that are as near
+ * as the result, and with overlap to that number times the number of segments under the shape. */
 THUD_API thud_result thud_terrain_closest(const thud_terrain *terrain,
                                           const thud_shape_instance *shape, thud_closest *out);
 
-/* As thud_shapes_contacts with the terrain as a. Candidates for the second point are the corners of
- * a box, each with the nearest place of the ground; the ridges of the ground, each with the nearest
- * place of the shape; and the segments on which a circle stands. Of those within the margin, the
- * one furthest from thud_terrain_closest's is taken; the first point is thud_terrain_closest's, or
- * of candidates as deep (to 1e-9 of the shape's size) the one furthest from the second. Each point
- * has a normal of its own: a circle in a valley leans on both slopes. */
+/* As thud_shapes_contacts with the terrain as a. Candidates for the second point are: each corner
+ * of a box with the closest point of the ground; each convex vertex of the ground with the closest
+ * point of the shape; and each segment that a circle touches. The second point is the candidate
+ * within the margin that is furthest from the point of thud_terrain_closest. The first is the point
+ * of thud_terrain_closest, or, of candidates as deep (to 1e-9 of the shape's size), the one
+ * furthest from the second. Each point has its own normal: a circle in a valley touches both
+ * slopes. */
 THUD_API thud_result thud_terrain_contacts(const thud_terrain *terrain,
                                            const thud_shape_instance *shape, double margin,
                                            thud_contacts *out);
 
-/* As thud_shapes_time_of_impact with the terrain at rest. */
+/* As thud_shapes_time_of_impact, for a shape that moves against terrain at rest. */
 THUD_API thud_result thud_terrain_time_of_impact(const thud_terrain *terrain,
                                                  const thud_shape_instance *shape,
                                                  thud_motion motion, double target, bool *hit,
                                                  double *time);
 
-/* As thud_shapes_time_of_collision with the terrain at rest. */
+/* As thud_shapes_time_of_collision, for a shape that moves against terrain at rest. */
 THUD_API thud_result thud_terrain_time_of_collision(const thud_terrain *terrain,
                                                     const thud_shape_instance *shape,
                                                     thud_motion motion, double tolerance,

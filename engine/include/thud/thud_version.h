@@ -1,5 +1,5 @@
-/* thud_version.h: which thud this is. CMake, and with it what is installed, reads the three numbers
- * here. Before 1.0.0 a program is built for one minor version. */
+/* thud_version.h: the version of thud. CMake reads the three numbers here, also for the installed
+ * package. Before 1.0.0 a program must be built again for each minor version. */
 #ifndef THUD_VERSION_H
 #define THUD_VERSION_H
 
@@ -13,10 +13,11 @@ extern "C" {
 #define THUD_VERSION_MINOR 1
 #define THUD_VERSION_PATCH 0
 
-/* In one number, which rises with each version. */
+/* As one number, which rises with each version. */
 #define THUD_VERSION (THUD_VERSION_MAJOR * 1000000 + THUD_VERSION_MINOR * 1000 + THUD_VERSION_PATCH)
 
-/* Of the library that is linked: not that of the headers where a shared library is another one. */
+/* The version of the library that is linked, which may differ from THUD_VERSION with a shared
+ * library. */
 THUD_API int thud_version(void);
 
 #ifdef __cplusplus

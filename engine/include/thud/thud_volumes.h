@@ -1,19 +1,19 @@
-/* thud_volumes.h: bounding volumes. A circle, an AABB or an OBB around something stands for it in a
- * first, cheap test; only what passes needs an exact one. Pure: no state, no allocation.
+/* thud_volumes.h: bounding volumes: a circle, AABB or OBB around an object, for a cheap test before
+ * an exact one. Pure functions: no state, no allocation. Included by thud.h.
  *
- * In the order of their price, both to fit and to test, and of how tightly they fit:
+ * In ascending order of cost, both to compute and to test, and of how tightly they fit:
  *
- *     circle   loose and cheapest; does not change when the thing turns
- *     AABB     tighter, two intervals to compare; changes as the thing turns
- *     OBB      tightest, up to four directions to compare in; turns with the thing
+ *     circle   loosest; unchanged by rotation of the object
+ *     AABB     tighter, a test compares two intervals; changes with rotation
+ *     OBB      tightest, a test compares along up to four directions; rotates with the object
  *
- * Volumes are grown by a few roundings (2e-15 of their place and size), so that no test misses what
- * is within for a rounding. A body's volume is that of its shapes, merged.
+ * Volumes are enlarged by 2e-15 of their place and size, so that no test misses a contained object
+ * because of rounding. The volume of a body is the merged volume of its shapes.
  *
  * Every function returns THUD_ERROR_NULL for a null pointer and THUD_ERROR_INVALID for a value that
- * is not finite or out of range, or when the outcome would exceed thud_volume_check's range, and
- * then leaves its outputs as they were. `out` may be an input. Lengths are the caller's own,
- * relative to any origin. */
+ * is not finite or out of range, or where the result would be out of the range of
+ * thud_volume_check; outputs are then not written. `out` may be one of the inputs. Lengths are in
+ * any unit, relative to any origin. */
 #ifndef THUD_VOLUMES_H
 #define THUD_VOLUMES_H
 
@@ -23,54 +23,57 @@
 extern "C" {
 #endif
 
-/* As a placed shape, but that its extents (a circle's radius is hx) may be 0. `kind` says which
- * volume it is. */
+/* A placed shape, of which the extents (for a circle hx, the radius) may also be 0. `kind` is the
+ * kind of volume. */
 typedef thud_shape_instance thud_volume;
 
-/* THUD_OK if it is a circle, AABB or OBB, |x|, |y| <= THUD_VOLUME_MAX, extents in [0,
- * THUD_VOLUME_MAX], and (c, s) of length 1, its square within THUD_UNIT_ERROR, (1, 0) for an AABB.
- * Of a circle, c, s and hy are not read. */
+/* THUD_OK if the volume is a circle, AABB or OBB, |x|, |y| <= THUD_VOLUME_MAX, extents are in [0,
+ * THUD_VOLUME_MAX], and (c, s) is (1, 0) for an AABB and of squared length 1, within
+ * THUD_UNIT_ERROR, for an OBB. For a circle c, s and hy are not read. */
 THUD_API thud_result thud_volume_check(const thud_volume *volume);
 
-/* ---- fit: the volume of the wanted kind around something ---- */
+/* ---- fitting: the volume of a given kind around an object ---- */
 
-/* The smallest of its kind. */
+/* The smallest volume of this kind around a shape. */
 THUD_API thud_result thud_volume_around_shape(thud_shape_kind kind,
                                               const thud_shape_instance *shape, thud_volume *out);
 
-/* Around every place of the shape in its motion, turning included. A box counts as wide everywhere
- * as it ever is on its way, for a circle as the circle around it. An OBB lies in the direction of
- * the motion or in the shape's own direction halfway, whichever makes it smaller. */
+/* A volume around all places of a shape during its motion, with rotation. A box is taken as wide as
+ * it is at any time of the motion; for a bounding circle, as the circle around it. An OBB is
+ * aligned to the motion or to the shape at half the motion, whichever makes it smaller. */
 THUD_API thud_result thud_volume_around_motion(thud_shape_kind kind,
                                                const thud_shape_instance *shape, thud_motion motion,
                                                thud_volume *out);
 
-/* Around count >= 1 points, |x|, |y| <= THUD_COORDINATE_MAX; one point, or all on a line, will do.
- * The smallest circle, by exchanging the points that it rests on (Gaertner, Fast and robust
- * smallest enclosing balls, 1999), takes a few passes over the points. The OBB of least area has a
- * side along a side of the convex hull (Freeman and Shapira, Determining the minimum-area encasing
- * rectangle, 1975): two passes for each of the hull's sides, of which the first 512 are tried. */
+/* The smallest volume around count >= 1 points, |x|, |y| <= THUD_COORDINATE_MAX, which may be on
+ * one line or a single point. The smallest circle is found by exchanging the points that define it
+ * (Gaertner, Fast and robust smallest enclosing balls, 1999), in a few passes over the points. The
+ * OBB of least area has a side along a side of the convex hull (Freeman and Shapira, Determining
+ * the minimum-area encasing rectangle, 1975): two passes for each side of the hull, of which the
+ * first 512 are tried. */
 THUD_API thud_result thud_volume_around_points(thud_shape_kind kind, const thud_pos *points,
                                                int count, thud_volume *out);
 
-/* Around the ground line (not what is below it) from x_min to x_max, as around points; cut off at
- * the ends of the line, THUD_ERROR_INVALID when nothing of it is left. */
+/* The smallest volume around the ground line (without the ground below it) from x_min to x_max, as
+ * around points. The interval is cut off at the ends of the line; THUD_ERROR_INVALID if nothing is
+ * left of it. */
 THUD_API thud_result thud_volume_around_terrain(thud_shape_kind kind, const thud_terrain *terrain,
                                                 double x_min, double x_max, thud_volume *out);
 
-/* Around both: the smallest AABB; the smallest circle around the circles of the two; an OBB
- * upright, in the direction of a, of b, or from centre to centre, whichever is the smallest. */
+/* A volume around two volumes: the smallest AABB; the smallest circle around their bounding
+ * circles; or the smallest OBB of those with the direction of the axes, of a, of b, and from centre
+ * to centre. */
 THUD_API thud_result thud_volume_merge(thud_shape_kind kind, const thud_volume *a,
                                        const thud_volume *b, thud_volume *out);
 
-/* ---- test ---- */
+/* ---- tests ---- */
 
-/* Whether two volumes of any kinds share a point. Touching counts. From cheap to dear: two circles,
- * two AABBs, circle and AABB, circle and OBB, AABB or OBB and OBB. */
+/* Whether two volumes of any kinds share a point. Touching counts. In ascending order of cost: two
+ * circles, two AABBs, circle and AABB, circle and OBB, AABB or OBB and OBB. */
 THUD_API thud_result thud_volumes_overlap(const thud_volume *a, const thud_volume *b,
                                           bool *overlap);
 
-/* Whether the point is in the volume; its edge belongs to it. |x|, |y| <= THUD_VOLUME_MAX. */
+/* Whether the point is in the volume or on its edge. |x|, |y| <= THUD_VOLUME_MAX. */
 THUD_API thud_result thud_volume_contains_point(const thud_volume *volume, double x, double y,
                                                 bool *inside);
 

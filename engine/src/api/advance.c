@@ -1,18 +1,25 @@
-/* advance.c: steps by the time that has passed: none in one call, several in the next.
+/* advance.c: thud_world_advance, a fixed time step driven by a variable frame time (an accumulator;
+ * G. Fiedler, Fix Your Timestep!, 2004). A call runs as many steps as fit into the time left over
+ * by earlier calls plus `elapsed`: none, one or several.
  *
- * A program calls it once a picture, and two things must not depend on how many steps that makes.
+ * Neither events nor forces may depend on how many steps a call runs.
  *
- * Events: those of all steps of a call are gathered. The events of a step are copied where the next
- * step of the call has all its memory and nothing has moved, with room for that step's own; so
- * copying cannot fail afterwards, and a call that makes one step copies nothing.
+ * Events: thud_world.gathered collects the events of all steps of a call. The hook
+ * thud_world.gather copies the events of step n while step n + 1 reserves its memory, before any
+ * body moves, and also reserves room for the events of step n + 1. So the copy at the end of the
+ * call cannot run out of memory, and a call that runs one step copies nothing.
  *
- * Forces: those applied between two calls act for the time that the second is given. The force of
- * a step is the mean over its time, of which the part `waited` was left over by earlier calls:
+ * Forces: the forces that the caller applies between two calls act for the `elapsed` of the second
+ * call. A step applies their mean over its own time:
  *
  *     force = now + (mean - now) * waited
  *
- * with `mean` over the time that was left over and `now` of the present call. Where both are the
- * same the sum is so to the bit: a constant force gives the same motion at any display rate. */
+ *     waited  fraction of the step's time that earlier calls left over, [0, 1]
+ *     mean    mean force over that left-over time
+ *     now     force of the present call
+ *
+ * Where mean = now the sum is exactly now: a constant force gives the same motion, bit for bit, at
+ * any frame rate. td_pull stores now, mean and due (forces for the next step alone) by body. */
 #include "api/step.h"
 #include "rules/rules.h"
 #include "state/body.h"
@@ -23,20 +30,22 @@
 
 /* ---- events ---- */
 
-/* A list of the last step, where it is gathered, and the one that the present step fills. */
-typedef struct td_told {
+/* One kind of event: its gathered list, the list of the last step, and the list that the step under
+ * way fills. */
+typedef struct td_event_copy {
     td_array *to;
     const td_array *from, *own;
-} td_told;
+} td_event_copy;
 
-enum { TOLD = sizeof(td_gathered) / sizeof(td_array) };
+enum { EVENT_KINDS = sizeof(td_gathered) / sizeof(td_array) };
 
-static void list_told(thud_world *w, td_told told[TOLD]) {
+/* Lists all kinds of events. */
+static void list_event_copies(thud_world *w, td_event_copy copies[EVENT_KINDS]) {
     static const td_array none;
     td_gathered *g = &w->gathered;
     const td_event_lists *last = &w->published, *own = &w->events;
     const td_array *impulses = w->rules ? &w->rules->impulses : &none;
-    const td_told lists[] = {
+    const td_event_copy lists[] = {
         {&g->lists.begin, &last->begin, &own->begin},
         {&g->lists.end, &last->end, &own->end},
         {&g->lists.sensor_begin, &last->sensor_begin, &own->sensor_begin},
@@ -48,76 +57,83 @@ static void list_told(thud_world *w, td_told told[TOLD]) {
         {&g->broken, &w->broken, &w->broken},
         {&g->impulses, impulses, impulses},
     };
-    static_assert(sizeof lists == TOLD * sizeof *lists, "every list is gathered");
-    memcpy(told, lists, sizeof lists);
+    static_assert(sizeof lists == EVENT_KINDS * sizeof *lists, "every list is gathered");
+    memcpy(copies, lists, sizeof lists);
 }
 
-static void forget_events(thud_world *w) {
-    td_told told[TOLD];
-    list_told(w, told);
-    for (int i = 0; i < TOLD; i++) {
-        told[i].to->count = 0;
+/* Empties the gathered lists. */
+static void clear_gathered_events(thud_world *w) {
+    td_event_copy copies[EVENT_KINDS];
+    list_event_copies(w, copies);
+    for (int i = 0; i < EVENT_KINDS; i++) {
+        copies[i].to->count = 0;
     }
 }
 
-static void add_events(thud_world *w) {
-    td_told told[TOLD];
-    list_told(w, told);
-    for (int i = 0; i < TOLD; i++) {
-        const td_array *from = told[i].from;
+/* Appends the events of the last step to the gathered lists, which have room. */
+static void append_events(thud_world *w) {
+    td_event_copy copies[EVENT_KINDS];
+    list_event_copies(w, copies);
+    for (int i = 0; i < EVENT_KINDS; i++) {
+        const td_array *from = copies[i].from;
         if (from->count > 0) {
-            memcpy(td_at(told[i].to, told[i].to->count), from->data,
+            memcpy(td_at(copies[i].to, copies[i].to->count), from->data,
                    (size_t)from->count * (size_t)from->stride);
-            told[i].to->count += from->count;
+            copies[i].to->count += from->count;
         }
     }
 }
 
-/* In a step that has reserved all else: the events of the one before. */
-static bool gather(thud_world *w) {
-    td_told told[TOLD];
-    list_told(w, told);
-    for (int i = 0; i < TOLD; i++) {
-        int room = told[i].to->count + told[i].from->count + told[i].own->capacity;
-        if (!td_array_reserve(&w->memory, told[i].to, room)) {
+/* The hook thud_world.gather: gathers the events of the step before the one under way, which has
+ * reserved everything else. False when memory is short. */
+static bool gather_events(thud_world *w) {
+    td_event_copy copies[EVENT_KINDS];
+    list_event_copies(w, copies);
+    for (int i = 0; i < EVENT_KINDS; i++) {
+        int room = copies[i].to->count + copies[i].from->count + copies[i].own->capacity;
+        if (!td_array_reserve(&w->memory, copies[i].to, room)) {
             return false;
         }
     }
-    add_events(w);
+    append_events(w);
     return true;
 }
 
 /* ---- forces ---- */
 
+/* The force record of a body, by body index. */
 static td_pull *pull_at(const thud_world *w, int body) {
     return TD_AT(td_pull, &w->pulls, body);
 }
 
-/* Whether a step pushes it: fields leave alone what sleeps, and what an edit wakes is on the list
- * of changes. */
-static bool heeds(const td_body *body) {
+/* Whether the next step applies forces to the body: it is dynamic, enabled, not quarantined, and
+ * awake or on the list of changes, by which an edit wakes it. */
+static bool accepts_force(const td_body *body) {
     return (body->flags & TD_BODY_LIVE) && body->kind == THUD_DYNAMIC &&
            !(body->flags & (TD_BODY_QUARANTINED | TD_BODY_DISABLED)) &&
            (body->awake.at > 0 || body->changes);
 }
 
-/* A record for every body that there is, all zero where it is new or heeds no force. */
+/* Reserves a force record for every body, and clears the records of bodies that are new or accept
+ * no force. False when memory is short. thud_world.begun is the number of the step that ran out of
+ * memory and that the next call tries again, else 0. */
 static bool reserve_pulls(thud_world *w) {
-    int had = w->pulls.count, bodies = w->bodies.count;
-    bool made = w->begun && w->begun <= w->steps; /* by thud_world_step: nothing is due any more */
+    int old_count = w->pulls.count, bodies = w->bodies.count;
+    /* thud_world_step has run the step that failed: its forces are no longer due. */
+    bool retried = w->begun && w->begun <= w->steps;
     if (!td_array_reserve(&w->memory, &w->pulls, td_slots_capacity(&w->bodies))) {
         return false;
     }
-    if (bodies > had) {
-        memset(pull_at(w, had), 0, (size_t)(bodies - had) * sizeof(td_pull));
+    if (bodies > old_count) {
+        memset(pull_at(w, old_count), 0, (size_t)(bodies - old_count) * sizeof(td_pull));
     }
     for (td_body_index i = {0}; i.at < bodies; i.at++) {
         const td_body *body = td_body_at(w, i);
         td_pull *pull = pull_at(w, i.at);
-        if (pull->generation != body->generation || !heeds(body)) {
+        if (pull->generation != body->generation || !accepts_force(body)) {
             *pull = (td_pull){.generation = body->generation};
         }
-        if (made) {
+        if (retried) {
             memset(pull->due, 0, sizeof pull->due);
         }
     }
@@ -125,45 +141,48 @@ static bool reserve_pulls(thud_world *w) {
     return true;
 }
 
-/* Moves the forces on all bodies to `now` or `due`, that is `at` in a td_pull. A body that was made
- * since there was last room keeps its own, for the next call. */
-static void take_forces(thud_world *w, size_t at) {
+/* Moves the forces of all bodies into their records: `at` is the offset of `now` or `due` in
+ * td_pull. A body without a record (made since the last reserve_pulls) keeps its force for the next
+ * call. */
+static void store_forces(thud_world *w, size_t at) {
     for (td_body_index i = {0}; i.at < w->pulls.count; i.at++) {
         td_body *body = td_body_at(w, i);
-        if (heeds(body)) {
+        if (accepts_force(body)) {
             memcpy((char *)pull_at(w, i.at) + at, body->force, sizeof body->force);
         }
         memset(body->force, 0, sizeof body->force);
     }
 }
 
-static float blend(float now, float mean, double waited) {
+/* The mean force of the head of this file. */
+static float mean_force(float now, float mean, double waited) {
     return waited < 1.0 ? (float)((double)now + ((double)mean - (double)now) * waited) : mean;
 }
 
-/* Puts the forces of the next step on the bodies. `waited`: the part of its time that was left over
- * by earlier calls; of a step that has failed, all of its forces are due. */
-static void push(thud_world *w, double waited, bool begun) {
+/* Applies the forces of the next step to the bodies. `waited`: see the head of this file. `retry`:
+ * the step is a failed one, all forces of which are stored as due. */
+static void apply_forces(thud_world *w, double waited, bool retry) {
     for (td_body_index i = {0}; i.at < w->pulls.count; i.at++) {
         td_pull *pull = pull_at(w, i.at);
         td_body *body = td_body_at(w, i);
-        for (int k = 0; k < 3 && heeds(body); k++) {
-            float held = begun ? 0.0f : blend(pull->now[k], pull->mean[k], waited);
-            body->force[k] += held + pull->due[k];
+        for (int k = 0; k < 3 && accepts_force(body); k++) {
+            float mean = retry ? 0.0f : mean_force(pull->now[k], pull->mean[k], waited);
+            body->force[k] += mean + pull->due[k];
             w->push_stale |= body->force[k] != 0.0f;
         }
         memset(pull->due, 0, sizeof pull->due);
     }
 }
 
-/* At the end of a call: `mean` of the time that it leaves over, of which the part `waited` was left
- * over before. Where no force is left there are no records. */
-static void keep_forces(thud_world *w, double waited) {
+/* At the end of a call: computes the mean force over the time that the call leaves over, of which
+ * the fraction `waited` was left over by earlier calls. Drops all records where no force is left.
+ */
+static void keep_mean_forces(thud_world *w, double waited) {
     bool any = false;
     for (int i = 0; i < w->pulls.count; i++) {
         td_pull *pull = pull_at(w, i);
         for (int k = 0; k < 3; k++) {
-            pull->mean[k] = blend(pull->now[k], pull->mean[k], waited);
+            pull->mean[k] = mean_force(pull->now[k], pull->mean[k], waited);
             any |= pull->mean[k] != 0.0f || pull->due[k] != 0.0f;
         }
         memset(pull->now, 0, sizeof pull->now);
@@ -173,49 +192,52 @@ static void keep_forces(thud_world *w, double waited) {
 
 /* ---- time ---- */
 
-/* `before` is called once for each step, also for one that fails and is tried again: what it asked
- * for is in the world, and the step's forces are kept. */
-static thud_result make_step(thud_world *w, const thud_step_calls *calls, double waited) {
-    bool begun = w->begun == w->steps + 1;
-    push(w, waited, begun);
-    if (calls && calls->before && !begun) {
+/* Runs one step. The callback `before` is called once a step, and not again when a failed step is
+ * tried again: its edits are in the world, and its forces are stored as due. */
+static thud_result run_step(thud_world *w, const thud_step_calls *calls, double waited) {
+    bool retry = w->begun == w->steps + 1;
+    apply_forces(w, waited, retry);
+    if (calls && calls->before && !retry) {
         calls->before(w, calls->context);
     }
     thud_result result = td_step(w);
     w->begun = result == THUD_OK ? 0 : w->steps + 1;
     if (result != THUD_OK) {
-        take_forces(w, offsetof(td_pull, due));
+        store_forces(w, offsetof(td_pull, due));
     }
     return result;
 }
 
-/* As if the call had not been made: its forces wait for the next one. */
-static void give_back(thud_world *w) {
+/* Undoes store_forces at the start of a call whose first step failed: the forces wait on the bodies
+ * for the next call. */
+static void restore_forces(thud_world *w) {
     for (td_body_index i = {0}; i.at < w->pulls.count; i.at++) {
         memcpy(td_body_at(w, i)->force, pull_at(w, i.at)->now, sizeof(float[3]));
     }
 }
 
-/* Of the time that max_steps leaves over, whole steps are dropped. */
-static double rest_of(double spare, double h) {
+/* The time in [0, h) that is left of `spare` after whole steps of length h are dropped, s. */
+static double time_left(double spare, double h) {
     double steps_left = spare / h;
     double rest = steps_left < 0x1p62 ? spare - h * (double)(int64_t)steps_left : 0.0;
     return rest >= 0.0 && rest < h ? rest : 0.0;
 }
 
+/* The call after its checks; *done: the number of steps it ran. `spare`: time that steps have not
+ * used yet, s; `waiting`: the part of it that earlier calls left over, s. */
 static thud_result advance(thud_world *w, double elapsed, int max_steps,
                            const thud_step_calls *calls, int *done) {
     bool forces = w->push_stale || w->pulls.count > 0 || calls;
     if (forces && !reserve_pulls(w)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "advance: out of memory");
     }
-    take_forces(w, offsetof(td_pull, now));
+    store_forces(w, offsetof(td_pull, now));
     bool gathered = w->gathers;
     w->gathers = false;
     double waiting = w->spare_time, spare = waiting + elapsed;
     thud_result result = THUD_OK;
     while (spare >= w->def.time_step && *done < max_steps) {
-        result = make_step(w, calls, td_min_double(waiting / w->def.time_step, 1.0));
+        result = run_step(w, calls, td_min_double(waiting / w->def.time_step, 1.0));
         if (result != THUD_OK) {
             break;
         }
@@ -223,8 +245,8 @@ static thud_result advance(thud_world *w, double elapsed, int max_steps,
         waiting = td_max_double(waiting - w->def.time_step, 0.0);
         w->spare_time = spare;
         if (++*done == 1) {
-            forget_events(w);
-            w->gather = gather;
+            clear_gathered_events(w);
+            w->gather = gather_events;
         }
         if (calls && calls->after) {
             calls->after(w, calls->context);
@@ -233,23 +255,23 @@ static thud_result advance(thud_world *w, double elapsed, int max_steps,
     w->gather = NULL;
     if (result != THUD_OK && *done == 0) {
         w->gathers = gathered;
-        give_back(w);
+        restore_forces(w);
         return result;
     }
     if (*done > 1) {
-        add_events(w);
+        append_events(w);
     } else if (*done == 0) {
-        forget_events(w);
+        clear_gathered_events(w);
     }
     w->gathers = *done != 1;
     if (result == THUD_OK) {
-        w->spare_time = rest_of(spare, w->def.time_step);
+        w->spare_time = time_left(spare, w->def.time_step);
         waiting = td_max_double(waiting - (spare - w->spare_time), 0.0);
         if (*done > 0 && calls && calls->after && reserve_pulls(w)) {
-            take_forces(w, offsetof(td_pull, due));
+            store_forces(w, offsetof(td_pull, due));
         }
     }
-    keep_forces(w, waiting > 0.0 ? waiting / w->spare_time : 0.0);
+    keep_mean_forces(w, waiting > 0.0 ? waiting / w->spare_time : 0.0);
     return result;
 }
 

@@ -1,4 +1,5 @@
-/* body_volume.c: the bounding volume of a body, merged from those of its shapes. */
+/* body_volume.c: thud_body_volume, the bounding volume of a body: the bounding volumes of its
+ * shapes, merged one by one (thud_volume_merge). */
 #include "state/body.h"
 #include "state/handles.h"
 #include "state/preview.h"
@@ -7,6 +8,7 @@
 
 #define NO_VOLUME "body volume: no such volume, no shapes, or a line without end"
 
+/* The volume around one shape, relative to `origin`; of a terrain, around its line. */
 static thud_result around_shape(const thud_world *w, thud_shape_kind kind, int index,
                                 td_position origin, thud_volume *out) {
     thud_shape_instance placed = td_shape_instance_of(w, index, td_preview_proxy(w, index), origin);
@@ -26,7 +28,8 @@ static thud_result around_shape(const thud_world *w, thud_shape_kind kind, int i
     return result;
 }
 
-/* Whether there is such a volume around what the body has once its changes are in effect. */
+/* Whether `kind` is a kind of volume and the body, once its edits are in effect, has shapes and no
+ * endless (flat) terrain. Inside a callback shapes that wait for the next step do not count. */
 static bool has_volume(const thud_world *w, thud_shape_kind kind, td_body_index index) {
     bool any = false;
     for (int i = td_body_at(w, index)->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
@@ -35,7 +38,7 @@ static bool has_volume(const thud_world *w, thud_shape_kind kind, td_body_index 
             continue;
         }
         if (td_kind_is_line(shape->kind) && td_terrain_view(w, i).kind == THUD_TERRAIN_FLAT) {
-            return false; /* it has no end */
+            return false;
         }
         any = true;
     }

@@ -1,4 +1,6 @@
-/* debug_draw.c: the world drawn through the caller's functions, for viewers and tests. */
+/* debug_draw.c: thud_world_draw: checks the request, brings bounds and islands up to date, and runs
+ * the parts of drawing that its flags name, in a fixed order. This file draws the shapes;
+ * draw_detection.c and draw_contacts.c draw the rest. */
 #include "constraint/joint_hooks.h"
 #include "state/body.h"
 #include "api/debug_draw.h"
@@ -7,6 +9,7 @@
 #include "api/step.h"
 #include "islands/label.h"
 
+/* The style of a shape by its body's kind and sleep. */
 static thud_draw_style style_of(const td_drawing *d, const td_shape *shape) {
     const td_body *body = td_body_at(d->w, shape->body);
     if (shape->flags & TD_SHAPE_SENSOR) {
@@ -20,6 +23,7 @@ static thud_draw_style style_of(const td_drawing *d, const td_shape *shape) {
                                           : THUD_DRAW_DYNAMIC;
 }
 
+/* Draws the segments of a terrain between the left and right edges of the view. */
 static void draw_terrain(const td_drawing *d, int index, thud_draw_style style) {
     const td_position *center = &td_preview_proxy(d->w, index)->center;
     thud_terrain terrain = td_terrain_view(d->w, index);
@@ -39,6 +43,7 @@ static void draw_terrain(const td_drawing *d, int index, thud_draw_style style) 
     }
 }
 
+/* `island`: the island's number, or -1. */
 static void draw_shape(const td_drawing *d, int index, int island) {
     const td_shape *shape = td_shape_at(d->w, index);
     const td_shape_proxy *proxy = td_preview_proxy(d->w, index);
@@ -64,6 +69,7 @@ static void draw_shape(const td_drawing *d, int index, int island) {
     }
 }
 
+/* Draws the shapes whose fat bounds overlap the view, and those bounds, as the flags say. */
 static void draw_shapes(const td_drawing *d) {
     const thud_world *w = d->w;
     unsigned flags = d->draw->flags;

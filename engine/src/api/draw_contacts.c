@@ -1,15 +1,17 @@
-/* draw_contacts.c: what the solver goes by, drawn: contacts and their points, graph colours, and
- * the pairs of islands that were solved directly. */
+/* draw_contacts.c: draws what the solver worked on in the last step: contacts and their normals,
+ * manifold points with depth and impulse, graph colours, and the constraints of islands that were
+ * solved directly. */
 #include "state/body.h"
 #include "contact/contact.h"
 #include "api/debug_draw.h"
 #include "constraint/lanes.h"
 #include "contact/manifold.h"
 
-/* Length scales: a normal drawn is seen beside a body, and does not hide it. */
+/* Length of a drawn normal, in length scales of the world. Chosen: long enough to be seen beside a
+ * body of one length scale, and too short to cover it. */
 #define NORMAL_LENGTH 0.3f
 
-/* The next constraint that acts from *i on, or null; *i moves past it. */
+/* The next constraint from index *i on that acts in the solver, or null; advances *i past it. */
 static const td_constraint *next_acting(const thud_world *w, int *i) {
     while (*i < w->constraints.count) {
         const td_constraint *constraint = td_constraint_at(w, (*i)++);
@@ -21,6 +23,7 @@ static const td_constraint *next_acting(const thud_world *w, int *i) {
     return NULL;
 }
 
+/* The next contact of these, or null. */
 static const td_contact *next_touching(const thud_world *w, int *i) {
     const td_constraint *constraint;
     do {
@@ -29,12 +32,14 @@ static const td_contact *next_touching(const thud_world *w, int *i) {
     return constraint;
 }
 
+/* Draws a point, if the caller gave a function for points. */
 static void draw_point(const td_drawing *d, thud_vec2 p, thud_draw_style style) {
     if (d->draw->point) {
         d->draw->point(p, style, d->draw->context);
     }
 }
 
+/* p + length * normal */
 static thud_vec2 along(thud_vec2 p, thud_vec2 normal, float length) {
     return (thud_vec2){p.x + length * normal.x, p.y + length * normal.y};
 }

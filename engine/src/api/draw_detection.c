@@ -1,5 +1,6 @@
-/* draw_detection.c: what detection goes by, drawn: the grid's cells, the plane sweep's sorted
- * intervals, the pairs that they give, and the motions of fast shapes. */
+/* draw_detection.c: draws what collision detection worked on: the cells of the grid broadphase, the
+ * sorted intervals of the plane sweep (sweep and prune), the pairs that the broadphase found, and
+ * the swept volumes of fast shapes. */
 #include "api/debug_draw.h"
 #include "detection/trajectory.h"
 #include "contact/contact.h"
@@ -8,8 +9,8 @@
 
 /* ---- cells ---- */
 
-/* The cells that awake shapes lie in; of shapes side by side in one, once. Without a grid there is
- * no level with shapes. */
+/* Draws the cells that awake shapes lie in. Shapes are sorted by cell, so that a cell is drawn once
+ * for a run of shapes in it. With another broadphase than the grid all levels are empty. */
 void td_draw_cells(const td_drawing *d) {
     const td_proxy_set *grid = &d->w->awake_shapes;
     const int *ids = grid->ids.data;
@@ -21,7 +22,7 @@ void td_draw_cells(const td_drawing *d) {
             const td_position *at = &td_shape_proxy_at(d->w, ids[i])->center;
             int64_t x = td_unwrap(b->min_x, at->x) + td_wrap_sub(b->max_x, b->min_x) / 2;
             int64_t y = td_unwrap(b->min_y, at->y) + td_wrap_sub(b->max_y, b->min_y) / 2;
-            /* Hashing may give two cells one number: their places tell them apart. */
+            /* Two cells may have the same hash; their column and row tell them apart. */
             x = td_grid_index(x, grid->origin_x, level->inv_cell);
             y = td_grid_index(y, grid->origin_y, level->inv_cell);
             if (i > level->first && x == column && y == row) {
@@ -40,15 +41,21 @@ void td_draw_cells(const td_drawing *d) {
 /* ---- sorted intervals ---- */
 
 enum {
-    ROWS = 12, /* of bars above each other; where more overlap, they lie on top of each other */
-    ROWS_A_VIEW = 90 /* of bars there would be from the lower edge to the upper one */
+    /* Rows of bars, one above the other; where more intervals overlap, bars cover each other.
+     * Chosen; thud_draw.h promises 12. */
+    ROWS = 12,
+    /* The height of the view over the height of a row. Chosen: 2 * 12 rows take a quarter of the
+     * view. */
+    ROWS_A_VIEW = 90
 };
 
-/* Where each row of bars is taken up to, so that bars side by side share a row. */
-static int free_row(const double *taken, double least) {
+/* The first row whose last bar ends left of `min`, so that bars side by side share a row; without
+ * one the row whose last bar ends furthest left. `taken`: where the last bar of each row ends, in
+ * quanta of td_bounds. */
+static int free_row(const double *taken, double min) {
     int best = 0;
     for (int i = 0; i < ROWS; i++) {
-        if (taken[i] < least) {
+        if (taken[i] < min) {
             return i;
         }
         best = taken[i] < taken[best] ? i : best;
@@ -56,33 +63,34 @@ static int free_row(const double *taken, double least) {
     return best;
 }
 
-/* The sorted row of one proxy set, above `rows` rows of another; returns the rows in use. Only the
- * plane sweep has keys. */
-static int draw_row(const td_drawing *d, const td_proxy_set *row, int rows) {
-    const td_sweep_key *keys = row->keys.data;
+/* Draws the sorted intervals of one proxy set above the first `rows` rows; returns the number of
+ * rows in use after it. Only the plane sweep keeps keys: with another broadphase nothing is drawn.
+ */
+static int draw_intervals(const td_drawing *d, const td_proxy_set *set, int rows) {
+    const td_sweep_key *keys = set->keys.data;
     double taken[ROWS], furthest = -0x1p80;
-    double left = (double)(d->lower.x >> TD_COARSE_SHIFT) - (double)row->reference;
-    double right = (double)(d->upper.x >> TD_COARSE_SHIFT) - (double)row->reference;
+    double left = (double)(d->lower.x >> TD_COARSE_SHIFT) - (double)set->reference;
+    double right = (double)(d->upper.x >> TD_COARSE_SHIFT) - (double)set->reference;
     float height = (float)(d->draw->upper.y - d->draw->lower.y) / ROWS_A_VIEW;
     int used = 0;
     for (int i = 0; i < ROWS; i++) {
         taken[i] = -0x1p80;
     }
-    for (int i = 0; i < row->keys.count; i++) {
+    for (int i = 0; i < set->keys.count; i++) {
         const td_shape_proxy *proxy = td_shape_proxy_at(d->w, keys[i].shape);
-        double least = keys[i].least;
-        double most = least + (double)td_wrap_sub(proxy->fat.max_x, proxy->fat.min_x);
-        bool overlaps = furthest >= least || (i + 1 < row->keys.count && keys[i + 1].least <= most);
-        furthest = td_max_double(furthest, most);
-        if (most < left || least > right) {
+        double min = keys[i].least;
+        double max = min + (double)td_wrap_sub(proxy->fat.max_x, proxy->fat.min_x);
+        bool overlaps = furthest >= min || (i + 1 < set->keys.count && keys[i + 1].least <= max);
+        furthest = td_max_double(furthest, max);
+        if (max < left || min > right) {
             continue;
         }
-        int at = free_row(taken, least);
-        taken[at] = most;
+        int at = free_row(taken, min);
+        taken[at] = max;
         used = td_max_int(used, at + 1);
         int64_t quantum = 1 << TD_COARSE_SHIFT;
-        td_position from = {(row->reference + (int64_t)least) * quantum, d->lower.y};
-        td_position to = {(row->reference + (int64_t)most) * quantum, d->lower.y};
+        td_position from = {(set->reference + (int64_t)min) * quantum, d->lower.y};
+        td_position to = {(set->reference + (int64_t)max) * quantum, d->lower.y};
         thud_vec2 a = td_drawing_local(d, from), b = td_drawing_local(d, to);
         a.y = b.y = a.y + height * (float)(rows + at + 1);
         td_drawing_line(d, a, b, overlaps ? THUD_DRAW_INTERVAL_OVERLAPPING : THUD_DRAW_INTERVAL);
@@ -91,20 +99,22 @@ static int draw_row(const td_drawing *d, const td_proxy_set *row, int rows) {
 }
 
 void td_draw_intervals(const td_drawing *d) {
-    int rows = draw_row(d, &d->w->awake_shapes, 0);
-    draw_row(d, &d->w->rest_shapes, rows);
+    int rows = draw_intervals(d, &d->w->awake_shapes, 0);
+    draw_intervals(d, &d->w->rest_shapes, rows);
 }
 
 /* ---- pairs ---- */
 
-/* The half size of a shape's true bounds. */
+/* Half the width and height of a shape's tight bounds (without the margin of fat bounds), length.
+ */
 static thud_pos half_bounds(const td_shape_proxy *proxy) {
     double c = __builtin_fabs((double)proxy->c), s = __builtin_fabs((double)proxy->s);
     double x = (double)proxy->half_x, y = (double)proxy->half_y;
     return proxy->turns == 0.0f ? (thud_pos){x, y} : (thud_pos){c * x + s * y, s * x + c * y};
 }
 
-/* Whether a pair's true bounds overlap; those of a piece of terrain reach down without end. */
+/* Whether the tight bounds of a contact's shapes overlap; those of a terrain segment reach down
+ * without end. */
 static bool bounds_overlap(const td_drawing *d, const td_contact *contact) {
     const thud_world *w = d->w;
     const td_shape_proxy *a = td_shape_proxy_at(w, contact->shape_a),
@@ -124,6 +134,8 @@ static bool bounds_overlap(const td_drawing *d, const td_contact *contact) {
     return x + half.x >= p->x && x - half.x <= q->x && y - half.y <= td_max_double(p->y, q->y);
 }
 
+/* Draws all contacts. `stages`: contacts of which only the fat bounds overlap get a style of their
+ * own. */
 static void draw_pairs(const td_drawing *d, bool stages) {
     for (int i = 0; i < d->w->constraints.count; i++) {
         const td_constraint *contact = td_constraint_at(d->w, i);
@@ -147,7 +159,8 @@ void td_draw_stages(const td_drawing *d) {
 
 /* ---- motions ---- */
 
-/* The two tangents along the motion (x, y). */
+/* Draws the two lines parallel to the motion (x, y) that touch a circle at both ends of the motion.
+ */
 static void join_circles(const td_drawing *d, const thud_shape_instance *start, double x,
                          double y) {
     double part = start->hx / __builtin_sqrt(x * x + y * y);
@@ -162,8 +175,9 @@ static double distance_squared(thud_pos p, thud_pos q) {
     return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y);
 }
 
-/* The corner after p around the hull, counter-clockwise: none lies to the right of the way there,
- * and of those straight ahead it is the last. */
+/* The corner after p on the convex hull, counter-clockwise: no corner lies to the right of the line
+ * from p to it, and of several on that line it is the furthest. `rounding`: cross products up to
+ * this (length^2) count as 0. */
 static int next_on_hull(const thud_pos *corners, int count, int p, double rounding) {
     int q = (p + 1) % count;
     for (int r = 0; r < count; r++) {
@@ -178,7 +192,9 @@ static int next_on_hull(const thud_pos *corners, int count, int p, double roundi
     return q;
 }
 
-/* The sides of the convex hull of both that lead from one to the other, by gift wrapping. */
+/* Draws those sides of the convex hull of both boxes that join a corner of one to a corner of the
+ * other. The hull is found by gift wrapping (R. A. Jarvis, On the identification of the convex hull
+ * of a finite set of points in the plane, 1973). */
 static void join_boxes(const td_drawing *d, const thud_shape_instance *start,
                        const thud_shape_instance *end) {
     enum { CORNERS = 4, BOTH = 8 };
@@ -187,9 +203,10 @@ static void join_boxes(const td_drawing *d, const thud_shape_instance *start,
     for (int i = 0; i < BOTH; i++) {
         td_corner(i < CORNERS ? start : end, i % CORNERS, &corners[i].x, &corners[i].y);
         if (distance_squared(corners[i], middle) > distance_squared(corners[first], middle)) {
-            first = i; /* what is farthest from any point is on the hull */
+            first = i; /* the corner furthest from any point is on the hull */
         }
     }
+    /* Chosen: far above the rounding of double precision, far below what is visible. */
     double rounding = 1e-9 * distance_squared(corners[first], middle);
     for (int turns = 0, p = first; turns < BOTH && (turns == 0 || p != first); turns++) {
         int q = next_on_hull(corners, BOTH, p, rounding);
@@ -202,6 +219,7 @@ static void join_boxes(const td_drawing *d, const thud_shape_instance *start,
     }
 }
 
+/* Draws a shape's outline in the style of motions. */
 static void draw_outline(const td_drawing *d, const thud_shape_instance *p) {
     thud_vec2 at = {(float)p->x, (float)p->y};
     switch (p->kind) {
@@ -217,14 +235,15 @@ static void draw_outline(const td_drawing *d, const thud_shape_instance *p) {
                          THUD_DRAW_MOTION, -1, d->draw->context);
         }
         break;
-    case THUD_TERRAIN: /* a line stands */
+    case THUD_TERRAIN: /* does not move */
         break;
     }
 }
 
-/* A shape at both ends of its way, and the lines on which its outline goes. */
-static void draw_way(const td_drawing *d, const thud_shape_instance *start,
-                     const thud_shape_instance *end) {
+/* Draws the swept volume of a shape: the shape at both ends of its motion, and the sides of their
+ * convex hull that join them. */
+static void draw_swept(const td_drawing *d, const thud_shape_instance *start,
+                       const thud_shape_instance *end) {
     draw_outline(d, start);
     draw_outline(d, end);
     switch (start->kind) {
@@ -240,7 +259,7 @@ static void draw_way(const td_drawing *d, const thud_shape_instance *start,
     }
 }
 
-/* False: the straight way from start to end is out of sight. */
+/* Whether the bounds of the straight motion from start to end overlap the view. */
 static bool in_view(const td_drawing *d, const thud_shape_instance *start,
                     const thud_shape_instance *end) {
     thud_vec2 lower = td_drawing_local(d, d->lower), upper = td_drawing_local(d, d->upper);
@@ -251,11 +270,13 @@ static bool in_view(const td_drawing *d, const thud_shape_instance *start,
            high + reach >= (double)lower.y && low - reach <= (double)upper.y;
 }
 
+/* Draws the motion of the last step of each body that moved further than a quarter of its smallest
+ * size: half of reach[0], as finalize.c tests it. */
 void td_draw_motions(const td_drawing *d) {
     const thud_world *w = d->w;
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         const float *delta = td_row(&w->delta, slot);
-        float fast = 0.5f * td_row(&w->reach, slot)[0]; /* as in finalize.c */
+        float fast = 0.5f * td_row(&w->reach, slot)[0];
         td_body_index index = td_body_of(w, slot);
         if (delta[0] * delta[0] + delta[1] * delta[1] <= fast * fast) {
             continue;
@@ -272,7 +293,7 @@ void td_draw_motions(const td_drawing *d) {
             if ((end.x == start.x && end.y == start.y) || !in_view(d, &start, &end)) {
                 continue;
             }
-            draw_way(d, &start, &end);
+            draw_swept(d, &start, &end);
         }
     }
 }

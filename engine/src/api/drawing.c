@@ -1,4 +1,5 @@
-/* drawing.c: what the parts of drawing share. */
+/* drawing.c: the helpers of debug_draw.h: fixed-point positions to the caller's coordinates, and
+ * lines and boxes through the caller's functions. */
 #include "api/debug_draw.h"
 
 #include "state/shape.h"
@@ -27,8 +28,8 @@ void td_drawing_bounds(const td_drawing *d, int64_t min_x, int64_t min_y, int64_
                  d->draw->context);
 }
 
-/* The place on the segment of a pair with terrain that is above or below the other shape. */
-static thud_vec2 ground_beside(const td_drawing *d, const td_contact *contact, thud_vec2 other) {
+/* The point of the contact's terrain segment straight above or below `other`. */
+static thud_vec2 ground_point(const td_drawing *d, const td_contact *contact, thud_vec2 other) {
     thud_terrain ground = td_terrain_view(d->w, contact->shape_a);
     thud_vec2 at = td_drawing_local(d, td_shape_proxy_at(d->w, contact->shape_a)->center);
     double x = (double)other.x - (double)at.x, y = ground.slope * x;
@@ -48,7 +49,7 @@ void td_drawing_pair(const td_drawing *d, const td_constraint *contact, thud_dra
     }
     thud_vec2 b = td_drawing_local(d, td_shape_proxy_at(d->w, contact->shape_b)->center);
     thud_vec2 a = td_shape_at(d->w, contact->shape_a)->kind == THUD_TERRAIN
-                      ? ground_beside(d, contact, b)
+                      ? ground_point(d, contact, b)
                       : td_drawing_local(d, td_shape_proxy_at(d->w, contact->shape_a)->center);
     td_drawing_line(d, a, b, style);
 }

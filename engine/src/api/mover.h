@@ -1,29 +1,43 @@
-/* mover.h: one call of thud_mover_move under way. */
+/* mover.h: the state and the parts of one call of thud_mover_move.
+ *
+ * A mover is a kinematic character controller that is no body of the world. It moves by collide and
+ * slide (K. Fauerby, Improved Collision Detection and Response, 2003; the same scheme as
+ * PM_SlideMove of Quake III): cast the shape along the rest of its path, move it to just before the
+ * first hit, remove from the rest of the path the part into the hit's plane, repeat. The mover
+ * keeps a skin (a gap of thud_mover.skin) before every surface, so that casts begin free of
+ * overlap.
+ *
+ *     mover.c       the call: checks, riding on the ground, pushing bodies, the mover's body
+ *     mover_meet.c  casts and the filter of hits; overlap; which ground can be stood on
+ *     mover_walk.c  walking, steps and snapping to the ground; sliding in the air */
 #ifndef TD_MOVER_H
 #define TD_MOVER_H
 
 #include "thud/thud.h"
 #include "thud/thud_mover.h"
 
-/* Corners whose normal has less of `up` are climbed as steps, not rolled over. */
-#define TD_LEAST_RISE 0.1
+/* Smallest component along `up` of a hit's normal, of length 1, by which the mover can stand on a
+ * corner; below it the corner is a wall, which climb() may take as a step. Chosen: the normal is 84
+ * degrees off `up`. It also bounds skin / rise in td_mover_settle to ten skins. */
+#define TD_MIN_RISE 0.1
 
-/* A direction or a way, in the caller's unit. */
+/* A direction, a displacement (length) or a velocity (length/s). */
 typedef struct td_way {
     double x, y;
 } td_way;
 
 typedef struct td_move {
     thud_world *world;
-    thud_mover mover; /* as it stands now; the caller's own is written last */
+    thud_mover mover; /* a copy; the caller's mover is written only when the whole call succeeds */
     thud_mover_report report;
-    thud_vec2 velocity;      /* asked for */
-    td_way left;             /* what is left of the velocity in the air */
-    bool stopped;            /* by a wall, on the ground */
-    thud_query_filter solid; /* the mover's filter without sensors, which stop nobody */
-    double dt;
-    double walkable;    /* least part of a ground's normal along `up` */
-    thud_result result; /* the first that went wrong; then nothing moves any more */
+    thud_vec2 velocity;      /* the caller's, length/s */
+    td_way left;             /* the part of it that hits in the air have left, length/s */
+    bool stopped;            /* a wall stopped the mover on the ground */
+    thud_query_filter solid; /* the mover's filter without sensors */
+    double dt;               /* s */
+    double walkable;    /* cos(max_slope): ground whose normal has at least this along `up` can be
+                           stood on */
+    thud_result result; /* the first error of a query; from then on nothing moves any more */
 } td_move;
 
 static inline double td_dot(td_way a, td_way b) {
@@ -39,6 +53,7 @@ static inline td_way td_plus(td_way a, td_way b, double by) {
     return (td_way){a.x + b.x * by, a.y + b.y * by};
 }
 
+/* The length of a. */
 static inline double td_size(td_way a) {
     return __builtin_sqrt(a.x * a.x + a.y * a.y);
 }
@@ -47,40 +62,46 @@ static inline td_way td_up(const td_move *m) {
     return (td_way){(double)m->mover.up.x, (double)m->mover.up.y};
 }
 
-/* The hit's normal with length 1 in double precision. */
+/* The hit's normal, which is in single precision, scaled to length 1 in double precision. */
 td_way td_mover_normal(const thud_mover_hit *hit);
 
-/* The first thing in the way that stops the mover; *fraction of the way goes by before it
- * touches. */
+/* The first hit on the displacement `way` that stops the mover: one that it moves into and that
+ * neither its own body nor the callback `pass` lets through. *fraction: the part of the way before
+ * the hit. False without one. */
 bool td_mover_meets(td_move *m, td_way way, thud_mover_hit *hit, double *fraction);
 
-/* Goes the way, up to a skin before whatever is met first; true if something was, and *left is then
- * what remains of the way. */
+/* Moves the mover by the displacement `way`, or until it is a skin away from the plane of the first
+ * hit. True if a hit stopped it. *left: the rest of the way; not written where the way is zero. */
 bool td_mover_go(td_move *m, td_way way, thud_mover_hit *hit, td_way *left);
 
-/* Notes the sensors on a way from where it stands, where the mover's filter wants them. */
+/* Adds the sensors on a displacement from the mover's place to the report, if its filter has
+ * `sensors`. */
 void td_mover_sense(td_move *m, td_way way);
 
-/* Pushes the mover out of what has closed in on it. */
+/* Moves the mover out of static and kinematic shapes that overlap it. */
 void td_mover_separate(td_move *m);
 
-/* Notes a hit for the report. */
+/* Adds a hit to the report, while there is room. */
 void td_mover_note(td_move *m, const thud_mover_hit *hit);
 
-/* Whether the mover can stand on what it met: it is not too steep, or it is the corner of something
- * that is not, no further above `bottom` (along up) than a step. */
+/* Whether the mover can stand on a hit: its normal is no steeper than max_slope, or the hit is a
+ * corner of a surface that is not, at most step_height above `bottom` (a coordinate along `up`,
+ * length). */
 bool td_mover_stands_on(td_move *m, const thud_mover_hit *hit, double bottom);
 
-/* How far the lowest point of the mover is along up. */
+/* The coordinate along `up` of the mover's lowest point, length. */
 double td_mover_bottom(const td_move *m);
 
-/* Along the ground that it stands on, up slopes and steps; a wall stops it. `way` is across up. */
+/* Moves the mover along the ground that it stands on, up slopes and steps, until a wall stops it.
+ * `way`: a displacement at a right angle to `up`; its length is kept along slopes. */
 void td_mover_walk(td_move *m, td_way way);
 
-/* Down to the ground, a skin above it; false if there is none within the snap distance. */
+/* Moves the mover down to a skin above the ground. False if there is no ground to stand on within
+ * snap_distance. */
 bool td_mover_settle(td_move *m);
 
-/* Along whatever it touches. Where it comes down on ground, it stands and walks what is left. */
+/* Moves the mover through the air and along the surfaces that it hits. Once it comes down on ground
+ * it walks the rest of the way. */
 void td_mover_fly(td_move *m, td_way way);
 
 #endif

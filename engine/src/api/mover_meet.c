@@ -1,10 +1,18 @@
-/* mover_meet.c: what a mover meets on a straight way, and how far it gets. */
+/* mover_meet.c: the casts of a mover: which hits stop it and how far it gets, resolving overlap,
+ * one-way platforms, and which ground it can stand on. See mover.h. */
 #include "api/mover.h"
 
 #include "geometry/shape_instance.h"
 #include "api/query.h"
 
-enum { MET = 16, PUSHES = 8 };
+enum {
+    /* Hits of a cast that are looked at, nearest first. A mover passes through what lies behind 16
+     * shapes that do not stop it. Chosen; not tuned. */
+    CAST_HITS_MAX = 16,
+    /* Iterations that resolve overlap, one shape each. A mover in a corner needs two; what is left
+     * after eight is reported as thud_mover_report.depth. Chosen; not tuned. */
+    SEPARATIONS_MAX = 8
+};
 
 td_way td_mover_normal(const thud_mover_hit *hit) {
     td_way n = {(double)hit->normal.x, (double)hit->normal.y};
@@ -18,23 +26,25 @@ void td_mover_note(td_move *m, const thud_mover_hit *hit) {
     }
 }
 
-/* What the mover meets, nearest first; at most MET of it. */
-static int list(td_move *m, td_way way, thud_ray_hit *found) {
+/* Casts the mover's shape along `way`: at most CAST_HITS_MAX hits, nearest first. Returns their
+ * number. */
+static int cast_mover(td_move *m, td_way way, thud_ray_hit *found) {
     int count = 0;
     thud_shape_instance shape = m->mover.shape;
     thud_pos center = {shape.x, shape.y};
     shape.x = shape.y = 0.0;
     if (m->result == THUD_OK) {
         m->result = thud_world_cast_shape_all(m->world, center, &shape, way.x, way.y, &m->solid,
-                                              found, MET, &count);
+                                              found, CAST_HITS_MAX, &count);
     }
-    return td_min_int(count, MET);
+    return td_min_int(count, CAST_HITS_MAX);
 }
 
-/* False for what the mover passes: its own body, and what the caller says. */
+/* Whether a hit stops the mover; fills in *hit. False for the mover's own body and where the
+ * callback `pass` lets the mover through. */
 static bool stops(td_move *m, const thud_ray_hit *found, thud_mover_hit *hit) {
     thud_shape_state shape;
-    if (!thud_shape_is_valid(m->world, found->shape)) { /* `pass` has destroyed it */
+    if (!thud_shape_is_valid(m->world, found->shape)) { /* destroyed by `pass` */
         return false;
     }
     thud_shape_get(m->world, found->shape, &shape);
@@ -49,10 +59,10 @@ static bool stops(td_move *m, const thud_ray_hit *found, thud_mover_hit *hit) {
 }
 
 bool td_mover_meets(td_move *m, td_way way, thud_mover_hit *hit, double *fraction) {
-    thud_ray_hit found[MET];
-    int count = list(m, way, found);
+    thud_ray_hit found[CAST_HITS_MAX];
+    int count = cast_mover(m, way, found);
     for (int i = 0; i < count; i++) {
-        /* What it leaves, or moves along, does not stop it. */
+        /* A surface that the mover moves away from or along does not stop it. */
         td_way normal = {(double)found[i].normal.x, (double)found[i].normal.y};
         if (td_dot(way, normal) < 0.0 && stops(m, &found[i], hit)) {
             *fraction = found[i].fraction;
@@ -62,8 +72,8 @@ bool td_mover_meets(td_move *m, td_way way, thud_mover_hit *hit, double *fractio
     return false;
 }
 
-/* Each sensor once; none of its own body. */
-static void note_sensor(td_move *m, thud_shape_id sensor) {
+/* Adds a sensor to the report, once, unless it belongs to the mover's own body. */
+static void report_sensor(td_move *m, thud_shape_id sensor) {
     thud_mover_report *report = &m->report;
     thud_shape_state shape;
     int i = 0;
@@ -88,7 +98,7 @@ void td_mover_sense(td_move *m, td_way way) {
                                           found, THUD_MOVER_SENSORS, &count);
     }
     for (int i = 0; i < td_min_int(count, THUD_MOVER_SENSORS); i++) {
-        note_sensor(m, found[i].shape);
+        report_sensor(m, found[i].shape);
     }
 }
 
@@ -97,13 +107,15 @@ bool td_mover_go(td_move *m, td_way way, thud_mover_hit *hit, td_way *left) {
     if (!(length > 0.0)) {
         return false;
     }
-    /* A skin further, so that it is kept also from what lies just behind the end of the way. */
+    /* The cast goes one skin further than the way, to keep the skin before a surface just behind
+     * its end. With cosine = -way . n / |way|, n the hit's normal, the mover
+     * stops at the distance skin / cosine before the hit, where its gap along n is the skin. */
     double reach = 1.0 + m->mover.skin / length;
     bool met = td_mover_meets(m, td_scaled(way, reach), hit, &fraction);
     double going = 1.0;
     if (met) {
-        double against = -td_dot(way, td_mover_normal(hit)) / length;
-        going = fraction * reach - m->mover.skin / (length * against);
+        double cosine = -td_dot(way, td_mover_normal(hit)) / length;
+        going = fraction * reach - m->mover.skin / (length * cosine);
         met = going < 1.0;
         going = td_clamp(going, 0.0, 1.0);
     }
@@ -116,10 +128,10 @@ bool td_mover_go(td_move *m, td_way way, thud_mover_hit *hit, td_way *left) {
     return met;
 }
 
-/* The deepest overlap with what the mover cannot push away. */
-static bool deepest(td_move *m, thud_mover_hit *hit) {
-    thud_ray_hit found[MET];
-    int count = list(m, (td_way){0.0, 0.0}, found);
+/* The deepest overlap of the mover with a static or kinematic shape. False without one. */
+static bool deepest_overlap(td_move *m, thud_mover_hit *hit) {
+    thud_ray_hit found[CAST_HITS_MAX];
+    int count = cast_mover(m, (td_way){0.0, 0.0}, found);
     hit->depth = 0.0;
     for (int i = 0; i < count; i++) {
         thud_mover_hit here;
@@ -134,8 +146,8 @@ static bool deepest(td_move *m, thud_mover_hit *hit) {
 
 void td_mover_separate(td_move *m) {
     thud_mover_hit hit;
-    for (int i = 0; deepest(m, &hit); i++) {
-        if (i == PUSHES) {
+    for (int i = 0; deepest_overlap(m, &hit); i++) {
+        if (i == SEPARATIONS_MAX) {
             m->report.depth = hit.depth;
             break;
         }
@@ -146,18 +158,21 @@ void td_mover_separate(td_move *m) {
     }
 }
 
-/* Less of an overlap, in skins, is a platform that came up under the mover's feet. */
-#define FOOT_DEEP 8.0
-/* What is less upright than this is not a platform's upper side. */
-#define UPPER_SIDE 0.7f
+/* Deepest overlap with a one-way platform, in skins, at which the platform still carries the mover:
+ * it has risen under the mover's feet. Deeper overlap means that the mover is on its way through.
+ * Chosen; not tuned. */
+#define UNDERFOOT_SKINS 8.0
+/* Smallest component along `up` of the normal of a platform's upper side. Chosen: cos(45.6
+ * degrees). */
+#define UPPER_SIDE_RISE 0.7f
 
 bool thud_mover_passes_one_way(const thud_mover *mover, const thud_mover_hit *hit,
                                thud_vec2 velocity, void *context) {
     const thud_one_way *one_way = context;
     thud_vec2 up = mover->up;
     return (hit->category & one_way->categories) &&
-           (one_way->drop || hit->depth > FOOT_DEEP * mover->skin ||
-            hit->normal.x * up.x + hit->normal.y * up.y < UPPER_SIDE ||
+           (one_way->drop || hit->depth > UNDERFOOT_SKINS * mover->skin ||
+            hit->normal.x * up.x + hit->normal.y * up.y < UPPER_SIDE_RISE ||
             velocity.x * up.x + velocity.y * up.y > 0.0f);
 }
 
@@ -177,18 +192,18 @@ bool td_mover_stands_on(td_move *m, const thud_mover_hit *hit, double bottom) {
         return true;
     }
     td_way point = {hit->point.x, hit->point.y};
-    if (rise < TD_LEAST_RISE || td_dot(point, up) - bottom > m->mover.step_height + m->mover.skin) {
+    if (rise < TD_MIN_RISE || td_dot(point, up) - bottom > m->mover.step_height + m->mover.skin) {
         return false;
     }
-    /* A look straight down on it, just behind the point that was met. */
-    double little = m->mover.skin;
+    /* A ray straight down onto the surface, one skin inward from the corner, finds its normal. */
+    double skin = m->mover.skin;
     td_way ahead = td_plus(td_scaled(up, rise), normal, -1.0);
     double size = td_size(ahead);
-    td_way from = td_plus(td_plus(point, up, little), ahead, size > 0.0 ? little / size : 0.0);
+    td_way from = td_plus(td_plus(point, up, skin), ahead, size > 0.0 ? skin / size : 0.0);
     bool found;
     thud_ray_hit below;
-    return thud_world_cast_ray(m->world, (thud_pos){from.x, from.y}, -2.0 * little * up.x,
-                               -2.0 * little * up.y, &m->solid, &found, &below) == THUD_OK &&
+    return thud_world_cast_ray(m->world, (thud_pos){from.x, from.y}, -2.0 * skin * up.x,
+                               -2.0 * skin * up.y, &m->solid, &found, &below) == THUD_OK &&
            found && below.shape.index1 == hit->shape.index1 &&
            (double)below.normal.x * up.x + (double)below.normal.y * up.y >= m->walkable;
 }

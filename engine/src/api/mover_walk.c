@@ -1,19 +1,26 @@
-/* mover_walk.c: how a mover goes on where it meets something: along the ground, up a step, down to
- * the ground again; and in the air along whatever it touches. */
+/* mover_walk.c: the slide part of collide and slide (mover.h): where a mover goes after a hit. On
+ * the ground it follows the ground's tangent and climbs steps; in the air it slides along the
+ * planes that it hits. */
 #include "api/mover.h"
 
 #include "base/base.h"
 
-enum { TURNS = 4 };
+/* Hits after which a walk or a flight ends. thud_mover.h promises four. Chosen: a convex corner
+ * takes two; at one a mover would stop at each change of slope. */
+enum { HITS_MAX = 4 };
 
-/* A way along a plane may point into it by so much of its length. */
+/* Largest part of a displacement, as a share of its length, by which rounding may make a
+ * displacement along a plane point into it. Chosen: far above double precision's 1e-16, and far
+ * below any slope. */
 #define ROUNDING 1e-9
 
+/* The part of a vector at a right angle to `up`. */
 static td_way across(const td_move *m, td_way way) {
     td_way up = td_up(m);
     return td_plus(way, up, -td_dot(way, up));
 }
 
+/* Stores the hit as the ground that the mover stands on. */
 static void stand_on(td_move *m, const thud_mover_hit *hit) {
     m->mover.on_ground = true;
     m->mover.ground_normal = hit->normal;
@@ -24,7 +31,7 @@ static void stand_on(td_move *m, const thud_mover_hit *hit) {
 
 /* ---- on the ground ---- */
 
-/* The way across, laid along the ground with its length kept. */
+/* A displacement of this length along the ground's tangent, in the direction of `way`. */
 static td_way along_ground(const td_move *m, td_way way, double length) {
     td_way normal = {(double)m->mover.ground_normal.x, (double)m->mover.ground_normal.y};
     td_way tangent = {normal.y, -normal.x};
@@ -32,9 +39,11 @@ static td_way along_ground(const td_move *m, td_way way, double length) {
     return td_scaled(tangent, side * length / td_size(tangent));
 }
 
-/* Up, ahead and down again, if there is ground to stand on no higher than a step. */
+/* Climbs a step by three casts: up by step_height, ahead by `ahead` (at least two skins, so that it
+ * gets past the edge), and down again. False, and the mover as before, unless it then stands on
+ * ground and has come forward. */
 static bool climb(td_move *m, td_way ahead) {
-    double length = td_size(ahead), least = 2.0 * m->mover.skin;
+    double length = td_size(ahead), min = 2.0 * m->mover.skin;
     if (!(length > 0.0)) {
         return false;
     }
@@ -45,11 +54,11 @@ static bool climb(td_move *m, td_way ahead) {
     td_way from = {m->mover.shape.x, m->mover.shape.y};
     td_mover_go(m, td_scaled(up, height), &hit, &left);
     double raised = td_mover_bottom(m) - bottom;
-    td_mover_go(m, td_scaled(ahead, length < least ? least / length : 1.0), &hit, &left);
+    td_mover_go(m, td_scaled(ahead, length < min ? min / length : 1.0), &hit, &left);
     bool stands =
         td_mover_go(m, td_scaled(up, -raised), &hit, &left) && td_mover_stands_on(m, &hit, bottom);
-    td_way gone = td_plus((td_way){m->mover.shape.x, m->mover.shape.y}, from, -1.0);
-    if (stands && td_dot(gone, ahead) > 0.0) {
+    td_way moved = td_plus((td_way){m->mover.shape.x, m->mover.shape.y}, from, -1.0);
+    if (stands && td_dot(moved, ahead) > 0.0) {
         stand_on(m, &hit);
         return true;
     }
@@ -61,7 +70,7 @@ static bool climb(td_move *m, td_way ahead) {
 
 void td_mover_walk(td_move *m, td_way way) {
     td_way left = along_ground(m, way, td_size(way));
-    for (int i = 0; i < TURNS && td_size(left) > 0.0; i++) {
+    for (int i = 0; i < HITS_MAX && td_size(left) > 0.0; i++) {
         thud_mover_hit hit;
         if (!td_mover_go(m, left, &hit, &left)) {
             return;
@@ -86,7 +95,7 @@ bool td_mover_settle(td_move *m) {
         return false;
     }
     double rise = td_dot(td_mover_normal(&hit), up);
-    double down = fraction * length - m->mover.skin / td_max_double(rise, TD_LEAST_RISE);
+    double down = fraction * length - m->mover.skin / td_max_double(rise, TD_MIN_RISE);
     td_mover_go(m, td_scaled(up, -down), &other, &left);
     stand_on(m, &hit);
     return true;
@@ -94,13 +103,14 @@ bool td_mover_settle(td_move *m) {
 
 /* ---- in the air ---- */
 
-/* Without its part into the plane. */
+/* `way` without its part into the plane of this normal. */
 static td_way clipped(td_way way, td_way normal) {
     double into = td_dot(way, normal);
     return into < 0.0 ? td_plus(way, normal, -into) : way;
 }
 
-/* Slopes too steep to stand on are slid down, but are upright walls to what would go up them. */
+/* The normal of the plane along which the mover slides after a hit: that of the hit; where sliding
+ * would take the mover up a slope that is too steep to stand on, that of an upright wall. */
 static td_way plane_of(const td_move *m, const thud_mover_hit *hit, td_way way) {
     td_way up = td_up(m), normal = td_mover_normal(hit), wall = across(m, normal);
     double rise = td_dot(normal, up), size = td_size(wall);
@@ -110,8 +120,8 @@ static td_way plane_of(const td_move *m, const thud_mover_hit *hit, td_way way) 
 }
 
 void td_mover_fly(td_move *m, td_way way) {
-    td_way planes[TURNS];
-    for (int i = 0; i < TURNS; i++) {
+    td_way planes[HITS_MAX];
+    for (int i = 0; i < HITS_MAX; i++) {
         thud_mover_hit hit;
         if (!td_mover_go(m, way, &hit, &way)) {
             return;
@@ -126,7 +136,8 @@ void td_mover_fly(td_move *m, td_way way) {
         way = clipped(way, planes[i]);
         m->left = clipped(m->left, planes[i]);
         for (int k = 0; k < i; k++) {
-            if (td_dot(way, planes[k]) < -ROUNDING * td_size(way)) { /* in a corner */
+            if (td_dot(way, planes[k]) <
+                -ROUNDING * td_size(way)) { /* two planes form a corner: stop */
                 way = m->left = (td_way){0.0, 0.0};
             }
         }

@@ -1,4 +1,5 @@
-/* query.c: what all queries share: filters, checks, and which shapes come into question. */
+/* query.c: what all queries share (query.h): the filter, checks of arguments, the query's own
+ * shape, and the candidates: shapes whose fat bounds overlap a box, by the broadphase. */
 #include "api/query.h"
 
 #include "state/body.h"
@@ -8,16 +9,16 @@
 #include "api/step.h"
 #include "base/trig.h"
 
-static const thud_query_filter everything = {.category = UINT32_MAX, .mask = UINT32_MAX};
+static const thud_query_filter match_all = {.category = UINT32_MAX, .mask = UINT32_MAX};
 
 thud_query_filter thud_default_query_filter(void) {
-    return everything;
+    return match_all;
 }
 
 bool td_query_passes(const thud_world *w, int index, const thud_query_filter *filter) {
     const td_shape *shape = td_shape_at(w, index);
     const td_body *body = td_body_at(w, shape->body);
-    const thud_query_filter *f = filter ? filter : &everything;
+    const thud_query_filter *f = filter ? filter : &match_all;
     if ((shape->flags & (TD_SHAPE_LIVE | TD_SHAPE_WAITS)) != TD_SHAPE_LIVE ||
         (body->flags & TD_BODY_DISABLED) || (!f->sensors && shape->flags & TD_SHAPE_SENSOR) ||
         (f->ignore.index1 == (uint32_t)shape->body.at + 1 &&
@@ -50,7 +51,8 @@ thud_result td_query_check(const thud_world *w, thud_pos center, const thud_shap
 
 thud_shape_instance td_query_instance(const thud_world *w, int index, td_position origin) {
     thud_shape_instance shape = td_shape_instance_of(w, index, td_preview_proxy(w, index), origin);
-    double scale = 1.5 - 0.5 * (shape.c * shape.c + shape.s * shape.s); /* Newton's, for 1 / sqrt */
+    double scale = 1.5 - 0.5 * (shape.c * shape.c +
+                                shape.s * shape.s); /* Newton step for 1 / sqrt(x) at x = 1 */
     shape.c *= scale;
     shape.s *= scale;
     return shape;
@@ -82,12 +84,14 @@ bool td_query_prepare(thud_world *w) {
     return (w->locked || td_preview_make(w)) && td_broadphase_refresh(w);
 }
 
-/* Nothing of the world lies further out; inside, differences of places fit in 64 bits. */
-static td_position place_within(const thud_world *w, double x, double y) {
-    double most = (THUD_PLACE_MAX + 2.0 * (double)THUD_SIZE_MAX) * (double)w->unit;
-    return td_place_from(w, (thud_pos){td_clamp(x, -most, most), td_clamp(y, -most, most)});
+/* The position of (x, y), held to the outermost place that any part of a shape can reach:
+ * differences of such positions fit in 64 bits. */
+static td_position clamped_place(const thud_world *w, double x, double y) {
+    double max = (THUD_PLACE_MAX + 2.0 * (double)THUD_SIZE_MAX) * (double)w->unit;
+    return td_place_from(w, (thud_pos){td_clamp(x, -max, max), td_clamp(y, -max, max)});
 }
 
+/* Lists every shape but terrain. False when memory is short. */
 static bool list_all(thud_world *w) {
     if (!td_array_reserve(&w->memory, &w->scratch.hits, w->shapes.count)) {
         return false;
@@ -104,10 +108,11 @@ bool td_query_list(thud_world *w, thud_pos lower, thud_pos upper) {
     td_array *hits = &w->scratch.hits;
     hits->stride = (int)sizeof(int);
     hits->count = 0;
-    td_position from = place_within(w, lower.x, lower.y), to = place_within(w, upper.x, upper.y);
-    int64_t most = (int64_t)((double)THUD_SIZE_MAX * TD_FIXED_ONE);
-    if (to.x - from.x > most || to.y - from.y > most) {
-        return list_all(w); /* too wide for bounds, which wrap around */
+    td_position from = clamped_place(w, lower.x, lower.y), to = clamped_place(w, upper.x, upper.y);
+    /* Bounds are 32-bit and wrap around: those of a wider box would be ambiguous. */
+    int64_t max = (int64_t)((double)THUD_SIZE_MAX * TD_FIXED_ONE);
+    if (to.x - from.x > max || to.y - from.y > max) {
+        return list_all(w);
     }
     td_bounds bounds = {td_coarse(from.x), td_coarse(from.y), td_coarse(to.x) + 1,
                         td_coarse(to.y) + 1};

@@ -1,13 +1,15 @@
-/* query_cast.c: what a point or a shape meets along a straight way. */
+/* query_cast.c: ray and shape casts that return their first hit or all hits. A cast tests every
+ * terrain at once, and then the shapes near its path piece by piece, from the origin on (path.h).
+ */
 #include "casts/path.h"
 
 #include "state/handles.h"
 
-/* ---- all that come into question ---- */
+/* ---- candidates ---- */
 
-/* Keeps what is met among the candidates at a fraction in (after, until]. */
-static void keep_met(const thud_world *w, const td_path *way, double after, double until,
-                     td_nearest *k) {
+/* Tests the candidates in scratch.hits, and keeps hits at a fraction in (after, until]. */
+static void keep_hits(const thud_world *w, const td_path *way, double after, double until,
+                      td_nearest *k) {
     for (int i = 0; i < w->scratch.hits.count; i++) {
         int index = td_int_at(&w->scratch.hits, i);
         thud_ray_hit hit;
@@ -18,7 +20,9 @@ static void keep_met(const thud_world *w, const td_path *way, double after, doub
     }
 }
 
-/* `first`: the nearest hit is enough. */
+/* Casts along the whole path. `first`: only the nearest hit is needed, so that the cast ends with
+ * the piece in which it lies. `done`: the fraction of the path that has been searched; -1 at first,
+ * so that hits at 0 count. False when memory is short. */
 static bool cast(thud_world *w, const td_path *way, bool first, td_nearest *k) {
     if (!td_query_prepare(w)) {
         return false;
@@ -27,7 +31,7 @@ static bool cast(thud_world *w, const td_path *way, bool first, td_nearest *k) {
     if (!td_query_list_terrains(w)) {
         return false;
     }
-    keep_met(w, way, -1.0, 1.0, k);
+    keep_hits(w, way, -1.0, 1.0, k);
     double piece = td_piece_first(w, way);
     for (double done = -1.0; done < 1.0;) {
         double from = done > 0.0 ? done : 0.0, to = td_piece_end(from, piece);
@@ -36,7 +40,7 @@ static bool cast(thud_world *w, const td_path *way, bool first, td_nearest *k) {
         if (!td_query_list(w, lower, upper)) {
             return false;
         }
-        keep_met(w, way, done, to, k);
+        keep_hits(w, way, done, to, k);
         if (first && k->count && k->hits[0].fraction <= to) {
             break;
         }
@@ -46,6 +50,7 @@ static bool cast(thud_world *w, const td_path *way, bool first, td_nearest *k) {
     return true;
 }
 
+/* The nearest hit. */
 static thud_result cast_first(thud_world *w, td_path *way, bool *hit, thud_ray_hit *out) {
     thud_ray_hit nearest;
     td_nearest k = {&nearest, 1, 0};
@@ -62,6 +67,7 @@ static thud_result cast_first(thud_world *w, td_path *way, bool *hit, thud_ray_h
     return THUD_OK;
 }
 
+/* The nearest `capacity` hits in order, and the number of all. */
 static thud_result cast_all(thud_world *w, td_path *way, thud_ray_hit *out, int capacity,
                             int *count) {
     td_nearest k = {out, capacity, 0};
@@ -75,7 +81,7 @@ static thud_result cast_all(thud_world *w, td_path *way, thud_ray_hit *out, int 
     return THUD_OK;
 }
 
-/* ---- what callers ask ---- */
+/* ---- the API ---- */
 
 static thud_result check_ray(const thud_world *w, const td_path *way) {
     return w ? td_path_check(w, way) : THUD_ERROR_NULL;
@@ -92,6 +98,7 @@ static thud_result check_shape(const thud_world *w, const td_path *way) {
     return result;
 }
 
+/* Refuses a negative capacity, and a null `out` with a capacity. */
 static thud_result check_room(const thud_world *w, const thud_ray_hit *out, int capacity) {
     if (capacity < 0) {
         return td_refuse(w, THUD_ERROR_INVALID, "cast: capacity is negative");

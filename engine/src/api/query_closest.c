@@ -1,4 +1,6 @@
-/* query_closest.c: the closest shape to a point. */
+/* query_closest.c: thud_world_closest, the shape at the least signed distance from a point: the
+ * search box about the point grows by a factor of four until the best shape is nearer than its half
+ * width. */
 #include "api/query.h"
 
 #include "state/body.h"
@@ -26,7 +28,8 @@ thud_closest_hit td_query_closest_hit(const thud_world *w, int index, thud_pos p
                           .distance = c->distance};
 }
 
-/* Keeps the nearest of the candidates; *nearest is its slot. */
+/* Updates *best and *nearest (its slot) with the nearest candidate in scratch.hits; among equals
+ * the lower slot. */
 static void keep_nearest(const thud_world *w, td_position at, const thud_query_filter *filter,
                          int *nearest, thud_closest *best) {
     for (int i = 0; i < w->scratch.hits.count; i++) {
@@ -65,7 +68,9 @@ thud_result thud_world_closest(thud_world *w, thud_pos point, double max_distanc
     if (!td_query_prepare(w)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "closest: out of memory");
     }
-    /* Looks near by first, and further only while nothing as near as it looked was found. */
+    /* The first box reaches one length scale; the factor of four is chosen, not tuned. A shape
+     * outside of the box is further away than `reach`, so that the search ends with best.distance
+     * <= reach. */
     thud_closest best = {.distance = 1e300};
     int nearest = TD_NONE;
     double reach = max_distance < (double)w->unit ? max_distance : (double)w->unit;

@@ -1,10 +1,12 @@
-/* query_overlap.c: every shape in a place. */
+/* query_overlap.c: overlap queries: candidates by bounds, sorted by slot, and tested exactly one by
+ * one as the callback is called. */
 #include "api/query.h"
 
 #include "state/body.h"
 #include "state/handles.h"
 #include "state/shape.h"
 
+/* Whether a shape of the world overlaps the query's shape, which is relative to `origin`. */
 static bool overlaps(const thud_world *w, int index, td_position origin,
                      const thud_shape_instance *exact) {
     thud_shape_instance shape = td_query_instance(w, index, origin);
@@ -18,10 +20,11 @@ static bool overlaps(const thud_world *w, int index, td_position origin,
     return thud_terrain_overlap(&terrain, &relative);
 }
 
-static void tell(thud_world *w, td_position origin, const thud_shape_instance *exact,
-                 const thud_query_filter *filter, thud_overlap_fn *fn, void *context) {
+/* Calls the callback for each candidate that overlaps, until it returns false. */
+static void report_overlaps(thud_world *w, td_position origin, const thud_shape_instance *exact,
+                            const thud_query_filter *filter, thud_overlap_fn *fn, void *context) {
     bool was_locked = w->locked;
-    /* The callback may ask in turn: such queries list their hits elsewhere. */
+    /* Queries that the callback makes list their candidates in an array of their own. */
     td_array hits = w->scratch.hits;
     w->scratch.hits = (td_array){.stride = hits.stride};
     w->locked = true;
@@ -58,7 +61,7 @@ thud_result thud_world_overlap_shape(thud_world *w, thud_pos center,
         return td_refuse(w, THUD_ERROR_MEMORY, "overlap: out of memory");
     }
     td_sort_ints(&w->scratch.hits);
-    tell(w, td_place_from(w, center), shape, filter, fn, context);
+    report_overlaps(w, td_place_from(w, center), shape, filter, fn, context);
     return THUD_OK;
 }
 

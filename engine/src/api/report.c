@@ -1,4 +1,5 @@
-/* report.c: what a world tells of itself: events, poses, statistics, measures, its hash. */
+/* report.c: reading a world as a whole: events, poses, statistics, the error of the last step,
+ * energy and penetration, and its hash. */
 #include "constraint/joint_hooks.h"
 #include "solver/error.h"
 #include "state/body.h"
@@ -29,6 +30,8 @@ thud_events thud_world_events(const thud_world *w) {
     };
 }
 
+/* Interpolation goes back from the last step's pose by (1 - alpha) of the body's motion in it,
+ * thud_world.delta. */
 const thud_pose *thud_world_poses(thud_world *w, thud_pos origin, double alpha, int *count) {
     TD_IN_OWN_MODE;
     if (count) {
@@ -120,6 +123,9 @@ thud_step_error thud_world_error(const thud_world *w) {
     };
 }
 
+/* Maximum and mean penetration over the points of touching contacts, length. Separations are stored
+ * with the skin taken off. Where detection moved bodies after the solver they are computed anew
+ * from the poses (td_error_separation). */
 static void measure_penetration(const thud_world *w, thud_measure *m) {
     int points = 0;
     double sum = 0.0;
@@ -164,14 +170,15 @@ thud_measure thud_world_measure(const thud_world *w) {
         thud_pos center = td_place_to(w, td_pose_at(w, i)->center);
         double energy =
             0.5 * (double)body->mass * (x * x + y * y) + 0.5 * (double)body->inertia * turn * turn;
-        m.kinetic_energy += td_finite(energy) ? energy : 0.0; /* the next step stops what is not */
+        m.kinetic_energy +=
+            td_finite(energy) ? energy : 0.0; /* the next step quarantines the body otherwise */
         m.potential_energy -=
             mass * ((double)w->def.gravity.x * center.x + (double)w->def.gravity.y * center.y);
     }
     return m;
 }
 
-/* FNV-1a over 64-bit words. */
+/* FNV-1a (Fowler, Noll, Vo), by words of 64 bits in place of bytes. */
 static uint64_t mix(uint64_t hash, uint64_t word) {
     return (hash ^ word) * 0x100000001b3ull;
 }
@@ -196,7 +203,8 @@ uint64_t thud_world_hash(const thud_world *w) {
         hash = mix(hash, pose->angle);
         hash = mix(hash, bits_of(v[0]) | bits_of(v[1]) << 32);
         hash = mix(hash, bits_of(v[2]));
-        hash ^= hash >> 29; /* lets high bits reach low ones */
+        hash ^=
+            hash >> 29; /* the product only carries bits upwards: fold high bits into low ones */
     }
     return hash;
 }

@@ -1,12 +1,14 @@
-/* snapshot.c: taking snapshots, and restoring them: all checks first, then room for all, and then
- * nothing can fail. */
+/* snapshot.c: taking and restoring snapshots. A restore first checks all bytes, then reserves all
+ * memory, and only then writes to the world: from there on it cannot fail. The layout is that of
+ * snapshot.h. */
 #include "api/snapshot.h"
 
 #include "state/handles.h"
 
 #include <string.h>
 
-/* A world is not changed by being written; what passes values has the same lines for both ways. */
+/* Casts const away: writing and reading share one function, which takes a world that it may write
+ * to; with a stream that writes it does not. */
 static thud_world *unconst(const thud_world *w) {
     union {
         const thud_world *given;
@@ -26,6 +28,7 @@ thud_result thud_world_snapshot_size(const thud_world *w, size_t *bytes) {
     return THUD_OK;
 }
 
+/* The checksum is over all bytes from this offset on. */
 static const size_t SUMMED_FROM = offsetof(td_snapshot_head, checksum) + sizeof(uint64_t);
 
 thud_result thud_world_snapshot(const thud_world *w, void *buffer, size_t capacity, size_t *bytes) {
@@ -56,30 +59,31 @@ thud_result thud_world_snapshot(const thud_world *w, void *buffer, size_t capaci
 
 /* ---- restoring ---- */
 
+/* Whether all counts of the head are in their ranges, each for itself. */
 static bool counts_valid(const td_snapshot_head *head) {
     bool valid = head->detection >= 0 && head->detection < TD_RANK_COUNT && head->bins >= 0;
-    int64_t most = INT32_MAX / 16; /* of td_array */
+    int64_t max = INT32_MAX / 16; /* elements that an array can hold: memory.c */
     for (int i = 0; i < 2; i++) {
         valid = valid && head->levels[i] >= 0 && head->levels[i] <= TD_LEVELS;
     }
     for (int i = 0; i < TD_SNAPSHOT_SLOTS; i++) {
         const td_snapshot_slots *s = &head->slots[i];
-        valid = valid && s->count >= 0 && s->count <= most && s->live >= 0 && s->live <= s->count &&
+        valid = valid && s->count >= 0 && s->count <= max && s->live >= 0 && s->live <= s->count &&
                 s->free_head >= TD_NONE && s->free_head < s->count;
     }
     for (int i = 0; i < TD_SNAPSHOT_PARTS; i++) {
         const td_snapshot_part *p = &head->parts[i];
-        valid = valid && p->count >= 0 && p->count <= most && p->used >= 0 && p->used <= most;
+        valid = valid && p->count >= 0 && p->count <= max && p->used >= 0 && p->used <= max;
     }
     for (int i = 0; i < TD_CONSTRAINT_KINDS; i++) {
-        valid = valid && head->contacts[i] >= 0 && head->contacts[i] <= most;
+        valid = valid && head->contacts[i] >= 0 && head->contacts[i] <= max;
     }
     return valid && head->ruled.rules >= 0 && head->ruled.rules <= TD_RULES_MOST &&
-           head->ruled.impulses >= 0 && head->ruled.impulses <= most;
+           head->ruled.impulses >= 0 && head->ruled.impulses <= max;
 }
 
-/* Whether what lies side by side is as long as what it belongs to says, and no list is longer than
- * its room. */
+/* Whether arrays with an element for each body, shape or awake slot are as long as the counts of
+ * these say, and no list is longer than the room that it will get. */
 static bool lengths_valid(thud_world *w, const td_snapshot_head *head) {
     const td_snapshot_part *parts = head->parts;
     td_part own[TD_SNAPSHOT_PARTS];
@@ -111,13 +115,14 @@ static bool lengths_valid(thud_world *w, const td_snapshot_head *head) {
     return valid;
 }
 
+/* Entry i of the table of snapshot.h, which may be unaligned. */
 static int32_t table_at(const char *table, int i) {
     int32_t value;
     memcpy(&value, table + (size_t)i * sizeof value, sizeof value);
     return value;
 }
 
-/* Whether the table agrees with the head. */
+/* Whether the table's points and live blocks add up to those of the head. */
 static bool table_valid(const td_snapshot_head *head, const char *table) {
     uint64_t points = 0;
     bool valid = true;
@@ -137,16 +142,18 @@ static bool table_valid(const td_snapshot_head *head, const char *table) {
     return valid && points == head->points;
 }
 
+/* The bytes of the rules in a snapshot. */
 static const char *ruled_in(const td_snapshot_head *head, const char *from) {
     return from + sizeof *head + td_snapshot_ruled_at(head);
 }
 
-/* Of a world that has rules, or a snapshot that has none. */
+/* Whether the bytes of rules are valid. A world without rule hooks gets here only with a snapshot
+ * that has none. */
 static bool rules_valid(const thud_world *w, const td_snapshot_head *head, const char *from) {
     return !w->rule_hooks || w->rule_hooks->valid(w, head->ruled, ruled_in(head, from));
 }
 
-/* Why not, or null. */
+/* Why the snapshot cannot be restored to this world, or null; copies its head. */
 static const char *fault_of(thud_world *w, const char *from, size_t bytes, td_snapshot_head *head) {
     if (bytes < sizeof *head) {
         return "restore: too short for a snapshot";
@@ -188,7 +195,7 @@ static const char *fault_of(thud_world *w, const char *from, size_t bytes, td_sn
     return NULL;
 }
 
-/* Points that belong to no terrain. */
+/* Frees point arrays of slots that no terrain uses. */
 static void free_spare_lines(thud_world *w) {
     for (int i = 0; i < td_slots_capacity(&w->terrains); i++) {
         td_terrain_record *record = td_terrain_record_at(w, i);
@@ -198,7 +205,8 @@ static void free_spare_lines(thud_world *w) {
     }
 }
 
-/* Room for a world as the snapshot has it; what the world holds stays as it is. */
+/* Reserves memory for the world of the snapshot; the content of the world stays. False when memory
+ * is short. */
 static bool reserve(thud_world *w, const td_snapshot_head *head, const char *table) {
     td_slots *slots[TD_SNAPSHOT_SLOTS];
     td_snapshot_list_slots(w, slots);
@@ -225,8 +233,8 @@ static bool reserve(thud_world *w, const td_snapshot_head *head, const char *tab
     return !w->rule_hooks || w->rule_hooks->make_room(w, head->ruled);
 }
 
-/* What the steps that are undone have left for later ones. */
-static void forget_scratch(thud_world *w) {
+/* Empties caches and lists that the steps so far have left for later ones. */
+static void clear_scratch(thud_world *w) {
     w->scratch.sequenced = w->paired = false;
     w->narrowed = w->scratch.begins.count = 0;
     w->scratch.blocks.count = w->scratch.runs.count = w->scratch.impacts.count = 0;
@@ -254,7 +262,7 @@ thud_result thud_world_restore(thud_world *w, const void *buffer, size_t bytes) 
         if (w->rule_hooks) {
             w->rule_hooks->read(w, head.ruled, ruled_in(&head, from));
         }
-        forget_scratch(w);
+        clear_scratch(w);
     }
     free_spare_lines(w);
     return room ? THUD_OK : td_refuse(w, THUD_ERROR_MEMORY, "restore: out of memory");

@@ -1,7 +1,15 @@
-/* snapshot.h: how a snapshot is laid out.
+/* snapshot.h: the layout of a snapshot, in memory order of the machine:
  *
- * A head that tells every size, then the values in the order of snapshot_stream.c, which writes and
- * reads them by the same lines. No addresses: what a world has by address goes as a number. */
+ *     td_snapshot_head   magic, checksum, version, settings, and every count and size
+ *     table              int32: the number of points of each terrain slot; then for each block slot
+ *                        its next free slot, or TD_SNAPSHOT_LIVE
+ *     values             in the order of serialize_all in snapshot_stream.c
+ *     rules              bytes of the world's rule hooks (td_ruled_bytes), last
+ *
+ * One function both writes and reads the values, so that the two orders cannot differ. A snapshot
+ * has no addresses: kinds of shapes, detections and the island solver stand as bits and ranks.
+ * Sizes are all in the head and the table, so that a restore can check and reserve everything
+ * before it writes to the world. */
 #ifndef TD_SNAPSHOT_H
 #define TD_SNAPSHOT_H
 
@@ -12,23 +20,25 @@
 
 #define TD_SNAPSHOT_MAGIC "thudsnap"
 
-enum { TD_SNAPSHOT_VERSION = 9 }; /* rises when what the bytes mean changes */
+enum { TD_SNAPSHOT_VERSION = 9 }; /* to be raised whenever the meaning of the bytes changes */
 
-/* in td_snapshot_head.slots */
+/* Indices of td_snapshot_head.slots: arrays with free lists. */
 enum {
     TD_SNAPSHOT_BODIES,
     TD_SNAPSHOT_SHAPES,
     TD_SNAPSHOT_CONTACTS,
     TD_SNAPSHOT_JOINTS,
     TD_SNAPSHOT_TERRAINS,
-    TD_SNAPSHOT_POOLS,
+    TD_SNAPSHOT_POOLS, /* of blocks, by td_block_form */
     TD_SNAPSHOT_SLOTS = TD_SNAPSHOT_POOLS + TD_FORM_COUNT
 };
 
-/* of a proxy set */
+/* Indices of the arrays of one proxy set (the sorted bounds of a broadphase), after its first in
+ * parts. */
 enum {
     TD_SNAPSHOT_LIST,
-    TD_SNAPSHOT_IDS, /* from here to `moved` rows by place, which all broadphases have */
+    TD_SNAPSHOT_IDS, /* from here to PLACES_MOVED: arrays by place in the set, which every
+                        broadphase has */
     TD_SNAPSHOT_MIN_X,
     TD_SNAPSHOT_MIN_Y,
     TD_SNAPSHOT_MAX_X,
@@ -43,13 +53,13 @@ enum {
     TD_SNAPSHOT_PROXY_SET_PARTS
 };
 
-/* in td_snapshot_head.parts */
+/* Indices of td_snapshot_head.parts: arrays of thud_world. */
 enum {
     TD_SNAPSHOT_POSE,
     TD_SNAPSHOT_PROXY,
     TD_SNAPSHOT_WAS,
     TD_SNAPSHOT_MARKS,
-    TD_SNAPSHOT_AWAKE, /* thud_world.awake, by its numbers */
+    TD_SNAPSHOT_AWAKE, /* arrays by awake slot, in the order of awake_arrays.h */
     TD_SNAPSHOT_MOVED = TD_SNAPSHOT_AWAKE + TD_AWAKE_ARRAY_COUNT,
     TD_SNAPSHOT_CHANGED,
     TD_SNAPSHOT_DEFERRED,
@@ -65,92 +75,101 @@ enum {
     TD_SNAPSHOT_PARTS = TD_SNAPSHOT_PROXY_SETS + 2 * TD_SNAPSHOT_PROXY_SET_PARTS
 };
 
-/* What the def says for good, and the steps to come follow. Doubles and nothing else, so that equal
- * settings are equal bytes. */
+/* Fields of thud_world_def without a setter that change how a world steps: snapshot and world must
+ * agree on them. All are doubles, without padding, so that memcmp compares them. */
 typedef struct td_snapshot_settings {
     double substeps, contact_stiffness, contact_damping, push_speed, restitution_threshold;
     double hit_speed, maximum_speed, contact_events, time_budget;
     double detection; /* rank of the world's own; -1: the quality's */
 } td_snapshot_settings;
 
-/* What is plugged in, as bits: one for each kind of shape, by its number, and above them these. */
+/* Bits of td_snapshot_head.plugged, the optional parts that the world links: bit k for shape kind
+ * k, and above them these. */
 enum {
     TD_SNAPSHOT_ISLANDS = 1 << THUD_SHAPE_KIND_COUNT,
     TD_SNAPSHOT_DETECTIONS = 2 * TD_SNAPSHOT_ISLANDS, /* shifted by the rank of the detection */
-    /* Shifted by the kind of joint, of which pair kinds are none. */
+    /* shifted by (constraint kind - TD_PAIR_COUNT): kinds of joint constraints */
     TD_SNAPSHOT_JOINT_KINDS = TD_SNAPSHOT_DETECTIONS << TD_RANK_COUNT,
     TD_SNAPSHOT_ALL_JOINTS =
         TD_SNAPSHOT_JOINT_KINDS * ((1 << (TD_CONSTRAINT_KINDS - TD_PAIR_COUNT)) - 1)
 };
 
 typedef struct td_snapshot_slots {
-    int32_t count, free_head, live;
+    int32_t count;     /* slots ever used */
+    int32_t free_head; /* first of the free list, or TD_NONE */
+    int32_t live;      /* slots in use */
 } td_snapshot_slots;
 
 typedef struct td_snapshot_part {
     int32_t count; /* td_array.count */
-    int32_t used;  /* elements that follow, which some arrays have beyond or without a count */
+    int32_t used;  /* elements in the snapshot; more than count where wide kernels read padding, or
+                      where the array's length follows from another's */
 } td_snapshot_part;
 
 typedef struct td_snapshot_head {
     char magic[8];
-    uint64_t checksum; /* of all that follows */
-    uint64_t bytes;    /* of the whole */
+    uint64_t checksum; /* td_snapshot_checksum of all bytes after this field */
+    uint64_t bytes;    /* size of the whole snapshot */
     uint32_t version;
-    uint32_t layout; /* of the build: sizes of records, byte order */
-    char broadphase[16];
-    double unit;
+    uint32_t layout;     /* hash of sizes of records and byte order: builds must agree on it */
+    char broadphase[16]; /* name, cut off */
+    double unit;         /* thud_world.unit: the power of two at or below length_scale */
     td_snapshot_settings settings;
     uint32_t plugged;
-    int32_t detection; /* rank of the quality's */
-    int32_t bins;      /* that are not empty */
-    int32_t contacts[TD_CONSTRAINT_KINDS];
-    int32_t levels[2]; /* of the two proxy sets: from the first that is not empty on */
+    int32_t detection;                     /* rank of the quality's detection */
+    int32_t bins;                          /* number of bins with lanes */
+    int32_t contacts[TD_CONSTRAINT_KINDS]; /* constraints of each kind */
+    int32_t levels[2]; /* grid levels stored of either proxy set: the last ones, from the first that
+                          is not empty on */
     td_snapshot_slots slots[TD_SNAPSHOT_SLOTS];
     td_snapshot_part parts[TD_SNAPSHOT_PARTS];
-    uint64_t points; /* of all terrains */
-    td_ruled ruled;  /* its bytes are the last: written and read by the world's own rules */
+    uint64_t points; /* points of all terrains together */
+    td_ruled ruled;  /* counts of the rules, whose bytes come last */
 } td_snapshot_head;
 
-/* ---- snapshot_parts.c: where a world has what ---- */
+/* ---- snapshot_parts.c ---- */
 
-/* Of the arrays by awake slot: 1 where it is state. */
+/* By array of awake_arrays.h: 1 where it is state, 0 where each step computes it anew. */
 extern const uint8_t td_awake_kept[TD_AWAKE_ARRAY_COUNT];
 
-/* An array of the world, and how much of it is state. */
+/* An array of the world, and how much of it goes into a snapshot. */
 typedef struct td_part {
     td_array *array;
-    int used; /* elements now that are state */
-    int room; /* elements that the stages take for granted, in a world as the head tells */
+    int used; /* elements of the present world that are state */
+    int room; /* elements that a world with the head's counts must have room for, because stages of
+                 the step write that many without reserving */
 } td_part;
 
+/* Lists the arrays in the order of TD_SNAPSHOT_POSE and so on. */
 void td_snapshot_list_parts(thud_world *w, const td_snapshot_head *head,
                             td_part parts[TD_SNAPSHOT_PARTS]);
-/* Bodies, shapes, contacts, terrains, then the pools. */
+/* Lists them in the order of TD_SNAPSHOT_BODIES and so on. */
 void td_snapshot_list_slots(thud_world *w, td_slots *slots[TD_SNAPSHOT_SLOTS]);
-/* How many entries the table has that stands first after the head; see below. */
+/* The number of entries of the table after the head. */
 int td_snapshot_table_of(const td_snapshot_head *head);
 
 /* ---- snapshot_stream.c ---- */
 
-/* The head of a snapshot of the world as it is, but for the checksum. */
+/* The head of a snapshot of the present world, without its checksum. */
 td_snapshot_head td_snapshot_head_of(thud_world *w);
-/* The bytes of the whole by the counts of a head; the world only knows how large elements are. */
+/* The size of a snapshot with a head's counts, bytes. The world is read for the sizes of elements
+ * only. */
 uint64_t td_snapshot_bytes_of(thud_world *w, const td_snapshot_head *head);
+/* snapshot_checksum.c: a hash of the bytes, against damage, not against forgery. */
 uint64_t td_snapshot_checksum(const void *bytes, size_t count);
 
-/* First after the head stands a table of int32: how many points each terrain has, then for each
- * block the next free one, or this. */
+/* The table's entry of a block that is in use. */
 enum { TD_SNAPSHOT_LIVE = -2 };
 
-/* Where after the head the bytes of rules stand. */
+/* The offset of the rules' bytes from the end of the head. */
 static inline uint64_t td_snapshot_ruled_at(const td_snapshot_head *head) {
     return head->bytes - sizeof *head - td_ruled_bytes(head->ruled);
 }
 
-/* All values after the head, which is that of the world, up to its rules. Changes nothing. */
+/* Writes table and values to the bytes after the head, which td_snapshot_head_of gave for this
+ * world. Does not change the world. */
 void td_snapshot_write(thud_world *w, const td_snapshot_head *head, char *to);
-/* Takes the values into a world that has room for them, from bytes that are what the head tells. */
+/* Reads them into a world that has room for them; snapshot.c has checked head and bytes. */
 void td_snapshot_read(thud_world *w, const td_snapshot_head *head, const char *from);
 
 #endif

@@ -1,4 +1,5 @@
-/* snapshot_parts.c: the arrays of a world that are state, and how much of each. */
+/* snapshot_parts.c: lists the arrays of a world that go into a snapshot, and how much of each does.
+ */
 #include "api/snapshot.h"
 
 #include "state/awake.h"
@@ -6,24 +7,27 @@
 #define KEPT(name, element, kept) kept,
 const uint8_t td_awake_kept[TD_AWAKE_ARRAY_COUNT] = {TD_AWAKE_ARRAYS(KEPT)};
 
+/* `used` is held to the capacity, since arrays that were never filled are shorter than their
+ * padding. */
 static td_part part_of(td_array *array, int used, int room) {
     return (td_part){.array = array, .used = td_min_int(used, array->capacity), .room = room};
 }
 
-/* An array that is state as far as its own count goes. */
+/* An array of which `count` elements are state. */
 static td_part list_of(td_array *array, int room) {
     return part_of(array, array->count, room);
 }
 
-/* The wide kernels read whole eights. */
-static int eights(int count) {
+/* The count rounded up to whole groups of TD_LANES: the wide kernels read and write whole groups.
+ */
+static int padded_count(int count) {
     return (count + TD_LANES - 1) / TD_LANES * TD_LANES;
 }
 
-/* Arrays that every step rebuilds get room, but no place in the bytes. */
+/* Arrays by awake slot. Those that each step computes anew get room, but are not in the bytes. */
 static void list_awake(thud_world *w, int live, td_part *parts) {
     for (int i = 0; i < TD_AWAKE_ARRAY_COUNT; i++) {
-        parts[i] = part_of(&w->awake[i], td_awake_kept[i] * eights(w->body_of.count),
+        parts[i] = part_of(&w->awake[i], td_awake_kept[i] * padded_count(w->body_of.count),
                            td_awake_capacity(live));
     }
 }
@@ -37,7 +41,7 @@ static void list_events(td_event_lists *e, td_part *parts) {
     }
 }
 
-/* The room that the tables of all levels take. */
+/* Elements of td_proxy_set.starts: a table of mask + 2 for each grid level with shapes. */
 static int starts_of(const td_proxy_set *p) {
     int64_t sum = 0;
     for (int i = 0; i < TD_LEVELS; i++) {
@@ -46,6 +50,7 @@ static int starts_of(const td_proxy_set *p) {
     return sum < INT32_MAX ? (int)sum : INT32_MAX;
 }
 
+/* Only the grid has levels, and only a loose set (td_proxy_set.loose) has spots and anchors. */
 static void list_proxy_set(const thud_world *w, td_proxy_set *p, td_part *parts) {
     int count = p->ids.count, padded = count ? count + TD_LANES : 0, loose = p->loose ? count : 0;
     parts[TD_SNAPSHOT_LIST] = list_of(&p->list, 0);
@@ -74,7 +79,7 @@ void td_snapshot_list_parts(thud_world *w, const td_snapshot_head *head,
     parts[TD_SNAPSHOT_CHANGED] = list_of(&w->changed, bodies);
     parts[TD_SNAPSHOT_DEFERRED] = list_of(&w->deferred, 0);
     for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
-        /* Any contact of the kind may come to wait. */
+        /* The narrowphase may move every contact of the kind to this list. */
         parts[TD_SNAPSHOT_WAITING + kind] = list_of(&w->waiting[kind], head->contacts[kind]);
     }
     list_events(&w->events, parts + TD_SNAPSHOT_EVENTS);

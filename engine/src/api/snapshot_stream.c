@@ -1,5 +1,6 @@
-/* snapshot_stream.c: every value of a snapshot, in the one order in which it is written and read.
- */
+/* snapshot_stream.c: the values of a snapshot. serialize_all goes through all values once, in one
+ * order; the direction of the stream decides whether it writes or reads them. The layout is that of
+ * snapshot.h. */
 #include "api/snapshot.h"
 
 #include "constraint/joint_hooks.h"
@@ -7,7 +8,7 @@
 
 #include <string.h>
 
-/* Values that stand in the world by themselves. */
+/* The fields of thud_world that are state, by offset and size. */
 #define FIELD(name) \
     { offsetof(thud_world, name), sizeof((thud_world *)0)->name }
 #define PROXY_SET_FIELDS(p)                                                                   \
@@ -17,7 +18,7 @@
 static const struct {
     size_t at, bytes;
 } FIELDS[] = {
-    /* Fields that have a setter; pointers are kept as head.plugged and head.detection. */
+    /* Settings with a setter. The pointers among them are in head.plugged and head.detection. */
     FIELD(def.gravity),
     FIELD(def.time_step),
     FIELD(def.sleeping),
@@ -59,14 +60,15 @@ static const struct {
     FIELD(stats)};
 enum { FIELD_COUNT = sizeof FIELDS / sizeof *FIELDS };
 
-/* A body but for the address of its detection, instead of which its rank goes. */
+/* A body is stored as the bytes before td_body.detection, one byte for the detection's rank in
+ * place of its address, and the bytes from user_data on. */
 enum {
     BODY_FRONT = offsetof(td_body, detection),
     BODY_BACK = offsetof(td_body, user_data),
     BODY_BYTES = BODY_FRONT + 1 + sizeof(td_body) - BODY_BACK
 };
 
-/* A terrain but for its points. */
+/* The bytes of a terrain record before its array of points, which follow by themselves. */
 enum { TERRAIN_BYTES = offsetof(td_terrain_record, points) };
 
 enum {
@@ -74,11 +76,14 @@ enum {
     BIN_COUNT = TD_CONSTRAINT_KINDS * TD_BINS_A_KIND
 };
 
+/* Detections by rank. */
 static const thud_detection *const DETECTIONS[TD_RANK_COUNT] = {&thud_detection_overlap,
                                                                 &thud_detection_continuous,
                                                                 &thud_detection_bisect,
                                                                 &thud_detection_swept};
 
+/* By shape kind: the function that plugs it into a world, and the pair kind by which to see that it
+ * is. */
 #define KIND_ROW(kind, plug, own) [kind] = {plug, own},
 static const struct {
     void (*plug)(thud_world *w);
@@ -88,7 +93,7 @@ _Static_assert(sizeof KINDS / sizeof *KINDS == THUD_SHAPE_KIND_COUNT, "every kin
 
 /* ---- the head ---- */
 
-/* Tells builds apart whose records differ, or whose words have another order. */
+/* A hash of the sizes of all records and of the byte order (by the bytes of 0x01020304). */
 static uint32_t layout_of_build(void) {
 #define ELEMENT_BYTES(name, element, kept) sizeof(element),
     const uint32_t sizes[] = {0x01020304,
@@ -117,6 +122,7 @@ static uint32_t layout_of_build(void) {
     return (uint32_t)td_snapshot_checksum(sizes, sizeof sizes);
 }
 
+/* td_snapshot_head.plugged of the world. */
 static uint32_t plugged_into(const thud_world *w) {
     uint32_t plugged = w->quality.islands ? TD_SNAPSHOT_ISLANDS : 0u;
     for (int kind = 0; kind < THUD_SHAPE_KIND_COUNT; kind++) {
@@ -147,6 +153,7 @@ static td_snapshot_settings settings_of(const thud_world_def *d) {
     };
 }
 
+/* The number of grid levels from the first one with shapes on. */
 static int levels_of(const td_proxy_set *p) {
     int first = 0;
     while (first < TD_LEVELS && p->levels[first].count == 0) {
@@ -155,6 +162,7 @@ static int levels_of(const td_proxy_set *p) {
     return TD_LEVELS - first;
 }
 
+/* The points of all terrains. */
 static uint64_t points_of(const thud_world *w) {
     uint64_t points = 0;
     for (int i = 0; i < w->terrains.count; i++) {
@@ -225,12 +233,13 @@ uint64_t td_snapshot_bytes_of(thud_world *w, const td_snapshot_head *head) {
 
 /* ---- the values ---- */
 
-/* Copies to the tape or from it. */
+/* A position in the bytes of a snapshot, to be written or read. */
 typedef struct stream {
-    char *to; /* null: from */
+    char *to; /* where the next bytes are written; null: the stream reads */
     const char *from;
 } stream;
 
+/* Writes `bytes` bytes of memory to the stream, or reads them from it. */
 static void serialize(stream *t, void *memory, size_t bytes) {
     if (bytes && t->to) {
         memcpy(t->to, memory, bytes);
@@ -241,8 +250,8 @@ static void serialize(stream *t, void *memory, size_t bytes) {
     }
 }
 
-/* Restoring must know, before it can begin, the points of each terrain and which blocks are free.
- */
+/* The table of snapshot.h. Reading, it sets point counts and block->used. A free block holds its
+ * next free slot in its first four bytes. */
 static void serialize_table(stream *t, thud_world *w) {
     for (int i = 0; i < w->terrains.count; i++) {
         int32_t *count = &td_terrain_record_at(w, i)->points.count;
@@ -254,13 +263,14 @@ static void serialize_table(stream *t, thud_world *w) {
             int32_t link = block->used ? TD_SNAPSHOT_LIVE : *(int32_t *)block;
             serialize(t, &link, sizeof link);
             if (!t->to) {
-                block->used = link == TD_SNAPSHOT_LIVE; /* as many as it has come with it */
+                block->used = link == TD_SNAPSHOT_LIVE; /* serialize_blocks reads the rest of it */
                 *(int32_t *)block = link;
             }
         }
     }
 }
 
+/* Bins with lanes, each after its index. */
 static void serialize_bins(stream *t, thud_world *w, int count) {
     td_bin *bins = &w->bins[0][0];
     if (!t->to) {
@@ -279,6 +289,7 @@ static void serialize_bins(stream *t, thud_world *w, int count) {
     }
 }
 
+/* The last `count` grid levels; the others are empty. */
 static void serialize_levels(stream *t, td_proxy_set *p, int count) {
     if (!t->to) {
         memset(p->levels, 0, sizeof p->levels);
@@ -296,6 +307,7 @@ static void serialize_body(stream *t, td_body *body) {
     }
 }
 
+/* All slots, free ones as well. Slots are contiguous within TD_CHUNK of them. */
 static void serialize_slots(stream *t, td_slots *slots) {
     for (int i = 0; i < slots->count; i += TD_CHUNK) {
         int count = td_min_int(TD_CHUNK, slots->count - i);
@@ -311,6 +323,7 @@ static void serialize_terrains(stream *t, td_slots *terrains) {
     }
 }
 
+/* The blocks that are in use. */
 static void serialize_blocks(stream *t, td_slots *pool) {
     for (int i = 0; i < pool->count; i++) {
         td_block *block = td_slot_at(pool, i);
@@ -320,8 +333,12 @@ static void serialize_blocks(stream *t, td_slots *pool) {
     }
 }
 
+/* Plugs into the world the shape kinds, detections and the island solver that the head names, and
+ * no others of the shape kinds and detections. */
 static void plug_in(thud_world *w, const td_snapshot_head *head) {
-    memset(w->kinds, 0, TD_PAIR_COUNT * sizeof *w->kinds); /* joints are there: snapshot.c */
+    memset(w->kinds, 0,
+           TD_PAIR_COUNT *
+               sizeof *w->kinds); /* those of joints stay: snapshot.c has checked them */
     w->internal_edges = NULL;
     w->ground = NULL;
     for (int kind = 0; kind < THUD_SHAPE_KIND_COUNT; kind++) {
@@ -337,8 +354,9 @@ static void plug_in(thud_world *w, const td_snapshot_head *head) {
     w->quality.islands = head->plugged & TD_SNAPSHOT_ISLANDS ? td_direct_solver_of(w) : NULL;
 }
 
-/* The counts of the head. What lies beyond them is as if it had never been: handles of new bodies
- * and shapes begin anew, and slots that the wide kernels pass over hold nothing that moves. */
+/* Takes over the head's counts. Slots beyond them are cleared, as if they had never been used: the
+ * generations of their handles begin anew, and awake slots that wide kernels process as padding
+ * have no velocity. */
 static void take_counts(thud_world *w, const td_snapshot_head *head) {
     td_slots *slots[TD_SNAPSHOT_SLOTS];
     td_snapshot_list_slots(w, slots);
@@ -358,6 +376,7 @@ static void take_counts(thud_world *w, const td_snapshot_head *head) {
     memcpy(w->constraint_count, head->contacts, sizeof head->contacts);
 }
 
+/* Table and values, in the order of the layout. */
 static void serialize_all(stream *t, thud_world *w, const td_snapshot_head *head) {
     td_part parts[TD_SNAPSHOT_PARTS];
     td_snapshot_list_parts(w, head, parts);

@@ -1,4 +1,6 @@
-/* world.c: making and ending worlds, and their settings. */
+/* world.c: creating and destroying worlds, checks of their def, and settings that can change later.
+ * The tables ARRAYS and SLOTS list every array of thud_world: those of them are initialised and
+ * freed in loops. */
 #include "thud/thud_joint.h"
 #include "thud/thud_rules.h"
 #include "state/world.h"
@@ -29,9 +31,9 @@ thud_world_def thud_world_def_of(const thud_quality *quality) {
     };
 }
 
-/* Of what is one number. */
+/* Whether each numeric field of the def is in its range; if not, `why` says which is not. */
 static bool numbers_in(const thud_world_def *d, td_reason *why) {
-    float most = THUD_SPEED_MAX;
+    float max = THUD_SPEED_MAX;
     return td_float_in(why, "world def: gravity.x", d->gravity.x, -FLT_MAX, FLT_MAX) &&
            td_float_in(why, "world def: gravity.y", d->gravity.y, -FLT_MAX, FLT_MAX) &&
            td_above_0(why, "world def: time_step", d->time_step, THUD_TIME_STEP_MAX) &&
@@ -43,16 +45,17 @@ static bool numbers_in(const thud_world_def *d, td_reason *why) {
                         THUD_CONTACT_STIFFNESS_MIN, THUD_CONTACT_STIFFNESS_MAX)) &&
            td_float_in(why, "world def: contact_damping", d->contact_damping, 0.0f,
                        THUD_CONTACT_DAMPING_MAX) &&
-           td_float_in(why, "world def: push_speed", d->push_speed, 0.0f, most) &&
+           td_float_in(why, "world def: push_speed", d->push_speed, 0.0f, max) &&
            td_float_in(why, "world def: restitution_threshold", d->restitution_threshold, 0.0f,
-                       most) &&
-           td_float_in(why, "world def: hit_speed", d->hit_speed, 0.0f, most) &&
-           td_above_0(why, "world def: maximum_speed", (double)d->maximum_speed, (double)most) &&
+                       max) &&
+           td_float_in(why, "world def: hit_speed", d->hit_speed, 0.0f, max) &&
+           td_above_0(why, "world def: maximum_speed", (double)d->maximum_speed, (double)max) &&
            td_in(why, "world def: time_budget", d->time_budget, 0.0, THUD_TIME_BUDGET_MAX) &&
            td_in(why, "world def: job_system.workers", d->job_system.workers, 0.0,
                  THUD_WORKERS_MAX);
 }
 
+/* Why the def is refused, or null. */
 static const char *def_error(const thud_world_def *d, td_reason *why) {
     if (d->cookie != TD_COOKIE) {
         return "world_create: the def does not start from thud_default_world_def()";
@@ -80,7 +83,8 @@ static const char *def_error(const thud_world_def *d, td_reason *why) {
     return NULL;
 }
 
-static bool wide_here(bool baseline) {
+/* Whether this processor runs the AVX2 kernels; `baseline`: thud_world_def.baseline_simd. */
+static bool has_avx2(bool baseline) {
 #if defined(TD_HAS_AVX2)
     return !baseline && __builtin_cpu_supports("avx2");
 #else
@@ -89,8 +93,8 @@ static bool wide_here(bool baseline) {
 #endif
 }
 
-/* The power of two nearest below, so that scaling by it is exact: the number without its fraction.
- */
+/* The largest power of two that is not above x > 0 (x with its fraction bits cleared): multiplying
+ * by it is exact. */
 static double power_below(double x) {
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
@@ -99,7 +103,7 @@ static double power_below(double x) {
     return x;
 }
 
-/* The arrays of a world, and what is in them. */
+/* The arrays of a world, with the type of their elements. */
 #define ARRAY(name, element) TD_ARRAY_PLACE(thud_world, name, element)
 #define BY_SLOT(name, element, kept) ARRAY(name, element),
 #define EVENTS(list)                                                                              \
@@ -170,11 +174,13 @@ static const td_array_place SLOTS[] = {
 };
 enum { SLOTS_COUNT = sizeof SLOTS / sizeof *SLOTS };
 
+/* Array i of SLOTS. */
 static td_slots *slots_at(thud_world *w, int i) {
     return (td_slots *)((char *)w + SLOTS[i].at);
 }
 
-static void set_strides(thud_world *w) {
+/* Initialises all arrays, empty, with the size of their elements. */
+static void init_arrays(thud_world *w) {
     static_assert(sizeof *w <= UINT16_MAX, "offsets of arrays are 16 bits");
     td_arrays_init(w, ARRAYS, ARRAY_COUNT);
     for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
@@ -188,7 +194,7 @@ static void set_strides(thud_world *w) {
     }
 }
 
-/* While there is no world yet, the def's log hears why. */
+/* Tells the log of the def, as long as there is no world, why creating it is refused. */
 static thud_result refuse(const thud_world_def *def, thud_result result, const char *message) {
     if (def->log) {
         def->log(result, message, def->log_context);
@@ -219,7 +225,7 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out) {
     w->def = *def;
     w->memory = memory;
     w->number = atomic_fetch_add(&made, 1u) + 1u;
-    w->wide = wide_here(def->baseline_simd);
+    w->wide = has_avx2(def->baseline_simd);
     w->def.broadphase = def->broadphase ? def->broadphase : &thud_broadphase_grid;
     double unit = power_below((double)def->length_scale);
     w->unit = (float)unit;
@@ -227,7 +233,7 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out) {
     w->to_coarse = TD_COARSE_ONE / unit;
     w->quantum = (float)(unit / TD_FIXED_ONE);
     w->thinnest_stale = true;
-    set_strides(w);
+    init_arrays(w);
     td_event_queue_init(&w->scratch.queue);
     td_islands_init(&w->islands, w->wide);
     td_proxy_set_init(&w->awake_shapes);
@@ -259,7 +265,8 @@ void thud_world_destroy(thud_world *w) {
         td_array_free(&w->memory, &td_terrain_record_at(w, i)->points);
     }
     td_arrays_free(&w->memory, w, ARRAYS, ARRAY_COUNT);
-    td_array_free(&w->memory, &w->scratch.test_blocks); /* as wide as a block, see narrowphase.c */
+    td_array_free(&w->memory,
+                  &w->scratch.test_blocks); /* its elements are as wide as a block: narrowphase.c */
     for (int i = 0; i < SLOTS_COUNT; i++) {
         td_slots_free(&w->memory, slots_at(w, i));
     }
@@ -317,7 +324,8 @@ thud_result thud_world_set_time_step(thud_world *w, double time_step) {
         return td_refuse(w, THUD_ERROR_LOCKED, "set time step: not inside a callback");
     }
     w->def.time_step = time_step;
-    w->drowsy_bodies = w->body_of.count; /* a longer step may bring sleep sooner than expected */
+    w->drowsy_bodies =
+        w->body_of.count; /* with a longer step bodies may fall asleep earlier than planned */
     w->push_stale = true;
     return THUD_OK;
 }

@@ -1,14 +1,19 @@
-/* each.c: casts that tell a callback of their hits, one by one. */
+/* each.c: casts that call a function for each hit in order. The callback may clip the rest of the
+ * path; the search goes no further than the clip (walk.h). */
 #include "casts/walk.h"
 
 #include "state/handles.h"
 #include "thud/thud_casts.h"
 
-/* Hits that are looked for at once. */
+/* Hits that td_walk_next finds before the callback is called for them. Chosen; not tuned. Smaller
+ * batches test the candidates of a piece more often, larger ones test shapes behind a clip in vain.
+ */
 enum { BATCH = 16 };
 
-static double told(const thud_world *w, const thud_ray_hit *hit, double limit, thud_cast_fn *fn,
-                   void *context) {
+/* Calls the callback for one hit; returns the new limit, a fraction of the path, which never grows.
+ * A limit of 1 or more means that there is none. */
+static double call_back(const thud_world *w, const thud_ray_hit *hit, double limit,
+                        thud_cast_fn *fn, void *context) {
     double answer = fn(hit, context);
     if (answer != answer) {
         td_refuse(w, THUD_ERROR_INVALID, "cast: the callback's answer is not a number");
@@ -16,22 +21,24 @@ static double told(const thud_world *w, const thud_ray_hit *hit, double limit, t
     return answer >= 0.0 && answer < 1.0 && answer < limit ? answer : limit;
 }
 
-static void tell(td_walk *walk, thud_cast_fn *fn, void *context) {
+/* Calls the callback for all hits in order, until the limit. */
+static void report_hits(td_walk *walk, thud_cast_fn *fn, void *context) {
     const thud_world *w = walk->world;
     thud_ray_hit hits[BATCH];
     td_nearest k = {hits, BATCH, 0};
-    double limit = 2.0; /* beyond the way */
+    double limit = 2.0; /* above any fraction */
     do {
         td_walk_next(walk, limit, &k);
         for (int i = 0; i < k.count && hits[i].fraction < limit; i++) {
-            /* The callback may have destroyed it. */
+            /* The callback may have destroyed the shape since it was found. */
             if (td_query_passes(w, (int)hits[i].shape.index1 - 1, walk->way->filter)) {
-                limit = told(w, &hits[i], limit, fn, context);
+                limit = call_back(w, &hits[i], limit, fn, context);
             }
         }
     } while (k.count > 0);
 }
 
+/* The cast after its checks. */
 static thud_result each(thud_world *w, td_path *way, thud_cast_fn *fn, void *context) {
     td_array *scratch = &w->scratch.hits;
     int size = td_walk_room(w);
@@ -39,20 +46,20 @@ static thud_result each(thud_world *w, td_path *way, thud_cast_fn *fn, void *con
         return td_refuse(w, THUD_ERROR_MEMORY, "cast: out of memory");
     }
     way->from = td_place_from(w, way->origin);
-    /* The callback may ask in turn: such queries list their candidates elsewhere. */
+    /* Queries that the callback makes list their candidates in an array of their own. */
     td_array room = *scratch;
     *scratch = (td_array){.stride = room.stride};
     bool was_locked = w->locked;
     w->locked = true;
     td_walk walk = td_walk_begin(w, way, room.data, size);
-    tell(&walk, fn, context);
+    report_hits(&walk, fn, context);
     w->locked = was_locked;
     td_array_free(&w->memory, scratch);
     *scratch = room;
     return THUD_OK;
 }
 
-/* The callback may also write to what its caller gave: the cast goes by copies. */
+/* A copy of the caller's filter, which the callback may change while the cast goes on. */
 static thud_query_filter copied(const thud_query_filter *filter) {
     return filter ? *filter : thud_default_query_filter();
 }

@@ -1,30 +1,39 @@
-/* many.c: many casts at once, shared among workers. Each cast is done by one of them, who writes
- * nothing but its hit and the candidates in a room of his own. */
+/* many.c: many casts in one call, divided among the workers of the job system in chunks. A worker
+ * only reads the world, and writes to the hits of its chunks and to a candidate array of its own.
+ * So the result does not depend on the number of workers. */
 #include "casts/walk.h"
 
 #include "state/handles.h"
 #include "state/jobs.h"
 #include "thud/thud_casts.h"
 
-/* Fewer casts than this are done before another thread has woken. */
-enum { WORTH_SHARING = 64, CHUNK = 16 };
+enum {
+    /* From this number of casts on workers are used. Chosen: fewer are done before another thread
+     * has woken; thud_casts.h promises 64. */
+    SHARED_CASTS_MIN = 64,
+    /* Casts that a worker takes at once. Chosen; not tuned: four workers share the smallest batch
+       evenly. */
+    CHUNK = 16
+};
 
 typedef struct batch batch;
 
+/* One call. */
 struct batch {
     const thud_world *world;
-    td_path (*path_of)(const batch *b, int i);
-    const void *casts;
+    td_path (*path_of)(const batch *b, int i); /* the path of cast i */
+    const void *casts;                         /* thud_ray or thud_shape_cast */
     thud_ray_hit *hits;
-    int count;
-    int *rooms, room_size; /* of each worker */
+    int count;             /* of casts and hits */
+    int *rooms, room_size; /* candidate arrays, one after the other; ints in each */
     td_job job;
 };
 
-typedef struct hand {
+/* A worker's part of it. */
+typedef struct batch_worker {
     const batch *b;
-    int *room;
-} hand;
+    int *room; /* its candidate array */
+} batch_worker;
 
 static td_path ray_path(const batch *b, int i) {
     const thud_ray *ray = (const thud_ray *)b->casts + i;
@@ -40,8 +49,9 @@ static td_path shape_path(const batch *b, int i) {
                      cast->filter,   false};
 }
 
+/* Casts CHUNK of them. */
 static void cast_chunk(void *work, int chunk) {
-    const hand *h = work;
+    const batch_worker *h = work;
     const batch *b = h->b;
     int end = td_min_int((chunk + 1) * CHUNK, b->count);
     for (int i = chunk * CHUNK; i < end; i++) {
@@ -56,17 +66,19 @@ static void cast_chunk(void *work, int chunk) {
     }
 }
 
+/* The job of one worker: chunk after chunk, until there are no more. */
 static void cast_chunks(void *argument) {
     batch *b = argument;
     td_worker worker = td_worker_arrive(&b->job);
-    hand h = {b, b->rooms + (size_t)worker.index * (size_t)b->room_size};
+    batch_worker h = {b, b->rooms + (size_t)worker.index * (size_t)b->room_size};
     td_worker_walk(&worker, (b->count + CHUNK - 1) / CHUNK, cast_chunk, &h);
 }
 
+/* The casts, after their checks. */
 static thud_result cast_all(thud_world *w, batch *b) {
     atomic_int counters[1 + THUD_WORKERS_MAX] = {0};
     int workers = w->def.job_system.workers;
-    bool shared = workers > 1 && b->count >= WORTH_SHARING && !w->locked;
+    bool shared = workers > 1 && b->count >= SHARED_CASTS_MIN && !w->locked;
     b->job = (td_job){.counters = shared ? counters : NULL, .workers = shared ? workers : 1};
     b->room_size = td_walk_room(w);
     if (!td_query_prepare(w) ||
@@ -78,8 +90,9 @@ static thud_result cast_all(thud_world *w, batch *b) {
     return THUD_OK;
 }
 
-/* ---- what callers ask ---- */
+/* ---- the API ---- */
 
+/* Refuses a negative count, and null lists with a count. */
 static thud_result check_lists(const batch *b) {
     if (b->count < 0) {
         return td_refuse(b->world, THUD_ERROR_INVALID, "casts: their count is negative");

@@ -1,4 +1,6 @@
-/* one_shape.c: asking one shape where it is. */
+/* one_shape.c: queries of one shape: a ray against it, whether it contains a point, its closest
+ * point to a point, and its bounds. Like all queries they see the shape where the edits made so far
+ * put it. */
 #include "casts/path.h"
 
 #include "state/handles.h"
@@ -6,7 +8,8 @@
 #include "state/shape.h"
 #include "thud/thud_casts.h"
 
-/* The slot of a shape that has a place, or will have once the edits made so far are in effect. */
+/* Finds a shape. Refuses one that was made inside the callback that asks, since it is not in the
+ * world yet. */
 static thud_result find(const thud_world *w, thud_shape_id id, int *index) {
     thud_result result = td_find_shape(w, id, index);
     if (result == THUD_OK && w->locked && td_shape_at(w, *index)->flags & TD_SHAPE_WAITS) {
@@ -15,14 +18,14 @@ static thud_result find(const thud_world *w, thud_shape_id id, int *index) {
     return result;
 }
 
-/* Has it seen where the edits made so far put it; inside a callback as the step stands. */
+/* Brings the preview of edits up to date, but inside a callback. */
 static thud_result prepare(thud_world *w) {
     return w->locked || td_preview_make(w)
                ? THUD_OK
                : td_refuse(w, THUD_ERROR_MEMORY, "asking a shape: out of memory");
 }
 
-/* As `find`, for a place that is asked about. */
+/* As `find`; also refuses a place that is out of range. */
 static thud_result find_about(const thud_world *w, thud_shape_id id, thud_pos place, int *index) {
     thud_result result = find(w, id, index);
     return result != THUD_OK
@@ -30,7 +33,7 @@ static thud_result find_about(const thud_world *w, thud_shape_id id, thud_pos pl
                : td_check_place(w, "asking a shape: x or y of point", place.x, place.y);
 }
 
-/* Where the shape is nearest to a place. */
+/* Finds the shape, and computes its distance, normal and closest point to `point`. */
 static thud_result measure(thud_world *w, thud_shape_id id, thud_pos point, int *index,
                            thud_closest *closest) {
     thud_result result = find_about(w, id, point, index);
@@ -97,7 +100,7 @@ thud_result thud_shape_closest_point(thud_world *w, thud_shape_id id, thud_pos p
     return result;
 }
 
-/* Around the points of a line, relative to its origin. */
+/* The bounding box of a terrain's vertices, relative to its origin. */
 static void line_bounds(const thud_terrain *line, thud_pos *lower, thud_pos *upper) {
     *lower = (thud_pos){1e300, 1e300};
     *upper = (thud_pos){-1e300, -1e300};

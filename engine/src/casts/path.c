@@ -1,4 +1,6 @@
-/* path.c: what a point or a shape meets of one shape along a straight way. */
+/* path.c: one path against one shape: a ray (td_point_meets) by the ray casts of geometry, a moving
+ * shape (td_shape_meets) by the time of impact, then the closest features at that time. All
+ * coordinates are relative to the path's origin. */
 #include "casts/path.h"
 
 #include "state/handles.h"
@@ -45,18 +47,22 @@ bool td_point_meets(const thud_world *w, int index, const td_path *way, thud_ray
     return hit;
 }
 
-/* How far back from where shapes meet their features are looked at, in sizes of the moving one:
- * where they touch exactly, the way from one to the other has no direction. */
+/* The closest features at an impact are computed this far before it, in extents of the moving
+ * shape: where shapes touch exactly the vector between them is zero and has no direction. Chosen:
+ * nine digits above rounding, and too little to change a normal visibly. */
 #define LOOK_BACK 1e-7
 
-static thud_pos gone(const td_path *way, double fraction) {
+/* The displacement at a fraction of the path, less LOOK_BACK. */
+static thud_pos displacement_before(const td_path *way, double fraction) {
     double length = __builtin_sqrt(way->dx * way->dx + way->dy * way->dy);
     double before = length > 0.0 ? fraction - LOOK_BACK * td_reach(way->shape) / length : 0.0;
     before = before > 0.0 ? before : 0.0;
     return (thud_pos){before * way->dx, before * way->dy};
 }
 
-/* When the moving shape meets `still`, and the closest features then, from `still`. */
+/* Whether the moving shape meets the shape `still`; the fraction of the path at the impact, and the
+ * closest features there, from `still` to the moving shape. Shapes that overlap at the start meet
+ * at 0. */
 static bool meets_solid(const thud_shape_instance *still, const td_path *way, double *fraction,
                         thud_closest *c) {
     thud_shape_instance moving = *way->shape;
@@ -69,7 +75,7 @@ static bool meets_solid(const thud_shape_instance *still, const td_path *way, do
     td_time_of_impact(&moving, (thud_motion){way->dx, way->dy, 0.0}, still, (thud_motion){0}, 0.0,
                       &hit, fraction);
     if (hit) {
-        thud_pos moved = gone(way, *fraction);
+        thud_pos moved = displacement_before(way, *fraction);
         moving.x += moved.x;
         moving.y += moved.y;
         td_closest(still, &moving, c);
@@ -77,7 +83,7 @@ static bool meets_solid(const thud_shape_instance *still, const td_path *way, do
     return hit;
 }
 
-/* The same for ground whose origin is at (x, y). */
+/* The same for a terrain whose origin is at (x, y). */
 static bool meets_ground(const thud_terrain *terrain, double x, double y, const td_path *way,
                          double *fraction, thud_closest *c) {
     thud_shape_instance moving = *way->shape;
@@ -90,7 +96,7 @@ static bool meets_ground(const thud_terrain *terrain, double x, double y, const 
     if (result != THUD_OK || !hit) {
         return false;
     }
-    thud_pos moved = gone(way, *fraction);
+    thud_pos moved = displacement_before(way, *fraction);
     td_terrain_closest(terrain, &moving, moved, c);
     c->ax += way->shape->x + moved.x;
     c->ay += way->shape->y + moved.y;

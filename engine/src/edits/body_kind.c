@@ -1,7 +1,8 @@
-/* body_kind.c: a static body moves, a moving one stands; see thud_edits.h.
+/* body_kind.c: thud_body_set_kind, which makes a body static, kinematic or dynamic.
  *
- * Contacts, lanes, colours and the awake slot go by the kind, so that all of them are given back
- * while it is still what it was; the body then enters the world as one that is enabled does. */
+ * Contacts, lanes, graph colours and the awake slot depend on the kind. So all of them are released
+ * while the body still has its old kind; then the kind changes, and the body enters the world anew
+ * with the next step, in the way of a body that is enabled (TD_CHANGE_ENABLE). */
 #include "thud/thud_edits.h"
 
 #include "constraint/constraint.h"
@@ -14,6 +15,8 @@
 #include "state/handles.h"
 #include "state/shape.h"
 
+/* Why the body's shapes do not fit a kinematic or dynamic body, or null: terrain, and sizes that
+ * only a static body may have. */
 static const char *shape_error(const thud_world *w, const td_body *body, int kind) {
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         const td_shape *shape = td_shape_at(w, i);
@@ -31,7 +34,9 @@ static const char *shape_error(const thud_world *w, const td_body *body, int kin
     return NULL;
 }
 
-/* What never moves by itself stands first in its joints, and gears measure from there. */
+/* Why the body's joints do not allow the kind, or null. A body with joints neither becomes static
+ * nor ceases to be. It does not become kinematic where one of its joints is a gear, joins it to a
+ * body that is not dynamic, or is a wheel or target joint of which it is the second body. */
 static const char *joint_error(const thud_world *w, td_body_index index, int kind) {
     const td_body *body = td_body_at(w, index);
     for (int e = body->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
@@ -53,6 +58,7 @@ static const char *joint_error(const thud_world *w, td_body_index index, int kin
     return NULL;
 }
 
+/* Why the change is refused, or null. */
 static const char *error_of(const thud_world *w, td_body_index index, int kind) {
     const td_body *body = td_body_at(w, index);
     if (kind < 0 || kind >= THUD_BODY_KIND_COUNT) {
@@ -65,8 +71,9 @@ static const char *error_of(const thud_world *w, td_body_index index, int kind) 
     return error ? error : joint_error(w, index, kind);
 }
 
-/* Faces are hidden by neighbours on the ground, or by those of the same body. */
-static void forget_edges(thud_world *w, const td_body *body) {
+/* Clears the internal edges of the body's shapes, which depend on the neighbours that a body of the
+ * old kind had. */
+static void clear_internal_edges(thud_world *w, const td_body *body) {
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         td_shape *shape = td_shape_at(w, i);
         shape->internal_edges = shape->hidden = 0;
@@ -74,6 +81,7 @@ static void forget_edges(thud_world *w, const td_body *body) {
     }
 }
 
+/* The number of the body's sensors. */
 static int sensors_of(const thud_world *w, const td_body *body) {
     int count = 0;
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
@@ -82,7 +90,8 @@ static int sensors_of(const thud_world *w, const td_body *body) {
     return count;
 }
 
-static void take(thud_world *w, td_body_index index, int kind) {
+/* Gives the body its new kind: mass, velocity and forces follow. */
+static void set_kind(thud_world *w, td_body_index index, int kind) {
     td_body *body = td_body_at(w, index);
     int sensors = sensors_of(w, body);
     w->mobile_sensors -= body->kind == THUD_DYNAMIC ? sensors : 0;
@@ -114,21 +123,21 @@ thud_result thud_body_set_kind(thud_world *w, thud_body_id id, thud_body_kind ki
     if (body->kind == kind) {
         return THUD_OK;
     }
-    /* Internal edges are lost only once there is room for all: the last that may fail. */
+    /* Both calls may run out of memory; the second changes something, so that it comes last. */
     if (!td_edit_ends_reserve(w, index, TD_NONE, true) ||
         (w->internal_edges && !w->internal_edges->lose(w, index))) {
         return td_refuse(w, THUD_ERROR_MEMORY, "set kind: out of memory");
     }
     td_edit_end_contacts(w, index, TD_NONE, true);
-    td_deferred_apply(w); /* what callbacks asked for was asked of the body as it was */
+    td_deferred_apply(w); /* edits of callbacks were meant for the body with its old kind */
     if (w->joint_hooks) {
         w->joint_hooks->suspend(w, index);
     }
     if (body->awake.at > 0) {
         td_awake_remove(w, index);
     }
-    forget_edges(w, body);
-    take(w, index, (int)kind);
+    clear_internal_edges(w, body);
+    set_kind(w, index, (int)kind);
     td_proxy_set_forget(&w->awake_shapes);
     td_proxy_set_forget(&w->rest_shapes);
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {

@@ -1,4 +1,6 @@
-/* body_settings.c: changing how a body moves, and what it weighs; see thud_edits.h. */
+/* body_settings.c: setters of a body's damping, gravity scale, fixed rotation, sleep, detection and
+ * mass; see thud_edits.h. Each changes td_body, copies what steps read to the body's awake slot
+ * (td_awake_refresh), and marks the body as changed. */
 #include "thud/thud_edits.h"
 
 #include "edits/edit.h"
@@ -44,12 +46,15 @@ thud_result thud_body_set_gravity_scale(thud_world *w, thud_body_id id, float gr
     return THUD_OK;
 }
 
+/* Sets or clears a bit of td_body.flags. */
 static void flag(td_body *body, int bit, bool on) {
     body->flags = (uint8_t)(on ? body->flags | bit : body->flags & ~bit);
 }
 
-/* A mass that was given is not looked at by td_body_weigh, but what fixes the rotation is. */
-static void weigh(thud_world *w, td_body_index index) {
+/* Recomputes inverse mass and inertia. td_body_weigh leaves a mass that the caller set
+ * (TD_BODY_MASS_GIVEN) alone, so that its inverses follow here: the inertia counts only while the
+ * rotation is free. */
+static void update_mass(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
     float inv_mass = body->inv_mass, inv_inertia = body->inv_inertia;
     if (body->flags & TD_BODY_MASS_GIVEN) {
@@ -70,7 +75,7 @@ thud_result thud_body_set_fixed_rotation(thud_world *w, thud_body_id id, bool fi
         if (fixed && body->kind == THUD_DYNAMIC) {
             td_body_velocity(w, body)[2] = 0.0f;
         }
-        weigh(w, index);
+        update_mass(w, index);
     }
     return result;
 }
@@ -85,7 +90,8 @@ thud_result thud_body_set_may_sleep(thud_world *w, thud_body_id id, bool may_sle
     return result;
 }
 
-/* The change of shapes has them expected as far as the body goes, where its detection asks. */
+/* TD_CHANGE_SHAPES makes the broadphase bounds of the shapes anew, as far as the new detection
+ * wants them along the body's motion. */
 thud_result thud_body_set_detection(thud_world *w, thud_body_id id,
                                     const thud_detection *detection) {
     td_body_index index;
@@ -100,10 +106,11 @@ thud_result thud_body_set_detection(thud_world *w, thud_body_id id,
     return result;
 }
 
+/* Why the mass is refused, or null. */
 static const char *mass_error(const thud_world *w, const td_body *body, const thud_mass *m,
                               td_reason *why) {
-    double furthest = (double)(THUD_SIZE_MAX * w->unit);
-    double least = (double)THUD_MASS_MIN, most = (double)THUD_MASS_MAX;
+    double max_offset = (double)(THUD_SIZE_MAX * w->unit);
+    double min = (double)THUD_MASS_MIN, max = (double)THUD_MASS_MAX;
     if (body->kind != THUD_DYNAMIC) {
         return "set mass: the body is not dynamic";
     }
@@ -111,10 +118,10 @@ static const char *mass_error(const thud_world *w, const td_body *body, const th
         return NULL;
     }
     bool in =
-        td_in(why, "set mass: mass", (double)m->mass, least, most) &&
-        (m->inertia == 0.0f || td_in(why, "set mass: inertia", (double)m->inertia, least, most)) &&
-        td_in(why, "set mass: x of center", (double)m->center.x, -furthest, furthest) &&
-        td_in(why, "set mass: y of center", (double)m->center.y, -furthest, furthest);
+        td_in(why, "set mass: mass", (double)m->mass, min, max) &&
+        (m->inertia == 0.0f || td_in(why, "set mass: inertia", (double)m->inertia, min, max)) &&
+        td_in(why, "set mass: x of center", (double)m->center.x, -max_offset, max_offset) &&
+        td_in(why, "set mass: y of center", (double)m->center.y, -max_offset, max_offset);
     return in ? NULL : why->text;
 }
 
@@ -136,12 +143,13 @@ thud_result thud_body_set_mass(thud_world *w, thud_body_id id, const thud_mass *
         body->center_x = mass->center.x;
         body->center_y = mass->center.y;
         td_position to = td_body_origin(w, index);
-        center->x += from.x - to.x; /* the origin stays where it is */
+        center->x +=
+            from.x - to.x; /* the centre moves in the body, so that the origin stays in its place */
         center->y += from.y - to.y;
     }
     if (mass && mass->inertia == 0.0f) {
         td_body_velocity(w, body)[2] = 0.0f;
     }
-    weigh(w, index);
+    update_mass(w, index);
     return THUD_OK;
 }

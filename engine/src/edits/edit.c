@@ -1,4 +1,6 @@
-/* edit.c: see edit.h. */
+/* edit.c: what setters of bodies and shapes share: finding the object, waking its neighbours,
+ * ending and updating its contacts, and searching for new pairs; see edit.h. Constraints of a body
+ * form a list of edges: edge e is side e % 2 of constraint e / 2. */
 #include "edits/edit.h"
 
 #include "constraint/lanes.h"
@@ -8,6 +10,7 @@
 #include "state/shape.h"
 #include "state/surface.h"
 
+/* `found`, or THUD_ERROR_LOCKED inside a callback. */
 static thud_result unlocked(const thud_world *w, thud_result found) {
     return found == THUD_OK && w->locked
                ? td_refuse(w, THUD_ERROR_LOCKED, "change of a body or shape: not inside a callback")
@@ -22,7 +25,8 @@ thud_result td_edit_shape(const thud_world *w, thud_shape_id id, int *index) {
     return unlocked(w, td_find_shape(w, id, index));
 }
 
-/* Static bodies have nothing to wake, but lines that were dug in are looked at with their wake. */
+/* Wakes the body on the other side of an open contact. Static bodies are left out: they never
+ * sleep, and for the shapes of a static body a wake means that edited terrain is examined. */
 static void wake_other(thud_world *w, int edge) {
     td_body_index other = td_other_body(w, edge);
     if (td_constraint_at(w, edge / 2)->open && td_body_at(w, other)->kind != THUD_STATIC) {
@@ -40,6 +44,7 @@ void td_edit_wake(thud_world *w, td_body_index body, int shape) {
     td_body_mark(w, body, TD_CHANGE_WAKE);
 }
 
+/* Whether td_edit_end_contacts ends the contact of this edge. */
 static bool ends(const thud_world *w, int edge, int shape, bool all) {
     const td_constraint *c = td_constraint_at(w, edge / 2);
     return td_edit_concerns(c, shape) && (all || !td_pair_allowed(w, c->shape_a, c->shape_b));
@@ -72,15 +77,17 @@ void td_edit_settle_contacts(thud_world *w, int shape) {
             td_lane at = td_lane_of(w, contact);
             uint16_t *mark = &at.block->mark[at.lane].rule, before = *mark;
             td_contact_settle(w, at.block, at.lane, e / 2);
-            *mark |= before & (TD_LANE_ALTERED | TD_LANE_REFUSED); /* no rule's */
+            *mark |=
+                before & (TD_LANE_ALTERED | TD_LANE_REFUSED); /* set by prologues, not by rules */
             contact->vetoed = before == *mark ? contact->vetoed : 0;
             td_lane_renew(w, e / 2);
         }
     }
 }
 
-/* Bounds tell lines nothing of what stands on them: all that may looks for them. */
-static void look_for_line(thud_world *w, int line) {
+/* Terrain has no bounds in the broadphase: every shape that its filter lets meet the terrain
+ * searches for it. */
+static void search_for_terrain(thud_world *w, int line) {
     for (int i = 0; i < w->shapes.count; i++) {
         const td_shape *shape = td_shape_at(w, i);
         if ((shape->flags & TD_SHAPE_LIVE) && td_pair_allowed(w, line, i)) {
@@ -94,10 +101,11 @@ void td_edit_look_around(thud_world *w, int shape) {
     td_shape_mark_moved(w, shape);
     *td_marks_at(w, shape) |= TD_MARK_WOKEN;
     if (td_kind_is_line(td_shape_at(w, shape)->kind)) {
-        look_for_line(w, shape);
+        search_for_terrain(w, shape);
     }
 }
 
+/* Scales the accumulated (warm-start) impulses of all constraints of the body. */
 static void scale_impulses(thud_world *w, td_body_index body, float scale) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, e / 2);

@@ -1,13 +1,15 @@
-/* forces.c: forces and impulses; see thud_forces.h. */
+/* forces.c: a force at a point, and impulses at the centre of mass; see thud_forces.h. */
 #include "thud/thud_forces.h"
 
 #include "state/body.h"
 #include "state/handles.h"
 
-static bool pushes(double x) {
+/* Whether x is a number within THUD_PUSH_MAX. */
+static bool is_push(double x) {
     return td_abs(x) <= (double)THUD_PUSH_MAX;
 }
 
+/* Finds a dynamic body. */
 static thud_result find(const thud_world *w, thud_body_id id, td_body_index *index) {
     thud_result result = td_find_body(w, id, index);
     return result == THUD_OK && td_body_at(w, *index)->kind != THUD_DYNAMIC
@@ -23,24 +25,26 @@ thud_result thud_body_apply_force_at(thud_world *w, thud_body_id id, thud_vec2 f
     if (result != THUD_OK) {
         return result;
     }
-    double most = (double)THUD_PUSH_MAX;
+    double max = (double)THUD_PUSH_MAX;
     td_reason why;
-    if (!td_in(&why, "apply force at: x of force", (double)force.x, -most, most) ||
-        !td_in(&why, "apply force at: y of force", (double)force.y, -most, most) ||
+    if (!td_in(&why, "apply force at: x of force", (double)force.x, -max, max) ||
+        !td_in(&why, "apply force at: y of force", (double)force.y, -max, max) ||
         !td_in_world(w, &why, "apply force at: x or y of point", point.x, point.y)) {
         return td_refuse(w, THUD_ERROR_INVALID, why.text);
     }
     td_position place = td_place_from(w, point), center = td_pose_at(w, index)->center;
+    /* torque = x - y = arm.x * force.y - arm.y * force.x */
     double x = (double)(place.x - center.x) / w->to_fixed * (double)force.y;
     double y = (double)(place.y - center.y) / w->to_fixed * (double)force.x;
-    if (!(pushes(x) && pushes(y) && pushes(x - y))) {
+    if (!(is_push(x) && is_push(y) && is_push(x - y))) {
         return td_refuse(w, THUD_ERROR_INVALID, "apply force at: its torque is out of range");
     }
     return thud_body_apply_force(w, id, force, (float)(x - y));
 }
 
-/* Inside a callback, as a force. */
-static thud_result push(thud_world *w, thud_body_id id, double x, double y, double turn) {
+/* Applies the impulse (x, y) at the centre of mass and the angular impulse `turn`. Inside a
+ * callback it becomes the force impulse / time_step through the next step. */
+static thud_result apply_impulse(thud_world *w, thud_body_id id, double x, double y, double turn) {
     td_body_index index;
     thud_result result = find(w, id, &index);
     if (result != THUD_OK) {
@@ -49,8 +53,8 @@ static thud_result push(thud_world *w, thud_body_id id, double x, double y, doub
     td_body *body = td_body_at(w, index);
     double time = w->locked ? w->def.time_step : 1.0;
     double inv_mass = (double)body->inv_mass, inv_inertia = (double)body->inv_inertia;
-    if (!(pushes(x / time) && pushes(y / time) && pushes(turn / time) && pushes(x * inv_mass) &&
-          pushes(y * inv_mass) && pushes(turn * inv_inertia))) {
+    if (!(is_push(x / time) && is_push(y / time) && is_push(turn / time) && is_push(x * inv_mass) &&
+          is_push(y * inv_mass) && is_push(turn * inv_inertia))) {
         return td_refuse(w, THUD_ERROR_INVALID, "apply impulse: it is out of range");
     }
     if (w->locked) {
@@ -69,10 +73,10 @@ static thud_result push(thud_world *w, thud_body_id id, double x, double y, doub
 
 thud_result thud_body_apply_center_impulse(thud_world *w, thud_body_id id, thud_vec2 impulse) {
     TD_IN_OWN_MODE;
-    return push(w, id, (double)impulse.x, (double)impulse.y, 0.0);
+    return apply_impulse(w, id, (double)impulse.x, (double)impulse.y, 0.0);
 }
 
 thud_result thud_body_apply_angular_impulse(thud_world *w, thud_body_id id, float impulse) {
     TD_IN_OWN_MODE;
-    return push(w, id, 0.0, 0.0, (double)impulse);
+    return apply_impulse(w, id, 0.0, 0.0, (double)impulse);
 }

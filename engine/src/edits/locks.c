@@ -1,4 +1,7 @@
-/* locks.c: bodies that keep their x or y; see thud_locks.h. */
+/* locks.c: locks of a body's x or y (thud_locks.h). A lock is a joint between the body's centre of
+ * mass and an anchor, a static body without shapes (TD_BODY_ANCHOR): a hinge locks x and y, a wheel
+ * without a spring locks one of them and leaves the other and the rotation free. Anchors are shared
+ * by the locks of bodies near them. */
 #include "thud/thud_locks.h"
 
 #include "constraint/joint_hooks.h"
@@ -7,8 +10,10 @@
 #include "state/body.h"
 #include "state/handles.h"
 
-/* Length scales that a body may be from what holds it: its place is told to 2^-24 of them. */
-#define NEAR 1024.0
+/* Largest distance along x or y of a body from its anchor, length scales. Joint frames are in
+ * single precision (24 bits), so that the locked place is rounded to 1024 / 2^24 = 6e-5 length
+ * scales at most. Chosen: halved, worlds have more anchors; doubled, the rounding doubles. */
+#define ANCHOR_DISTANCE_MAX 1024.0
 
 /* The joint that locks a body, or TD_NONE. */
 static int lock_of(const thud_world *w, td_body_index body) {
@@ -21,22 +26,22 @@ static int lock_of(const thud_world *w, td_body_index body) {
     return TD_NONE;
 }
 
-/* A body to hold others near a place, or TD_NONE. */
+/* The body index of an anchor near a place, or TD_NONE. */
 static int find_anchor(const thud_world *w, td_position near) {
-    double most = NEAR * (double)w->unit * w->to_fixed;
+    double max = ANCHOR_DISTANCE_MAX * (double)w->unit * w->to_fixed;
     for (td_body_index i = {0}; i.at < w->bodies.count; i.at++) {
         const td_position *at = &td_pose_at(w, i)->center;
-        int flags = td_body_at(w, i)->flags, wanted = TD_BODY_LIVE | TD_BODY_ANCHOR;
-        if ((flags & wanted) == wanted && td_abs((double)(at->x - near.x)) <= most &&
-            td_abs((double)(at->y - near.y)) <= most) {
+        int flags = td_body_at(w, i)->flags, required = TD_BODY_LIVE | TD_BODY_ANCHOR;
+        if ((flags & required) == required && td_abs((double)(at->x - near.x)) <= max &&
+            td_abs((double)(at->y - near.y)) <= max) {
             return i.at;
         }
     }
     return TD_NONE;
 }
 
-/* It stands exactly at `near`: a def's position is in double precision, which keeps fewer bits of a
- * place the farther out it is. */
+/* Creates an anchor exactly at `near`. Its centre is set in fixed point afterwards, since the
+ * double-precision position of a def loses low bits far from the origin. */
 static thud_result make_anchor(thud_world *w, td_position near, thud_body_id *id) {
     thud_body_def def = thud_default_body_def();
     def.position = td_place_to(w, near);
@@ -49,6 +54,7 @@ static thud_result make_anchor(thud_world *w, td_position near, thud_body_id *id
     return result;
 }
 
+/* Which axes a lock (a joint, or TD_NONE) locks. A wheel leaves the axis of its frame free. */
 static void read_locks(const thud_world *w, int lock, bool *x, bool *y) {
     const td_joint *joint = lock == TD_NONE ? NULL : td_joint_at(w, lock);
     bool both = joint && joint->kind == THUD_HINGE;
@@ -56,7 +62,8 @@ static void read_locks(const thud_world *w, int lock, bool *x, bool *y) {
     *y = joint && (both || !*x);
 }
 
-/* Room for the joint is there before anything is made. */
+/* Makes the lock of x, y or both, in place of the one that the body has. Room for the joint is
+ * reserved before the anchor is made. */
 static thud_result make_lock(thud_world *w, td_body_index index, bool x, bool y) {
     thud_joint_def def = thud_default_joint_def(x && y ? THUD_HINGE : THUD_WHEEL);
     if (!td_slots_reserve(&w->memory, &w->joints, 1) || !td_joint_reserve(w, (int)def.kind)) {
@@ -71,7 +78,7 @@ static thud_result make_lock(thud_world *w, td_body_index index, bool x, bool y)
         def.body_a = td_body_handle(w, (td_body_index){anchor});
     }
     def.body_b = td_body_handle(w, index);
-    def.frame_a.angle = x ? TD_PI / 2 : 0.0; /* the wheel rolls along y */
+    def.frame_a.angle = x ? TD_PI / 2 : 0.0; /* the axis along which a wheel is free: y, or x */
     def.collide_connected = true;
     int old = lock_of(w, index);
     result = result == THUD_OK ? thud_joint_create(w, &def, NULL) : result;

@@ -1,4 +1,5 @@
-/* make_body.c: a body of one shape in one expression; see thud_make.h. */
+/* make_body.c: thud_body_make, a body of one shape: translates thud_body_options, where 0 is the
+ * default, into the defs of thud_body_create_with_shapes. */
 #include "thud/thud_make.h"
 
 #include "edits/edit.h"

@@ -1,4 +1,4 @@
-/* make_world.c: a world in one expression; see thud_make.h. */
+/* make_world.c: thud_world_make, a world by gravity and quality alone; see thud_make.h. */
 #include "thud/thud_make.h"
 
 thud_world *thud_world_make(thud_vec2 gravity, const thud_quality *quality) {

@@ -1,9 +1,11 @@
-/* places.c: points and directions of a body; see thud_forces.h. */
+/* places.c: the velocity at a point of a body, and points and vectors between the frames of body
+ * and world; see thud_forces.h. */
 #include "thud/thud_forces.h"
 
 #include "state/body.h"
 #include "state/handles.h"
 
+/* Finds a body; refuses a null `out`. */
 static thud_result find(const thud_world *w, thud_body_id id, const void *out,
                         td_body_index *index) {
     thud_result result = td_find_body(w, id, index);
@@ -11,7 +13,8 @@ static thud_result find(const thud_world *w, thud_body_id id, const void *out,
                                      : result;
 }
 
-/* As `find`, with a place that is given: in the world, or in the body's frame. */
+/* As `find`; also refuses a point (x, y), in the world or in the body's frame, that is out of
+ * range. */
 static thud_result find_at(const thud_world *w, thud_body_id id, double x, double y,
                            const void *out, td_body_index *index) {
     thud_result result = find(w, id, out, index);
@@ -36,8 +39,8 @@ thud_result thud_body_velocity_at(const thud_world *w, thud_body_id id, thud_pos
     return THUD_OK;
 }
 
-/* By the rotation of the pose, or against it. */
-static thud_vec2 turned(const td_pose *pose, double x, double y, double sign) {
+/* (x, y) turned by the rotation of the pose (sign 1) or by its inverse (sign -1). */
+static thud_vec2 rotated(const td_pose *pose, double x, double y, double sign) {
     double c = (double)pose->c, s = sign * (double)pose->s;
     return (thud_vec2){(float)(c * x - s * y), (float)(s * x + c * y)};
 }
@@ -51,7 +54,7 @@ thud_result thud_body_world_point(const thud_world *w, thud_body_id id, thud_vec
         return result;
     }
     td_position at = td_body_origin(w, index);
-    thud_vec2 arm = turned(td_pose_at(w, index), (double)point.x, (double)point.y, 1.0);
+    thud_vec2 arm = rotated(td_pose_at(w, index), (double)point.x, (double)point.y, 1.0);
     at.x += td_length_from(w, arm.x);
     at.y += td_length_from(w, arm.y);
     *out = td_place_to(w, at);
@@ -67,13 +70,14 @@ thud_result thud_body_local_point(const thud_world *w, thud_body_id id, thud_pos
         return result;
     }
     td_position origin = td_body_origin(w, index), at = td_place_from(w, point);
-    *out = turned(td_pose_at(w, index), (double)(at.x - origin.x) / w->to_fixed,
-                  (double)(at.y - origin.y) / w->to_fixed, -1.0);
+    *out = rotated(td_pose_at(w, index), (double)(at.x - origin.x) / w->to_fixed,
+                   (double)(at.y - origin.y) / w->to_fixed, -1.0);
     return THUD_OK;
 }
 
-static thud_result turn(const thud_world *w, thud_body_id id, thud_vec2 vector, double sign,
-                        thud_vec2 *out) {
+/* Turns a vector by the body's rotation (sign 1), or by its inverse (-1). */
+static thud_result rotate_vector(const thud_world *w, thud_body_id id, thud_vec2 vector,
+                                 double sign, thud_vec2 *out) {
     TD_IN_OWN_MODE;
     td_body_index index;
     thud_result result = find(w, id, out, &index);
@@ -84,16 +88,16 @@ static thud_result turn(const thud_world *w, thud_body_id id, thud_vec2 vector, 
     if (result != THUD_OK) {
         return result;
     }
-    *out = turned(td_pose_at(w, index), (double)vector.x, (double)vector.y, sign);
+    *out = rotated(td_pose_at(w, index), (double)vector.x, (double)vector.y, sign);
     return THUD_OK;
 }
 
 thud_result thud_body_world_vector(const thud_world *w, thud_body_id id, thud_vec2 vector,
                                    thud_vec2 *out) {
-    return turn(w, id, vector, 1.0, out);
+    return rotate_vector(w, id, vector, 1.0, out);
 }
 
 thud_result thud_body_local_vector(const thud_world *w, thud_body_id id, thud_vec2 vector,
                                    thud_vec2 *out) {
-    return turn(w, id, vector, -1.0, out);
+    return rotate_vector(w, id, vector, -1.0, out);
 }

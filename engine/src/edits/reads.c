@@ -1,4 +1,5 @@
-/* reads.c: see thud_reads.h. */
+/* reads.c: getters of single values of bodies and shapes, and of the settings that steps use; see
+ * thud_reads.h. */
 #include "thud/thud_reads.h"
 
 #include "base/rotation.h"

@@ -1,4 +1,5 @@
-/* shape_meets.c: changing what a shape meets, and whether it stops that; see thud_edits.h. */
+/* shape_meets.c: setters of a shape's filter and of whether it is a sensor: they end contacts, and
+ * let the next step find new ones; see thud_edits.h. */
 #include "thud/thud_edits.h"
 
 #include "contact/internal_edges.h"
@@ -7,8 +8,8 @@
 #include "state/handles.h"
 #include "state/shape.h"
 
-/* Of filters that differ neighbours do not hide each other's faces: the change of shapes has
- * internal edges looked for anew. */
+/* Internal edges exist only between neighbours with equal filters: TD_CHANGE_SHAPES makes the step
+ * compute them anew. */
 thud_result thud_shape_set_filter(thud_world *w, thud_shape_id id, thud_filter filter) {
     TD_IN_OWN_MODE;
     int index = 0;
@@ -24,7 +25,7 @@ thud_result thud_shape_set_filter(thud_world *w, thud_shape_id id, thud_filter f
         return td_refuse(w, THUD_ERROR_MEMORY, "set filter: out of memory");
     }
     td_edit_end_contacts(w, shape->body, index, false);
-    td_edit_settle_contacts(w, index); /* rules go by categories */
+    td_edit_settle_contacts(w, index); /* a rule is found by the categories */
     td_edit_look_around(w, index);
     td_body_mark(w, shape->body, TD_CHANGE_SHAPES);
     if (!(filter.category | filter.mask | (uint32_t)filter.group)) {
@@ -52,7 +53,7 @@ thud_result thud_shape_set_sensor(thud_world *w, thud_shape_id id, bool sensor) 
     shape->flags ^= TD_SHAPE_SENSOR;
     w->sensors += sensor ? 1 : -1;
     w->mobile_sensors += kind == THUD_DYNAMIC ? (sensor ? 1 : -1) : 0;
-    if (kind != THUD_STATIC) { /* its body's others are looked at as it changes */
+    if (kind != THUD_STATIC) { /* those of the body's other shapes follow with the change */
         shape->internal_edges = shape->hidden = 0;
     }
     *td_marks_at(w, index) |= TD_MARK_FRESH;

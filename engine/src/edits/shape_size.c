@@ -1,5 +1,5 @@
-/* shape_size.c: changing a shape's density and size, and with them what its body weighs; see
- * thud_edits.h. */
+/* shape_size.c: setters of a shape's density, radius and half extents, which change the mass of its
+ * body; see thud_edits.h. */
 #include "thud/thud_edits.h"
 
 #include "edits/edit.h"
@@ -7,10 +7,11 @@
 #include "state/handles.h"
 #include "state/shape.h"
 
-static void weigh(thud_world *w, int shape) {
+/* Recomputes the mass of the shape's body. */
+static void update_mass(thud_world *w, int shape) {
     td_body_index body = td_shape_at(w, shape)->body;
-    const td_body *was = td_body_at(w, body);
-    td_edit_weigh(w, body, was->inv_mass, was->inv_inertia);
+    const td_body *before = td_body_at(w, body);
+    td_edit_weigh(w, body, before->inv_mass, before->inv_inertia);
 }
 
 thud_result thud_shape_set_density(thud_world *w, thud_shape_id id, float density) {
@@ -25,11 +26,12 @@ thud_result thud_shape_set_density(thud_world *w, thud_shape_id id, float densit
         return result;
     }
     td_shape_at(w, index)->density = density;
-    weigh(w, index);
+    update_mass(w, index);
     return THUD_OK;
 }
 
-/* Bounds that are too large would never shrink: at a point they are left by all that it is. */
+/* Sets the size. Fat bounds are only made anew once the shape leaves them, so that a shape which
+ * shrinks would keep its old ones: they become a point, which the shape leaves in any case. */
 static void resize(thud_world *w, int index, float half_x, float half_y) {
     td_shape *shape = td_shape_at(w, index);
     shape->half_x = half_x;
@@ -39,7 +41,7 @@ static void resize(thud_world *w, int index, float half_x, float half_y) {
         td_shape_mark_moved(w, index);
         *td_fat_at(w, index) = td_bounds_about(td_shape_proxy_at(w, index)->center, 0, 0);
     }
-    weigh(w, index);
+    update_mass(w, index);
 }
 
 thud_result thud_shape_set_radius(thud_world *w, thud_shape_id id, float radius) {

@@ -1,5 +1,5 @@
-/* shape_surface.c: changing how a shape's surface acts, and what its user has and hears of it; see
- * thud_edits.h. */
+/* shape_surface.c: setters of a shape's friction, restitution, surface speed, events and user data;
+ * see thud_edits.h. */
 #include "thud/thud_edits.h"
 
 #include "edits/edit.h"
@@ -9,15 +9,16 @@
 #include <stddef.h>
 #include <string.h>
 
-static thud_result set(thud_world *w, thud_shape_id id, size_t field, float value, float least,
-                       float most, const char *name) {
+/* Sets the float at offset `field` of td_shape, if it is in [min, max]. `name` is for the log. */
+static thud_result set(thud_world *w, thud_shape_id id, size_t field, float value, float min,
+                       float max, const char *name) {
     TD_IN_OWN_MODE;
     int index = 0;
     thud_result result = td_edit_shape(w, id, &index);
     if (result != THUD_OK) {
         return result;
     }
-    result = td_check(w, name, (double)value, (double)least, (double)most);
+    result = td_check(w, name, (double)value, (double)min, (double)max);
     if (result != THUD_OK) {
         return result;
     }
@@ -39,8 +40,8 @@ thud_result thud_shape_set_restitution(thud_world *w, thud_shape_id id, float re
 }
 
 thud_result thud_shape_set_surface_speed(thud_world *w, thud_shape_id id, float surface_speed) {
-    float most = w ? THUD_SURFACE_SPEED_MAX * w->unit : 0.0f;
-    return set(w, id, offsetof(td_shape, surface_speed), surface_speed, -most, most,
+    float max = w ? THUD_SURFACE_SPEED_MAX * w->unit : 0.0f;
+    return set(w, id, offsetof(td_shape, surface_speed), surface_speed, -max, max,
                "set surface speed: surface_speed");
 }
 

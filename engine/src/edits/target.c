@@ -1,4 +1,10 @@
-/* target.c: a kinematic body's way to a pose; see thud_forces.h. */
+/* target.c: thud_body_set_target, the velocity by which a kinematic body reaches a pose at the end
+ * of the next step:
+ *
+ *     velocity = (target - pose) / T,   T = h * sum_{i=1..n} q^i,   q = 1 / (1 + h * damping)
+ *
+ * n: substeps; h = time_step / n: length of a substep; q: the factor by which damping scales the
+ * velocity at the start of each substep (wide_motion.c). Without damping T = time_step. */
 #include "thud/thud_forces.h"
 
 #include "base/rotation.h"
@@ -6,13 +12,13 @@
 #include "state/body.h"
 #include "state/handles.h"
 
-/* The time for which a velocity counts that is damped in each substep, as wide_motion.c has it. */
-static double time_of(const thud_world *w, float damping) {
+/* T of the head of this file, s. */
+static double damped_time(const thud_world *w, float damping) {
     float h = (float)w->def.time_step / (float)w->substeps;
-    double left = 1.0, sum = 0.0;
+    double share = 1.0, sum = 0.0;
     for (int i = 0; i < w->substeps; i++) {
-        left *= (double)(1.0f / (1.0f + h * damping));
-        sum += left;
+        share *= (double)(1.0f / (1.0f + h * damping));
+        sum += share;
     }
     return sum * (double)h;
 }
@@ -36,7 +42,7 @@ thud_result thud_body_set_target(thud_world *w, thud_body_id id, thud_pos positi
     if (result != THUD_OK) {
         return result;
     }
-    /* Of what is not dynamic the origin is the centre. */
+    /* The centre of a body that is not dynamic is its origin. */
     td_position to = td_place_from(w, position);
     double x = (double)(to.x - pose->center.x) / w->to_fixed;
     double y = (double)(to.y - pose->center.y) / w->to_fixed;
@@ -44,10 +50,11 @@ thud_result thud_body_set_target(thud_world *w, thud_body_id id, thud_pos positi
     if (body->aabbs && turn != 0.0) {
         return td_refuse(w, THUD_ERROR_INVALID, "set target: a body with an AABB cannot turn");
     }
-    double time = time_of(w, body->linear_damping);
-    double most = (double)(w->def.maximum_speed * w->unit);
-    double v[3] = {x / time, y / time, turn / time_of(w, body->angular_damping)};
-    if (!(td_abs(v[0]) <= most && td_abs(v[1]) <= most && td_abs(v[2]) <= (double)THUD_SPIN_MAX)) {
+    double time = damped_time(w, body->linear_damping);
+    double max_speed = (double)(w->def.maximum_speed * w->unit);
+    double v[3] = {x / time, y / time, turn / damped_time(w, body->angular_damping)};
+    if (!(td_abs(v[0]) <= max_speed && td_abs(v[1]) <= max_speed &&
+          td_abs(v[2]) <= (double)THUD_SPIN_MAX)) {
         return td_refuse(w, THUD_ERROR_INVALID, "set target: the body would be too fast");
     }
     const float *now = td_body_velocity(w, body);

@@ -1,4 +1,4 @@
-/* version.c: see thud_version.h. */
+/* version.c: thud_version, the version of the library that is linked; see thud_version.h. */
 #include "thud/thud_version.h"
 
 int thud_version(void) {

@@ -1,10 +1,11 @@
-/* lists.h: what all lists share: how they are asked for, and what counts as being there. */
+/* lists.h: what the lists of thud_lists.h share: the check of their arguments, and which bodies and
+ * shapes they contain. */
 #ifndef TD_LISTS_H
 #define TD_LISTS_H
 
 #include "state/handles.h"
 
-/* THUD_OK where a list may be written. */
+/* Refuses null pointers and a negative capacity. `out` may be null where capacity is 0. */
 static inline thud_result td_list_check(const thud_world *w, const void *out, int capacity,
                                         const int *count) {
     if (!w || !count || (!out && capacity > 0)) {
@@ -13,10 +14,12 @@ static inline thud_result td_list_check(const thud_world *w, const void *out, in
     return capacity >= 0 ? THUD_OK : td_refuse(w, THUD_ERROR_INVALID, "list: capacity is negative");
 }
 
+/* Whether the slot has a body that the caller made: anchors of locks (locks.c) are not listed. */
 static inline bool td_body_lives(const thud_world *w, td_body_index body) {
     return (td_body_at(w, body)->flags & (TD_BODY_LIVE | TD_BODY_ANCHOR)) == TD_BODY_LIVE;
 }
 
+/* Whether the slot has a shape. */
 static inline bool td_shape_lives(const thud_world *w, int shape) {
     return td_shape_at(w, shape)->flags & TD_SHAPE_LIVE;
 }

@@ -1,11 +1,12 @@
-/* meetings.c: who met whom in the last step, out of its events: contacts that began, hits, and what
- * sensors began to overlap, in this order. */
+/* meetings.c: thud_world_next_meeting, an iterator over the pairs of shapes of two categories that
+ * met in the last step. It goes through begin, hit and sensor_begin events, in this order, by one
+ * running number, and returns each pair once. */
 #include "lists/lists.h"
 
 #include "thud/thud_events.h"
 #include "thud/thud_lists.h"
 
-/* The shapes of an event, counted through the three lists; false behind the last one. */
+/* The shapes of event `at`, counted through the three lists. False after the last event. */
 static bool event_at(const thud_events *e, int at, thud_contact_event *out) {
     if (at < e->begin_count) {
         *out = e->begin[at];
@@ -24,21 +25,24 @@ static bool event_at(const thud_events *e, int at, thud_contact_event *out) {
     return false;
 }
 
-/* 0 for what is gone, which nobody met. */
+/* The category of a shape; 0, which matches nothing, if it has been destroyed. */
 static uint32_t category_of(const thud_world *w, thud_shape_id id) {
     return thud_shape_is_valid(w, id) ? td_shape_at(w, (int)(id.index1 - 1))->filter.category : 0;
 }
 
+/* Whether two handles are equal. */
 static bool same(thud_shape_id a, thud_shape_id b) {
     return a.index1 == b.index1 && a.generation == b.generation;
 }
 
+/* Whether two events are of the same two shapes, in either order. */
 static bool same_pair(const thud_contact_event *a, const thud_contact_event *b) {
     return (same(a->shape_a, b->shape_a) && same(a->shape_b, b->shape_b)) ||
            (same(a->shape_a, b->shape_b) && same(a->shape_b, b->shape_a));
 }
 
-static bool told_before(const thud_events *e, int at, const thud_contact_event *event) {
+/* Whether an event before number `at` is of the same pair. */
+static bool is_repeated(const thud_events *e, int at, const thud_contact_event *event) {
     thud_contact_event before;
     for (int i = 0; i < at && event_at(e, i, &before); i++) {
         if (same_pair(&before, event)) {
@@ -48,7 +52,8 @@ static bool told_before(const thud_events *e, int at, const thud_contact_event *
     return false;
 }
 
-/* Whether a meeting of the kinds is told: in the order of the event, or turned round. */
+/* Whether the event's shapes are of the categories `first` and `second`; swaps the event's shapes
+ * where only the other order matches. */
 static bool is_of(const thud_world *w, uint32_t first, uint32_t second, thud_contact_event *event) {
     uint32_t a = category_of(w, event->shape_a), b = category_of(w, event->shape_b);
     if ((a & first) && (b & second)) {
@@ -72,7 +77,7 @@ bool thud_world_next_meeting(const thud_world *w, uint32_t first, uint32_t secon
     thud_contact_event event;
     int at = meeting->next;
     for (; event_at(&e, at, &event); at++) {
-        if (is_of(w, first, second, &event) && !told_before(&e, at, &event)) {
+        if (is_of(w, first, second, &event) && !is_repeated(&e, at, &event)) {
             thud_pair pair;
             thud_pair_get(w, event.shape_a, event.shape_b, &pair);
             *meeting = (thud_met){event.shape_a, event.shape_b, pair.a, pair.b, at + 1};

@@ -1,9 +1,11 @@
-/* pair.c: whose the two shapes of a contact or an event are. */
+/* pair.c: thud_pair_get: the bodies, user data and sensor flags of the two shapes of a contact or
+ * event. */
 #include "lists/lists.h"
 
 #include "thud/thud_lists.h"
 
-/* All zero for what is gone, which after an end is nothing to tell the log. */
+/* One side; all zero if the shape has been destroyed. That is no error: a destroyed shape is a
+ * common reason of an end event. */
 static thud_pair_side side_of(const thud_world *w, thud_shape_id id) {
     if (!thud_shape_is_valid(w, id)) {
         return (thud_pair_side){0};

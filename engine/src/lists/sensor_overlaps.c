@@ -1,12 +1,14 @@
-/* sensor_overlaps.c: what a sensor overlaps, from its open contacts. They stand in no order: the
- * lowest slots for which there is room are kept in a heap, the highest of them on top, which then
- * is taken down into rising order. */
+/* sensor_overlaps.c: thud_sensor_overlaps: the shapes of a sensor's open contacts, in the order of
+ * slots. Contacts are in no order; so the lowest `capacity` slots are kept in a binary max-heap in
+ * the caller's array, which heapsort (J. W. J. Williams, Algorithm 232, 1964) then puts in
+ * ascending order. */
 #include "constraint/constraint.h"
 #include "lists/lists.h"
 
 #include "thud/thud_lists.h"
 
-/* The other shape of an open contact of the sensor; TD_NONE where an edge of its body is none. */
+/* The other shape's slot, if this edge of the sensor's body is an open contact of the sensor and
+ * the other body is enabled; else TD_NONE. */
 static int overlapped_by(const thud_world *w, int edge, int sensor) {
     const td_constraint *contact = td_constraint_at(w, edge / 2);
     if (contact->kind != TD_PAIR_SENSOR || !contact->open ||
@@ -14,13 +16,14 @@ static int overlapped_by(const thud_world *w, int edge, int sensor) {
         return TD_NONE;
     }
     int other = contact->shape_a == sensor ? contact->shape_b : contact->shape_a;
-    bool there = td_shape_lives(w, other) &&
-                 !(td_body_at(w, td_shape_at(w, other)->body)->flags & TD_BODY_DISABLED);
-    return there ? other : TD_NONE;
+    bool present = td_shape_lives(w, other) &&
+                   !(td_body_at(w, td_shape_at(w, other)->body)->flags & TD_BODY_DISABLED);
+    return present ? other : TD_NONE;
 }
 
-/* A line, be it the sensor or the other, has a contact a segment: the first one counts. */
-static bool counts(const thud_world *w, int first, int edge, int sensor, int other) {
+/* Whether this edge is the first with this other shape. A terrain, sensor or other, has a contact
+ * for each segment, of which only the first counts. */
+static bool is_first(const thud_world *w, int first, int edge, int sensor, int other) {
     if (!td_kind_is_line(td_shape_at(w, other)->kind) &&
         !td_kind_is_line(td_shape_at(w, sensor)->kind)) {
         return true;
@@ -38,8 +41,8 @@ static void swap(thud_shape_id *a, thud_shape_id *b) {
     *b = t;
 }
 
-/* Lets the element at `i` sink to where nothing below it is higher. */
-static void sink(thud_shape_id *heap, int count, int i) {
+/* Moves element i down the heap until no child has a higher slot. */
+static void sift_down(thud_shape_id *heap, int count, int i) {
     for (int below; (below = 2 * i + 1) < count; i = below) {
         below += below + 1 < count && heap[below + 1].index1 > heap[below].index1;
         if (heap[below].index1 <= heap[i].index1) {
@@ -49,19 +52,22 @@ static void sink(thud_shape_id *heap, int count, int i) {
     }
 }
 
-static void rise(thud_shape_id *heap, int i) {
+/* Moves element i up the heap until its parent has a higher slot. */
+static void sift_up(thud_shape_id *heap, int i) {
     for (int above; i > 0 && heap[above = (i - 1) / 2].index1 < heap[i].index1; i = above) {
         swap(&heap[above], &heap[i]);
     }
 }
 
+/* Adds a shape to the heap; where it is full, in place of the highest slot, if that is higher.
+ * `kept`: the number of shapes so far. */
 static void keep(thud_shape_id *heap, int capacity, int kept, thud_shape_id shape) {
     if (kept < capacity) {
         heap[kept] = shape;
-        rise(heap, kept);
+        sift_up(heap, kept);
     } else if (capacity > 0 && shape.index1 < heap[0].index1) {
         heap[0] = shape;
-        sink(heap, capacity, 0);
+        sift_down(heap, capacity, 0);
     }
 }
 
@@ -82,14 +88,14 @@ thud_result thud_sensor_overlaps(const thud_world *w, thud_shape_id id, thud_sha
     int first = body->flags & TD_BODY_DISABLED ? TD_NONE : body->first_constraint;
     for (int e = first; e != TD_NONE; e = td_next_edge(w, e)) {
         int other = overlapped_by(w, e, sensor);
-        if (other != TD_NONE && counts(w, first, e, sensor, other)) {
+        if (other != TD_NONE && is_first(w, first, e, sensor, other)) {
             keep(out, capacity, n, td_shape_handle(w, other));
             n++;
         }
     }
     for (int end = td_min_int(n, capacity) - 1; end > 0; end--) {
         swap(&out[0], &out[end]);
-        sink(out, end, 0);
+        sift_down(out, end, 0);
     }
     *count = n;
     return THUD_OK;

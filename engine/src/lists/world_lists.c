@@ -1,17 +1,20 @@
-/* world_lists.c: all bodies and shapes of a world, those that are awake, and who is in a slot. */
+/* world_lists.c: lists of all bodies, of the awake bodies and of all shapes of a world, and the
+ * handle of the body or shape in a slot. */
 #include "lists/lists.h"
 #include "state/body.h"
 
 #include "thud/thud_lists.h"
 
-typedef bool wanted_fn(const thud_world *w, td_body_index body);
+/* Whether a list contains the body. */
+typedef bool body_filter_fn(const thud_world *w, td_body_index body);
 
-/* As thud_body_get has it. */
+/* As thud_body_state.awake. */
 static bool is_awake(const thud_world *w, td_body_index index) {
     return td_body_lives(w, index) && td_body_is_awake(td_body_at(w, index));
 }
 
-static thud_result list_bodies(const thud_world *w, wanted_fn *wanted, thud_body_id *out,
+/* Lists the bodies for which `contains` is true, in the order of slots. */
+static thud_result list_bodies(const thud_world *w, body_filter_fn *contains, thud_body_id *out,
                                int capacity, int *count) {
     thud_result result = td_list_check(w, out, capacity, count);
     if (result != THUD_OK) {
@@ -19,7 +22,7 @@ static thud_result list_bodies(const thud_world *w, wanted_fn *wanted, thud_body
     }
     int n = 0;
     for (td_body_index i = {0}; i.at < w->bodies.count; i.at++) {
-        if (!wanted(w, i)) {
+        if (!contains(w, i)) {
             continue;
         }
         if (n < capacity) {
@@ -74,6 +77,7 @@ thud_result thud_world_slots(const thud_world *w, int *bodies, int *shapes) {
     return THUD_OK;
 }
 
+/* Refuses a null `out`, and a slot that was never used. */
 static thud_result check_slot(const thud_world *w, const td_slots *slots, int slot,
                               const void *out) {
     if (!out) {
