@@ -1,18 +1,18 @@
 /* anchors.c: what the lanes of a joint keep of it until it changes. */
 #include "joints/joint.h"
 
-void td_joint_fill(thud_world *w, td_block *block, int lane, int index) {
+void td_joint_fill_lane(thud_world *w, td_block *block, int lane, int index) {
     (void)w, (void)index;
     block->shape_a[lane] = block->shape_b[lane] = TD_NONE;
     block->armed = 1;
 }
 
-void td_joint_renew(thud_world *w, td_block *block, int lane, int index) {
+void td_joint_renew_lane(thud_world *w, td_block *block, int lane, int index) {
     (void)w, (void)lane, (void)index;
     block->armed = 1;
 }
 
-void td_joint_let_be(thud_world *w, td_block *block, int lane, int index) {
+void td_joint_clear_lane(thud_world *w, td_block *block, int lane, int index) {
     (void)w, (void)block, (void)lane, (void)index;
 }
 
@@ -81,7 +81,7 @@ static void set_drive(const thud_world *w, td_block *block, int lane, const td_j
     rows->motor_most[lane] = d->motor_force;
 }
 
-void td_joint_look_up(const thud_world *w, td_block *block) {
+void td_joint_update_anchors(const thud_world *w, td_block *block) {
     for (int lane = 0; lane < block->used; lane++) {
         const td_constraint *constraint = td_constraint_at(w, block->constraint[lane]);
         const td_joint *joint = td_joint_of(w, constraint);

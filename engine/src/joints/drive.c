@@ -9,10 +9,10 @@ TD_DECLARE_WIDE(const td_solve_ops, td_solve_drive_turn);
 static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
     const td_point *p = &block->point[0];
     bool turns = td_constraint_at(w, block->constraint[lane])->kind == TD_CONSTRAINT_DRIVE_TURN;
-    float mass = td_joint_lighter(w, block, lane);
+    float mass = td_joint_max_inverse_mass(w, block, lane);
     float turn = td_max_float(block->inv_inertia_a[lane], block->inv_inertia_b[lane]);
     float beyond = td_max_float(-p->separation[lane], 0.0f);
-    float impulse = td_joint_size(p->normal_impulse[lane]);
+    float impulse = td_joint_abs(p->normal_impulse[lane]);
     *off = turns ? beyond * size : beyond;
     return impulse * (turns ? turn * size : mass);
 }

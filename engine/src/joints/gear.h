@@ -5,11 +5,11 @@
 #include "joints/joint.h"
 
 /* Whether a gear goes by the turn of this joint, and not by its length. */
-bool td_gear_turns(const td_joint *joint);
+bool td_gear_by_angle(const td_joint *joint);
 /* Both its joints are there. */
-bool td_gear_whole(const thud_world *w, const td_joint *gear);
+bool td_gear_has_joints(const thud_world *w, const td_joint *gear);
 /* It holds what its joints have now. */
-void td_gear_begin(const thud_world *w, td_joint *gear);
+void td_gear_set_rest(const thud_world *w, td_joint *gear);
 /* By how much it is off, as the first joint has its value. */
 double td_gear_gap(const thud_world *w, const td_joint *gear);
 /* 1 / the mass that its row feels. */

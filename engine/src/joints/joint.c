@@ -15,7 +15,7 @@ _Static_assert((int)THUD_DIRECTION_COUNT == (int)TD_JOINT_DIRECTIONS, "a drive f
 
 /* By kind: what is locked but for what has a drive in `either`; and what may be driven. */
 static const struct {
-    unsigned locked, either, drivable;
+    unsigned locked, unless_driven, drivable;
 } of_kind[] = {[THUD_DISTANCE] = {ALONG, ALONG, ALONG},
                [THUD_HINGE] = {ALONG | ACROSS, 0, TURN},
                [THUD_SLIDER] = {ACROSS | TURN, 0, ALONG},
@@ -38,7 +38,7 @@ void td_joint_sort_directions(td_joint *joint) {
     driven &= td_joint_drivable(joint->kind);
     joint->driven = (uint8_t)driven;
     joint->locked =
-        (uint8_t)(of_kind[joint->kind].locked & ~(of_kind[joint->kind].either & driven));
+        (uint8_t)(of_kind[joint->kind].locked & ~(of_kind[joint->kind].unless_driven & driven));
 }
 
 int td_joint_part_kind(const td_joint *joint, int part) {
@@ -84,7 +84,7 @@ td_joint_place td_joint_place_of(const thud_world *w, const td_joint *joint) {
     return place;
 }
 
-float td_joint_line_of(const td_joint_place *place, float *x, float *y) {
+float td_joint_line(const td_joint_place *place, float *x, float *y) {
     float length = __builtin_sqrtf(place->x * place->x + place->y * place->y);
     *x = length > 0.0f ? place->x / length : 0.0f;
     *y = length > 0.0f ? place->y / length : 1.0f;
@@ -92,17 +92,17 @@ float td_joint_line_of(const td_joint_place *place, float *x, float *y) {
 }
 
 double td_joint_closing_speed(const thud_world *w, double gap, double time) {
-    double most = (double)(TD_JOINT_CLOSING * w->unit), speed = -gap / time;
-    return speed > most ? most : speed < -most ? -most : speed;
+    double max_speed = (double)(TD_JOINT_CLOSING * w->unit), speed = -gap / time;
+    return speed > max_speed ? max_speed : speed < -max_speed ? -max_speed : speed;
 }
 
 /* ---- in motion ---- */
 
 /* Turns within a part of a step are small: their series are as good as the tables. */
-#define SMALL 0.125
+#define SERIES_ANGLE_MAX 0.125
 
 void td_joint_sincos(double angle, double *s, double *c) {
-    if (!(td_abs(angle) <= SMALL)) {
+    if (!(td_abs(angle) <= SERIES_ANGLE_MAX)) {
         td_sincos(angle, s, c);
         return;
     }
@@ -114,7 +114,7 @@ void td_joint_sincos(double angle, double *s, double *c) {
 }
 
 /* Crosses of an arm with u and v, once it has turned. */
-static void turn_arm(double angle, double *u, double *v) {
+static void rotate_arm(double angle, double *u, double *v) {
     double c, s, x = *u, y = *v;
     if (angle == 0.0) {
         return;
@@ -125,7 +125,7 @@ static void turn_arm(double angle, double *u, double *v) {
 }
 
 /* The same in a frame that is turned by (c, s). */
-static td_joint_frame turn_frame(td_joint_frame f, double c, double s) {
+static td_joint_frame rotate_frame(td_joint_frame f, double c, double s) {
     return (td_joint_frame){.x = c * f.x - s * f.y,
                             .y = c * f.y + s * f.x,
                             .a_u = c * f.a_u + s * f.a_v,
@@ -144,8 +144,8 @@ td_joint_frame td_joint_frame_after(const td_block *block, int lane, double gap_
     td_joint_frame f = {
         (double)block->nx[lane], (double)block->ny[lane], a_u, a_v, b_u, b_v, gap_u, gap_v};
     double x = b[0] - a[0], y = b[1] - a[1];
-    turn_arm(a[2], &f.a_u, &f.a_v);
-    turn_arm(b[2], &f.b_u, &f.b_v);
+    rotate_arm(a[2], &f.a_u, &f.a_v);
+    rotate_arm(b[2], &f.b_u, &f.b_v);
     f.gap_u += x * f.x + y * f.y + (f.b_v - b_v) - (f.a_v - a_v);
     f.gap_v += y * f.x - x * f.y - (f.b_u - b_u) + (f.a_u - a_u);
     if (turns) {
@@ -153,7 +153,7 @@ td_joint_frame td_joint_frame_after(const td_block *block, int lane, double gap_
         f.a_u -= f.gap_v;
         f.a_v += f.gap_u;
         td_joint_sincos(a[2], &s, &c);
-        f = turn_frame(f, c, s);
+        f = rotate_frame(f, c, s);
     }
     return f;
 }
@@ -163,7 +163,7 @@ td_joint_frame td_joint_line_after(const td_block *block, int lane, double gap_u
     td_joint_frame f = td_joint_frame_after(block, lane, gap_u, gap_v, false, a, b);
     double length = __builtin_sqrt(f.gap_u * f.gap_u + f.gap_v * f.gap_v);
     if (length > 0.0) {
-        f = turn_frame(f, f.gap_u / length, f.gap_v / length);
+        f = rotate_frame(f, f.gap_u / length, f.gap_v / length);
     }
     return f;
 }

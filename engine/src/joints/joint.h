@@ -26,17 +26,17 @@ thud_result td_find_joint(const thud_world *w, thud_joint_id id, bool edits, int
 thud_joint_id td_joint_handle(const thud_world *w, int index);
 
 /* joint_def.c */
-bool td_joint_frame_in(const thud_world *w, td_reason *why, const thud_joint_frame *f);
+bool td_joint_frame_valid(const thud_world *w, td_reason *why, const thud_joint_frame *f);
 /* Why it is none, or null. */
 const char *td_joint_drive_error(const thud_world *w, thud_joint_kind kind, int direction,
                                  const thud_drive *d, td_reason *why);
 /* Tells the log of what it takes, and is hardly meant. */
-void td_joint_look_at_drive(const thud_world *w, const thud_drive *d);
+void td_joint_warn_of_drive(const thud_world *w, const thud_drive *d);
 /* Why not, or null. */
 const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_body_index a,
                                td_body_index b, td_reason *why);
 /* Whether a joint may break beyond so much, with the reason. */
-static inline bool td_joint_break_in(td_reason *why, const char *name, float x) {
+static inline bool td_joint_break_valid(td_reason *why, const char *name, float x) {
     return td_in(why, name, (double)x, 0.0, (double)THUD_JOINT_FORCE_MAX);
 }
 td_drive td_drive_of(const thud_drive *d);
@@ -55,7 +55,7 @@ static inline bool td_joint_is_lock(const thud_world *w, const td_joint *joint,
 
 /* joint_make.c: room for all parts that a kind may have; and the parts that it needs, of those. */
 bool td_joint_reserve(thud_world *w, int kind);
-void td_joint_settle(thud_world *w, int index);
+void td_joint_update_parts(thud_world *w, int index);
 
 /* joint_end.c */
 /* It has changed: its bodies wake, and its lanes look it up anew. */
@@ -124,7 +124,7 @@ typedef struct td_joint_place {
 td_joint_place td_joint_place_of(const thud_world *w, const td_joint *joint);
 
 /* How far apart both anchors are, and the direction from a's to b's; where they meet, any. */
-float td_joint_line_of(const td_joint_place *place, float *x, float *y);
+float td_joint_line(const td_joint_place *place, float *x, float *y);
 
 /* The speed at which a gap goes within so much time, as far as TD_JOINT_CLOSING allows. */
 double td_joint_closing_speed(const thud_world *w, double gap, double time);
@@ -159,12 +159,12 @@ float td_joint_inverse_mass(const thud_world *w, const td_block *block, int lane
                             float cross_a, float cross_b);
 /* For td_lane_ops: what is no contact has no shapes, and what a lane keeps of its joint is to be
  * looked up anew, after changes too. */
-void td_joint_fill(thud_world *w, td_block *block, int lane, int index);
-void td_joint_renew(thud_world *w, td_block *block, int lane, int index);
-void td_joint_let_be(thud_world *w, td_block *block, int lane, int index);
+void td_joint_fill_lane(thud_world *w, td_block *block, int lane, int index);
+void td_joint_renew_lane(thud_world *w, td_block *block, int lane, int index);
+void td_joint_clear_lane(thud_world *w, td_block *block, int lane, int index);
 
 /* anchors.c: what lanes keep of their joints. */
-void td_joint_look_up(const thud_world *w, td_block *block);
+void td_joint_update_anchors(const thud_world *w, td_block *block);
 
 /* wide_place.c: the rows of rods, holds and drives from the present poses; for
  * td_constraint_ops.collide_world. Joints never part: all lanes go on touching. */
@@ -173,20 +173,20 @@ typedef void td_place_fn(thud_world *w, td_block *const *blocks, int count,
 TD_DECLARE_WIDE(td_place_fn, td_place_joints);
 
 /* Inverse mass of the lighter side. */
-static inline float td_joint_lighter(const thud_world *w, const td_block *block, int lane) {
+static inline float td_joint_max_inverse_mass(const thud_world *w, const td_block *block, int lane) {
     return td_max_float(td_row(&w->velocity, td_slot_of_side(block->a[lane]))[3],
                         td_row(&w->velocity, td_slot_of_side(block->b[lane]))[3]);
 }
 
-static inline float td_joint_size(float x) {
+static inline float td_joint_abs(float x) {
     return x < 0.0f ? -x : x;
 }
 
 /* Stands in the file of a kind of part, below its count and load; defines `lanes`. */
 #define TD_DEFINE_JOINT_LANES(take, turn)                       \
-    static const td_lane_ops lanes = {.fill = td_joint_fill,    \
-                                      .clear = td_joint_let_be, \
-                                      .renew = td_joint_renew,  \
+    static const td_lane_ops lanes = {.fill = td_joint_fill_lane,    \
+                                      .clear = td_joint_clear_lane, \
+                                      .renew = td_joint_renew_lane,  \
                                       .count = count,           \
                                       .load = load,             \
                                       .take_rows = (take),      \

@@ -6,7 +6,7 @@
 #include "base/trig.h"
 #include "constraint/joint_hooks.h"
 
-#define AXIS 0.5f /* length scales: as far as axes and angles are drawn */
+#define AXIS_LENGTH 0.5f /* length scales: as far as axes and angles are drawn */
 
 /* A joint in the coordinates of a drawing: side 0 is the caller's a. */
 typedef struct drawn {
@@ -14,7 +14,7 @@ typedef struct drawn {
     float x, y; /* the axis */
 } drawn;
 
-static thud_vec2 plus(thud_vec2 p, float x, float y) {
+static thud_vec2 offset_by(thud_vec2 p, float x, float y) {
     return (thud_vec2){p.x + x, p.y + y};
 }
 
@@ -24,7 +24,7 @@ static drawn drawn_of(const td_drawing *d, const td_joint *joint) {
     for (int side = 0; side < 2; side++) {
         int of = side ^ joint->swapped;
         out.centre[side] = td_drawing_local(d, td_pose_at(d->w, joint->body[of])->center);
-        out.place[side] = plus(out.centre[side], place.arm[of][0], place.arm[of][1]);
+        out.place[side] = offset_by(out.centre[side], place.arm[of][0], place.arm[of][1]);
     }
     return out;
 }
@@ -41,23 +41,23 @@ static void angle_line(const td_drawing *d, const drawn *j, double angle, float 
     double s, c;
     td_sincos(angle, &s, &c);
     float x = (float)c * j->x - (float)s * j->y, y = (float)s * j->x + (float)c * j->y;
-    td_drawing_line(d, j->place[0], plus(j->place[0], length * x, length * y), style);
+    td_drawing_line(d, j->place[0], offset_by(j->place[0], length * x, length * y), style);
 }
 
 /* Across the line of a direction, at both ends of what it may be. */
 static void limit_marks(const td_drawing *d, thud_vec2 from, float x, float y, const td_drive *of) {
-    float half = 0.25f * AXIS * d->w->unit, at[2] = {of->lower, of->upper};
+    float half = 0.25f * AXIS_LENGTH * d->w->unit, at[2] = {of->lower, of->upper};
     thud_vec2 end[2];
     for (int i = 0; i < 2; i++) {
-        end[i] = plus(from, at[i] * x, at[i] * y);
-        td_drawing_line(d, plus(end[i], half * y, -half * x), plus(end[i], -half * y, half * x),
-                        THUD_DRAW_JOINT_LIMIT);
+        end[i] = offset_by(from, at[i] * x, at[i] * y);
+        td_drawing_line(d, offset_by(end[i], half * y, -half * x),
+                        offset_by(end[i], -half * y, half * x), THUD_DRAW_JOINT_LIMIT);
     }
     td_drawing_line(d, end[0], end[1], THUD_DRAW_JOINT_LIMIT);
 }
 
 static void draw_limits(const td_drawing *d, const td_joint *joint, const drawn *j) {
-    float length = AXIS * d->w->unit, x = j->x, y = j->y;
+    float length = AXIS_LENGTH * d->w->unit, x = j->x, y = j->y;
     if (joint->kind == THUD_DISTANCE) {
         float u = j->place[1].x - j->place[0].x, v = j->place[1].y - j->place[0].y;
         float size = __builtin_sqrtf(u * u + v * v);
@@ -93,7 +93,7 @@ static void draw_joint(const td_drawing *d, const td_joint *joint) {
     }
     td_drawing_line(d, j.place[0], j.place[1], THUD_DRAW_JOINT);
     if (joint->kind != THUD_DISTANCE) {
-        angle_line(d, &j, 0.0, AXIS * d->w->unit, THUD_DRAW_JOINT_AXIS);
+        angle_line(d, &j, 0.0, AXIS_LENGTH * d->w->unit, THUD_DRAW_JOINT_AXIS);
     }
     draw_limits(d, joint, &j);
 }
@@ -106,7 +106,7 @@ static void draw_force(const td_drawing *d, const td_joint *joint) {
     float mass = td_body_at(d->w, joint->body[b])->inv_mass;
     mass = mass > 0.0f ? mass : td_body_at(d->w, joint->body[1 - b])->inv_mass;
     float part = 0.5f * mass;
-    td_drawing_line(d, j.place[1], plus(j.place[1], part * load.force.x, part * load.force.y),
+    td_drawing_line(d, j.place[1], offset_by(j.place[1], part * load.force.x, part * load.force.y),
                     THUD_DRAW_JOINT_FORCE);
 }
 

@@ -16,7 +16,7 @@ void td_joint_wake(thud_world *w, const td_joint *joint) {
 }
 
 /* Shapes that passed through each other look for each other. */
-static void look_around(thud_world *w, const td_joint *joint) {
+static void mark_shapes_moved(thud_world *w, const td_joint *joint) {
     for (int side = 0; side < 2 && !joint->collides; side++) {
         int i = td_body_at(w, joint->body[side])->first_shape;
         for (; i != TD_NONE; i = td_shape_at(w, i)->next) {
@@ -31,7 +31,7 @@ void td_joint_end(thud_world *w, int index) {
     int part[TD_JOINT_PARTS];
     __builtin_memcpy(part, joint->part, sizeof part);
     td_joint_wake(w, joint);
-    look_around(w, joint);
+    mark_shapes_moved(w, joint);
     for (int i = 0; i < TD_JOINT_PARTS; i++) {
         if (part[i] != TD_NONE) {
             td_constraint_destroy(w, part[i]);

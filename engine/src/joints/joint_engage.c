@@ -9,7 +9,7 @@ static bool is_solid_contact(const td_constraint *constraint) {
     return td_is_contact(constraint) && constraint->kind != TD_PAIR_SENSOR;
 }
 
-static bool is_there(const td_body *body) {
+static bool in_world(const td_body *body) {
     return !(body->flags & (TD_BODY_DISABLED | TD_BODY_QUARANTINED)) &&
            !(body->changes & TD_CHANGE_ENTER);
 }
@@ -36,12 +36,12 @@ static bool end_contacts(thud_world *w, td_body_index a, td_body_index b) {
 
 /* Its bodies are there. */
 static bool may_engage(const thud_world *w, const td_constraint *constraint) {
-    return !td_joint_of(w, constraint)->disabled && is_there(td_body_at(w, constraint->body[0])) &&
-           is_there(td_body_at(w, constraint->body[1]));
+    return !td_joint_of(w, constraint)->disabled && in_world(td_body_at(w, constraint->body[0])) &&
+           in_world(td_body_at(w, constraint->body[1]));
 }
 
 /* Bodies that are tied meet no more, and wake, since something new holds them. */
-static bool make_way(thud_world *w, int index) {
+static bool prepare_bodies(thud_world *w, int index) {
     const td_constraint *constraint = td_constraint_at(w, index);
     const td_joint *joint = td_joint_of(w, constraint);
     if (!joint->collides && !end_contacts(w, constraint->body[0], constraint->body[1])) {
@@ -57,7 +57,7 @@ static bool make_way(thud_world *w, int index) {
 }
 
 /* A filter needs no lane, and rests. */
-static void drop_filters(const thud_world *w, td_array *list) {
+static void remove_filters(const thud_world *w, td_array *list) {
     int kept = 0;
     for (int i = 0; i < list->count; i++) {
         int index = td_int_at(list, i);
@@ -69,11 +69,11 @@ static void drop_filters(const thud_world *w, td_array *list) {
 }
 
 /* Lanes for all parts of a kind that wait and may have some. */
-static bool engage(thud_world *w, int kind) {
+static bool engage_kind(thud_world *w, int kind) {
     const td_array *waiting = &w->waiting[kind];
     for (int i = 0; i < waiting->count; i++) {
         int index = td_int_at(waiting, i);
-        if (may_engage(w, td_constraint_at(w, index)) && !make_way(w, index)) {
+        if (may_engage(w, td_constraint_at(w, index)) && !prepare_bodies(w, index)) {
             return false;
         }
     }
@@ -90,7 +90,7 @@ static bool engage(thud_world *w, int kind) {
     for (int i = 0; i < list->count; i++) {
         td_constraint_rest(w, td_int_at(list, i));
     }
-    drop_filters(w, list);
+    remove_filters(w, list);
     /* Where memory was short they wait in the order in which they did, so that the next try gives
      * them the same lanes. */
     if (!td_lanes_place(w, list->data, list->count)) {
@@ -106,7 +106,7 @@ static bool engage(thud_world *w, int kind) {
 static void end_idle_gears(thud_world *w) {
     for (int i = 0; i < w->joints.count && w->constraint_count[TD_CONSTRAINT_GEAR] > 0; i++) {
         const td_joint *joint = td_joint_at(w, i);
-        if (joint->live && joint->kind == THUD_GEAR && !td_gear_whole(w, joint)) {
+        if (joint->live && joint->kind == THUD_GEAR && !td_gear_has_joints(w, joint)) {
             td_joint_end(w, i);
         }
     }
@@ -124,7 +124,7 @@ bool td_joints_engage(thud_world *w) {
     }
     end_idle_gears(w);
     for (int kind = TD_PAIR_COUNT; kind < TD_CONSTRAINT_KINDS; kind++) {
-        if (w->waiting[kind].count > 0 && !engage(w, kind)) {
+        if (w->waiting[kind].count > 0 && !engage_kind(w, kind)) {
             return false;
         }
     }
@@ -188,8 +188,8 @@ bool td_joints_keep_apart(const thud_world *w, td_body_index a, td_body_index b)
  * that; else no list has it, and no shapes, contacts or awake slot are to be given back. */
 static void end_idle_anchor(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
-    int wanted = TD_BODY_LIVE | TD_BODY_ANCHOR;
-    if ((body->flags & wanted) != wanted || body->first_constraint != TD_NONE) {
+    int both = TD_BODY_LIVE | TD_BODY_ANCHOR;
+    if ((body->flags & both) != both || body->first_constraint != TD_NONE) {
         return;
     }
     if (body->changes) {

@@ -5,7 +5,7 @@
 /* Of a gear its joints count as well: it goes with them, in the next step. */
 static bool is_there(const thud_world *w, int index) {
     const td_joint *joint = td_joint_at(w, index);
-    return joint->live && (joint->kind != THUD_GEAR || td_gear_whole(w, joint));
+    return joint->live && (joint->kind != THUD_GEAR || td_gear_has_joints(w, joint));
 }
 
 static bool is_live(const thud_world *w, thud_joint_id id) {

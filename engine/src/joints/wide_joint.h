@@ -8,37 +8,37 @@
 #include "solver/wide_solve.h"
 
 #define ANGLE TD_JOINT_ANGLE
-#define PULL TD_JOINT_PULL
-#define LOST                                                                             \
+#define GAP_SHARE TD_JOINT_PULL
+#define IMPULSE_SCALE                                                                             \
     (1.0f / (1.0f + ANGLE * (2.0f + ANGLE))) /* part of its impulse that it loses in one \
                                               */
 
 /* In a ring that would add energy, no more than this: what many rows share of which each moves
  * little swings, and grows, unless LOST (1 + s) > s PULL with s = 1 - LOST, which takes the part of
  * an impulse that both passes of a substep correct over what a gap adds to it. */
-#define PULL_TORN (0.95f * LOST * (2.0f - LOST) / (1.0f - LOST))
+#define GAP_SHARE_TORN (0.95f * IMPULSE_SCALE * (2.0f - IMPULSE_SCALE) / (1.0f - IMPULSE_SCALE))
 
-TD_INLINE f8 pull_of(f8 haste) {
-    return f8_pick(haste > f8_all(1.0f), f8_all(PULL), f8_all(PULL_TORN));
+TD_INLINE f8 gap_share(f8 haste) {
+    return f8_pick(haste > f8_all(1.0f), f8_all(GAP_SHARE), f8_all(GAP_SHARE_TORN));
 }
 
 /* A limit or a gear bears a load L at rest by a bias of LOST / (1 - LOST) K L, where K is 1 / the
  * mass that the row feels. Its bias may be twice that on top of what gaps close at. */
-#define LOAD (LOST / (1.0f - LOST))
+#define LOAD_BIAS (IMPULSE_SCALE / (1.0f - IMPULSE_SCALE))
 
-TD_INLINE f8 most_of_bias(float closing, f8 k, f8 impulse) {
-    return f8_all(TD_JOINT_HASTE * closing) + f8_all(LOAD) * k * f8_abs(impulse);
+TD_INLINE f8 max_bias(float closing, f8 k, f8 impulse) {
+    return f8_all(TD_JOINT_HASTE * closing) + f8_all(LOAD_BIAS) * k * f8_abs(impulse);
 }
 
 /* Adding and taking away 1.5 * 2^23 rounds to whole numbers. */
-#define WHOLE 12582912.0f
-#define WILD 1e5f /* rad in a step: whoever turns so much is anywhere */
+#define ROUNDING 12582912.0f
+#define TURN_MAX 1e5f /* rad in a step: whoever turns so much is anywhere */
 
 /* Cosine and sine of a turn within a step; good to the last bits up to a radian or so, and never
  * far from 1 at most. */
 TD_INLINE void cosine_and_sine(f8 x, f8 *c, f8 *s) {
-    f8 turns = f8_clamp(x, f8_all(-WILD), f8_all(WILD));
-    f8 whole = turns * f8_all((float)(0.5 / TD_PI)) + f8_all(WHOLE) - f8_all(WHOLE);
+    f8 turns = f8_clamp(x, f8_all(-TURN_MAX), f8_all(TURN_MAX));
+    f8 whole = turns * f8_all((float)(0.5 / TD_PI)) + f8_all(ROUNDING) - f8_all(ROUNDING);
     x = turns - whole * f8_all((float)(2.0 * TD_PI));
     f8 xx = x * x;
     *s = x + x * xx * (TD_SIN3 + xx * (TD_SIN5 + xx * (TD_SIN7 + xx * TD_SIN9)));
@@ -53,7 +53,7 @@ typedef struct frame8 {
 } frame8;
 
 /* Arms that turned with their body, against a frame that did not: *u, *v are the arms' crosses. */
-TD_INLINE void turn_arms(f8 angle, f8 *u, f8 *v) {
+TD_INLINE void rotate_arms(f8 angle, f8 *u, f8 *v) {
     f8 c, s, x = *u, y = *v;
     cosine_and_sine(angle, &c, &s);
     *u = c * x - s * y;
@@ -66,13 +66,13 @@ TD_INLINE frame8 frame_now(const td_block *block, const sides *d, bool fixed, f8
                            f8 turns) {
     const td_point *p = &block->point[0], *q = &block->point[1];
     frame8 f = {block->nx, block->ny, p->cross_a, q->cross_a, p->cross_b, q->cross_b, gap_u, gap_v};
-    turn_arms(d->b.z, &f.b_u, &f.b_v);
+    rotate_arms(d->b.z, &f.b_u, &f.b_v);
     f.gap_u += centres_along(d, fixed, f.x, f.y) + (f.b_v - q->cross_b);
     f.gap_v += centres_along(d, fixed, -f.y, f.x) - (f.b_u - p->cross_b);
     if (fixed) {
         return f;
     }
-    turn_arms(d->a.z, &f.a_u, &f.a_v);
+    rotate_arms(d->a.z, &f.a_u, &f.a_v);
     f.gap_u -= f.a_v - q->cross_a;
     f.gap_v += f.a_u - p->cross_a;
     /* a x u = -(a . v), a x v = a . u */
@@ -118,14 +118,14 @@ TD_INLINE f8 speed_now(const sides *v, bool fixed, f8 x, f8 y, f8 cross_a, f8 cr
 
 /* What one unit of impulse along one direction of a frame gives in another one's speed; `linear`
  * is the product of both directions. */
-TD_INLINE f8 yield(const td_block *block, const sides *v, bool fixed, f8 linear, f8 from_a,
+TD_INLINE f8 inverse_mass_entry(const td_block *block, const sides *v, bool fixed, f8 linear, f8 from_a,
                    f8 from_b, f8 to_a, f8 to_b) {
     f8 mass = fixed ? v->b.w : v->a.w + v->b.w;
     return mass * linear + coupling(block, fixed, from_a, from_b, to_a, to_b);
 }
 
 /* Gives both sides an impulse, and its moments. */
-TD_INLINE void give(const td_block *block, bool fixed, sides *v, td_applied_impulse *applied, f8 x,
+TD_INLINE void apply_impulse(const td_block *block, bool fixed, sides *v, td_applied_impulse *applied, f8 x,
                     f8 y, f8 moment_a, f8 moment_b) {
     applied->x += x;
     applied->y += y;
@@ -142,9 +142,9 @@ TD_INLINE void give(const td_block *block, bool fixed, sides *v, td_applied_impu
 }
 
 /* Gives both sides these instead of what they were given. */
-TD_INLINE void give_anew(const td_block *block, bool fixed, sides *v, td_applied_impulse *applied,
+TD_INLINE void replace_impulse(const td_block *block, bool fixed, sides *v, td_applied_impulse *applied,
                          f8 x, f8 y, f8 moment_a, f8 moment_b) {
-    give(block, fixed, v, applied, x - applied->x, y - applied->y, moment_a - applied->moment_a,
+    apply_impulse(block, fixed, v, applied, x - applied->x, y - applied->y, moment_a - applied->moment_a,
          moment_b - applied->moment_b);
 }
 
@@ -156,7 +156,7 @@ TD_INLINE void write_sides(const td_solve_context *c, const td_block *block, boo
     td_scatter(c->velocity, block->b, v->b);
 }
 
-TD_INLINE void forget_applied(td_applied_impulse *applied) {
+TD_INLINE void clear_applied(td_applied_impulse *applied) {
     f8 zero = f8_all(0.0f);
     *applied = (td_applied_impulse){zero, zero, zero, zero};
 }
@@ -165,11 +165,11 @@ TD_INLINE void forget_applied(td_applied_impulse *applied) {
  * totals of their points get the power before and after; the first one has the share that is kept.
  */
 typedef void td_brace_fn(td_block *block, const td_solve_context *c, bool fixed);
-td_brace_fn TD_WIDE(td_brace_given);
+td_brace_fn TD_WIDE(td_brace_applied);
 
 /* Tells whether gaps at the start of the step are beyond what a bias may close. */
-TD_INLINE void look_for_tears(const td_solve_context *c, f8 gap, f8 turn) {
-    f8 rate = f8_all(PULL * c->inv_h);
+TD_INLINE void flag_torn(const td_solve_context *c, f8 gap, f8 turn) {
+    f8 rate = f8_all(GAP_SHARE * c->inv_h);
     i8 torn = (f8_abs(gap) * rate > f8_all(c->joint_closing)) |
               (f8_abs(turn) * rate > f8_all(TD_JOINT_CLOSING));
     if (i8_bits(torn)) {
@@ -179,8 +179,8 @@ TD_INLINE void look_for_tears(const td_solve_context *c, f8 gap, f8 turn) {
 
 /* 1 / x, and 0 for 0. */
 TD_INLINE f8 inverse_or_zero(f8 x) {
-    i8 some = x > f8_all(0.0f);
-    return f8_keep(some, f8_all(1.0f) / f8_pick(some, x, f8_all(1.0f)));
+    i8 acts = x > f8_all(0.0f);
+    return f8_keep(acts, f8_all(1.0f) / f8_pick(acts, x, f8_all(1.0f)));
 }
 
 #endif

@@ -21,7 +21,7 @@ TD_INLINE d4 doubles_of(l4 x) {
 }
 
 /* Between the centres of two lanes' bodies: x, y, x, y. */
-TD_INLINE f4 between(const td_pose *const *a, const td_pose *const *b, int i, double to_fixed) {
+TD_INLINE f4 centre_offset(const td_pose *const *a, const td_pose *const *b, int i, double to_fixed) {
     int j = i + 4;
     l4 apart = {b[i]->center.x - a[i]->center.x, b[i]->center.y - a[i]->center.y,
                 b[j]->center.x - a[j]->center.x, b[j]->center.y - a[j]->center.y};
@@ -29,7 +29,7 @@ TD_INLINE f4 between(const td_pose *const *a, const td_pose *const *b, int i, do
 }
 
 /* Angle, cosine and sine. */
-TD_INLINE td_rows turns_of(const td_pose *const *pose) {
+TD_INLINE td_rows rotations_of(const td_pose *const *pose) {
     const float *r[TD_LANES];
     for (int i = 0; i < TD_LANES; i++) {
         r[i] = (const float *)((const char *)pose[i] + offsetof(td_pose, angle));
@@ -57,11 +57,11 @@ TD_INLINE place8 place_of(const thud_world *w, const td_anchor_rows *r, i8 used)
         b[i] = (const td_pose *)w->pose.data + r->body_b[i];
     }
     for (int i = 0; i < 4; i++) {
-        apart[i] = between(a, b, i, w->to_fixed);
+        apart[i] = centre_offset(a, b, i, w->to_fixed);
     }
     f8 r01 = __builtin_shufflevector(apart[0], apart[1], 0, 4, 1, 5, 2, 6, 3, 7);
     f8 r23 = __builtin_shufflevector(apart[2], apart[3], 0, 4, 1, 5, 2, 6, 3, 7);
-    td_rows ta = turns_of(a), tb = turns_of(b);
+    td_rows ta = rotations_of(a), tb = rotations_of(b);
     p.ax = f8_keep(used, ta.y * r->a_x - ta.z * r->a_y);
     p.ay = f8_keep(used, ta.z * r->a_x + ta.y * r->a_y);
     p.bx = f8_keep(used, tb.y * r->b_x - tb.z * r->b_y);
@@ -109,39 +109,39 @@ TD_INLINE f8 inverse_mass(const td_block *block, f8 linear, f8 cross_a, f8 cross
            block->inv_inertia_b * cross_b * cross_b;
 }
 
-TD_INLINE f8 masses_of(const thud_world *w, const td_block *block) {
+TD_INLINE f8 inverse_masses(const thud_world *w, const td_block *block) {
     const float(*velocity)[4] = w->velocity.data;
     return td_gather(velocity, block->a).w + td_gather(velocity, block->b).w;
 }
 
-TD_INLINE i8 lanes_of(td_block *block) {
+TD_INLINE i8 used_lanes(td_block *block) {
     block->touching = (1u << block->used) - 1u;
     return (i8){0, 1, 2, 3, 4, 5, 6, 7} < i8_all(block->used);
 }
 
-TD_INLINE i8 holds(i8 locked, int direction) {
+TD_INLINE i8 is_locked(i8 locked, int direction) {
     return (locked & i8_all(1 << direction)) != i8_all(0);
 }
 
 TD_INLINE void place_lock(const thud_world *w, td_block *block) {
     td_lock_rows *rows = td_lock_rows_of(block);
-    f8 zero = f8_all(0.0f), one = f8_all(1.0f), mass = masses_of(w, block);
+    f8 zero = f8_all(0.0f), one = f8_all(1.0f), mass = inverse_masses(w, block);
     rows->haste = f8_all(TD_JOINT_HASTE);
-    place8 p = place_of(w, &rows->anchor, lanes_of(block));
-    i8 stays = holds(rows->locked, THUD_ALONG) & holds(rows->locked, THUD_ACROSS);
+    place8 p = place_of(w, &rows->anchor, used_lanes(block));
+    i8 stays = is_locked(rows->locked, THUD_ALONG) & is_locked(rows->locked, THUD_ACROSS);
     f8 x = f8_pick(stays, one, p.axis_x), y = f8_pick(stays, zero, p.axis_y);
     set_frame(block, &p, x, y);
     f8 gap[2] = {p.x * x + p.y * y, p.y * x - p.x * y};
     for (int k = 0; k < 2; k++) {
         td_point *q = &block->point[k];
-        i8 here = holds(rows->locked, k);
+        i8 here = is_locked(rows->locked, k);
         q->base = gap[k];
         q->separation = f8_keep(here, gap[k]);
         q->normal_mass =
             f8_keep(here, inverse_or_zero(inverse_mass(block, mass, q->cross_a, q->cross_b)));
         q->normal_impulse = f8_keep(here, q->normal_impulse);
     }
-    i8 here = holds(rows->locked, THUD_TURN);
+    i8 here = is_locked(rows->locked, THUD_TURN);
     f8 sign = rows->turn_sign;
     rows->turn_base = rows->turn_apart = turn_of(&p, sign);
     block->tangent_mass = f8_keep(here, inverse_or_zero(inverse_mass(block, zero, sign, sign)));
@@ -152,8 +152,8 @@ TD_INLINE void place_rod(const thud_world *w, td_block *block) {
     td_lock_rows *rows = td_lock_rows_of(block);
     td_point *q = &block->point[0];
     rows->haste = f8_all(TD_JOINT_HASTE);
-    f8 x, y, mass = masses_of(w, block);
-    i8 used = lanes_of(block);
+    f8 x, y, mass = inverse_masses(w, block);
+    i8 used = used_lanes(block);
     place8 p = place_of(w, &rows->anchor, used);
     f8 length = line_of(&p, used, &x, &y);
     set_frame(block, &p, x, y);
@@ -180,7 +180,7 @@ TD_INLINE void set_values(td_block *block, td_drive_rows *rows, f8 value) {
 
 TD_INLINE void place_drive(const thud_world *w, td_block *block, int kind) {
     td_drive_rows *rows = td_drive_rows_of(block);
-    i8 used = lanes_of(block);
+    i8 used = used_lanes(block);
     place8 p = place_of(w, &rows->anchor, used);
     f8 x = f8_pick(rows->across, -p.axis_y, p.axis_x);
     f8 y = f8_pick(rows->across, p.axis_x, p.axis_y);
@@ -200,7 +200,7 @@ void TD_WIDE(td_place_joints)(thud_world *w, td_block *const *blocks, int count,
     int kind = td_constraint_at(w, blocks[0]->constraint[0])->kind;
     for (int i = 0; i < count; i++) {
         if (blocks[i]->armed) {
-            td_joint_look_up(w, blocks[i]);
+            td_joint_update_anchors(w, blocks[i]);
         }
         if (kind == TD_CONSTRAINT_LOCK) {
             place_lock(w, blocks[i]);
