@@ -8,8 +8,8 @@
 struct td_island_work;
 struct td_drawing;
 
-/* Gaps of locked directions, as thud_step_error reports them: the greatest and the mean length, and
- * the greatest angle (rad). All are >= 0. */
+/* Gaps of joints, by which locked directions are open and limits exceeded, as thud_step_error
+ * reports them: the greatest and the mean length, and the greatest angle (rad). All are >= 0. */
 typedef struct td_joint_gaps {
     double worst, mean, angle;
 } td_joint_gaps;

@@ -1,11 +1,12 @@
-/* drive.c: the lanes of what drives joints. */
+/* drive.c: the operations of the constraint kinds of driven directions: limits, springs, motors. */
 #include "joints/joint.h"
 
 TD_DECLARE_WIDE(const td_solve_ops, td_solve_drive_line);
 TD_DECLARE_WIDE(const td_solve_ops, td_solve_drive_axis);
 TD_DECLARE_WIDE(const td_solve_ops, td_solve_drive_turn);
 
-/* Springs and motors give way as they should; limits should not. */
+/* td_lane_ops.load: of limits alone, since springs and motors are meant to be displaced. Angles
+ * become lengths by `size`. */
 static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
     const td_point *p = &block->point[0];
     bool turns = td_constraint_at(w, block->constraint[lane])->kind == TD_CONSTRAINT_DRIVE_TURN;
@@ -17,8 +18,8 @@ static float load(const thud_world *w, const td_block *block, int lane, float si
     return impulse * (turns ? turn * size : mass);
 }
 
-/* Nothing of it is in the residual: springs and motors give way as they should, and limits are
- * judged by their gaps. */
+/* td_lane_ops.count: a drive adds nothing to the residual. Springs and motors may miss any speed,
+ * and limits are judged by their gaps. */
 static void count(thud_world *w, const td_block *block) {
     (void)w, (void)block;
 }

@@ -1,5 +1,8 @@
-/* gear.c: gears: two joints, each of a body that moves and one that does not, of which one turns or
- * moves as the other does. */
+/* gear.c: gears. A gear couples the coordinates q0, q1 of two joints, each between a static body
+ * and a dynamic one, by the equality row q0 + ratio q1 - rest = 0,  rest: the value when the gear
+ * was made or set anew. The coordinate is the rotation of hinges and wheels, counted over any
+ * number of turns; the displacement along of sliders; the length of distances. The gear's sides are
+ * the dynamic bodies of both joints. Jacobians are those of the start of a step. */
 #include "joints/gear.h"
 
 #include "base/rotation.h"
@@ -8,6 +11,7 @@
 
 TD_DECLARE_WIDE(const td_solve_ops, td_solve_gear);
 
+/* One of the gear's two joints. */
 static const td_joint *member(const thud_world *w, const td_joint *gear, int i) {
     return td_joint_at(w, gear->gear.joint[i]);
 }
@@ -26,7 +30,9 @@ bool td_gear_has_joints(const thud_world *w, const td_joint *joint) {
     return true;
 }
 
-/* ---- values ---- */
+/* ---- coordinates ---- */
+
+/* The rotation of a joint within a turn; 2^32 is a full turn. */
 
 static uint32_t angle_of(const thud_world *w, const td_joint *joint) {
     uint32_t turn =
@@ -34,11 +40,14 @@ static uint32_t angle_of(const thud_world *w, const td_joint *joint) {
     return joint->swapped ? 0u - turn : turn;
 }
 
+/* The rotation of a joint since td_gear_set_rest, 2^32 a turn. Valid while the joint has turned by
+ * less than half a turn since count_turns. */
 static int64_t counted_rotation(const thud_world *w, const td_joint *gear, int i) {
     uint32_t since = angle_of(w, member(w, gear, i)) - gear->gear.last[i];
     return gear->gear.turned[i] + (int32_t)since;
 }
 
+/* The coordinate of one of the gear's joints, rad or length. */
 static double coordinate_of(const thud_world *w, const td_joint *gear, int i) {
     const td_joint *joint = member(w, gear, i);
     if (td_gear_by_angle(joint)) {
@@ -65,7 +74,7 @@ void td_gear_set_rest(const thud_world *w, td_joint *gear) {
     g->rest = td_gear_gap(w, gear);
 }
 
-/* Seen once a step, no turn is missed: a body turns by less than half of one. */
+/* Adds the rotation since the last step. A body turns by less than half a turn in a step. */
 static void count_turns(const thud_world *w, td_joint *gear) {
     for (int i = 0; i < 2; i++) {
         gear->gear.turned[i] = counted_rotation(w, gear, i);
@@ -75,7 +84,7 @@ static void count_turns(const thud_world *w, td_joint *gear) {
 
 /* ---- lanes ---- */
 
-/* How the value of a joint follows its second body: x, y, turn. */
+/* The gradient of a joint's coordinate by the motion (x, y, turn) of its second body. */
 static void coordinate_gradient(const thud_world *w, const td_joint *joint, float out[3]) {
     td_joint_place place = td_joint_place_of(w, joint);
     float sign = joint->swapped ? -1.0f : 1.0f;
@@ -93,7 +102,8 @@ static void coordinate_gradient(const thud_world *w, const td_joint *joint, floa
     out[2] = td_cross(place.arm[1], x, y);
 }
 
-/* While a joint of it is disabled it lets go, and then goes on from where they are. */
+/* Sets and returns td_gear.apart: whether one of the joints is disabled, so that the gear does not
+ * act. When both are enabled again, it keeps the coordinates that they have then. */
 static bool update_apart(const thud_world *w, td_joint *gear) {
     bool apart = member(w, gear, 0)->disabled || member(w, gear, 1)->disabled;
     if (!apart && gear->gear.apart) {
@@ -103,6 +113,7 @@ static bool update_apart(const thud_world *w, td_joint *gear) {
     return apart;
 }
 
+/* The row of a gear's lane; a mass of 0 where it does not act. */
 static void prepare_lane(const thud_world *w, td_block *block, int lane) {
     td_joint *gear = td_joint_of(w, td_constraint_at(w, block->constraint[lane]));
     td_point *p = &block->point[0];
@@ -134,7 +145,7 @@ float td_gear_inverse_mass(const thud_world *w, const td_block *block, int lane)
            b * (u * u + v * v) + block->inv_inertia_b[lane] * p->cross_b[lane] * p->cross_b[lane];
 }
 
-/* As lengths: by what moves, or by what turns times its size. */
+/* td_lane_ops.load. Angles become lengths by `size`. */
 static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
     const td_point *p = &block->point[0];
     const td_joint *gear = td_joint_of(w, td_constraint_at(w, block->constraint[lane]));
@@ -143,6 +154,7 @@ static float load(const thud_world *w, const td_block *block, int lane, float si
     return td_joint_abs(p->normal_impulse[lane]) * td_gear_inverse_mass(w, block, lane) * length;
 }
 
+/* td_lane_ops.count: the residual is the speed of the row, in units of the first coordinate. */
 static void count(thud_world *w, const td_block *block) {
     const td_gear_rows *rows = td_gear_rows_of((td_block *)block);
     const td_point *p = &block->point[0];
@@ -158,6 +170,7 @@ static void count(thud_world *w, const td_block *block) {
 
 /* ---- for the direct solver ---- */
 
+/* td_take_rows_fn: one equality row. */
 static bool take_rows(const thud_world *w, td_block *block, int lane, const float *impulses,
                       td_direct_constraint *c) {
     const td_gear_rows *rows = td_gear_rows_of(block);
@@ -172,6 +185,7 @@ static bool take_rows(const thud_world *w, td_block *block, int lane, const floa
     return false;
 }
 
+/* td_turn_rows_fn: the Jacobian stays, and the gap follows the motion along it. */
 static void turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
                       td_direct_constraint *c) {
     td_direct_row *row = &c->row[0];
@@ -183,7 +197,7 @@ static void turn_rows(const thud_world *w, const td_block *block, int lane, cons
     row->closing = s->time > 0.0 ? td_abs(row->target_speed) : row->closing;
 }
 
-/* Gears never part, and follow their joints as they are in each step. */
+/* td_constraint_ops.collide_world: rows from the present poses. All lanes go on touching. */
 static void prepare(thud_world *w, td_block *const *blocks, int count,
                     const td_collide_context *context) {
     (void)context;
@@ -196,7 +210,7 @@ static void prepare(thud_world *w, td_block *const *blocks, int count,
     }
 }
 
-/* They are the same for every instruction set. */
+/* It is compiled once for all instruction sets. */
 #define prepare_base prepare
 #define prepare_avx2 prepare
 

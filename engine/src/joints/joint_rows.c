@@ -1,8 +1,27 @@
-/* joint_rows.c: the rows of joints for the direct solver. */
+/* joint_rows.c: the rows of joints for the direct solver (direct/direct.h): Jacobians, target
+ * speeds and warm starts.
+ *
+ * td_*_take_rows fills a constraint's rows at the start of the step. td_*_turn_rows recomputes them
+ * for a part of the step of length h, from the motions of both sides at its start (a[0], b[0]) and,
+ * as known so far, at its end (a[1], b[1]): td_span. Where h is 0, rows are those of the instant.
+ *
+ * The Jacobians J of a part are discrete gradients of the joint's coordinate q, so that locked rows
+ * do no work (O. Gonzalez, "Time integration and discrete Hamiltonian systems", 1996):
+ *     J (x[1] - x[0]) = q(x[1]) - q(x[0])
+ * This is exact for distances, for turn, and for frames that do not turn. For a frame that turns
+ * with body a, J is that in the middle of the motion, and the equation holds to second order. The
+ * target speed corrects what is left of it, so that gaps close in either case
+ * (target_speed_for_gap).
+ *
+ * The velocity at the end of a part is 2 v - v_before, where v is the mean velocity that the
+ * problem solves for. Its impulses are thus half of those of the part, which gives the factors 0.5.
+ * Lengths, masses and times are the world's; turn is in radians. */
 #include "joints/joint.h"
 
 #include "direct/rows.h"
 
+/* Warm start and target speed of an equality row: half of impulse k of the last step, and the speed
+ * that closes `gap` (a length or an angle) in this one. */
 static void set_equality(const thud_world *w, td_direct_row *row, const float *impulses, int k,
                          double gap) {
     row->impulse = 0.5 * (double)impulses[k];
@@ -11,6 +30,7 @@ static void set_equality(const thud_world *w, td_direct_row *row, const float *i
 
 /* ---- a part of the step ---- */
 
+/* Sets a row's Jacobian: along (x, y) from a to b, with the crosses of the lever arms. */
 static void set_direction(td_direct_row *row, double x, double y, double cross_a, double cross_b) {
     double a[3] = {-x, -y, -cross_a}, b[3] = {x, y, cross_b};
     for (int k = 0; k < 3; k++) {
@@ -19,7 +39,7 @@ static void set_direction(td_direct_row *row, double x, double y, double cross_a
     }
 }
 
-/* What the row's direction makes of the motion of the part. */
+/* J (x[1] - x[0]): the displacement along a row by the motion of the part. */
 static double displacement_along(const td_direct_row *row, const td_span *s) {
     double sum = 0.0;
     for (int k = 0; k < 3; k++) {
@@ -28,38 +48,43 @@ static double displacement_along(const td_direct_row *row, const td_span *s) {
     return sum;
 }
 
-/* Gaps of so many length scales, or radians, are what single precision makes of places: they stay
- * as they are. Where a loop has more locks than it needs, closing all of them would strain it for
- * nothing. */
+/* Gaps up to this width, in length scales or radians, stay as they are: they come from the rounding
+ * of lever arms and motions to single precision (2^-24 = 6e-8 of each, some of them added). In a
+ * loop with redundant locks, closing all of them would cause impulses against each other. Chosen.
+ */
 #define GAP_IGNORED 1e-6
 
-/* Wider ones close by so much of them in a step, as those of contacts do: a chain in which many are
- * open would leap otherwise. */
+/* The share of a wider gap that closes in a whole step, and a width that closes in every part on
+ * top of it, in length scales or radians, so that small gaps close for good. A chain with many open
+ * gaps would be thrown if all of them closed at once. Both chosen; not tuned. */
 #define GAP_SHARE_PER_STEP 0.2
-#define GAP_CLOSED_MIN 1e-4 /* length scales, or radians, on top */
+#define GAP_CLOSED_MIN 1e-4
 
-/* The mean speed for which a gap that goes from `before` to `after` by the motion as known closes
- * by the end as far as it should, and TD_JOINT_CLOSING allows. */
+/* The mean speed along a row for which its gap, which the motion as known changes from `before` to
+ * `after`, is by the end of the part as wide as it should be:
+ *     (J (x[1] - x[0]) - (after - left)) / h,  where `left` is the gap that should be left.
+ * Closing is also limited to TD_JOINT_CLOSING. Sets row->closing, the speed of closing. */
 static double target_speed_for_gap(const thud_world *w, td_direct_row *row, const td_span *s,
                                    double before, double after) {
-    double most = (double)(TD_JOINT_CLOSING * w->unit) * s->time, off = td_abs(before);
-    double part =
+    double max_change = (double)(TD_JOINT_CLOSING * w->unit) * s->time, off = td_abs(before);
+    double share =
         off * (GAP_SHARE_PER_STEP * s->time / w->def.time_step) + GAP_CLOSED_MIN * (double)w->unit;
-    most = td_min_double(most, part);
+    max_change = td_min_double(max_change, share);
     double left = off <= GAP_IGNORED * (double)w->unit ? before
-                  : before > most                      ? before - most
-                  : before < -most                     ? before + most
+                  : before > max_change                ? before - max_change
+                  : before < -max_change               ? before + max_change
                                                        : 0.0;
     row->closing = s->time > 0.0 ? td_abs(before - left) / s->time : row->closing;
     return s->time > 0.0 ? (displacement_along(row, s) - (after - left)) / s->time : 0.0;
 }
 
+/* The motion half way through a part. */
 typedef struct midpoint {
-    double a[3], b[3];
-    double chord_a, chord_b; /* of an arm's end, over the way along its circle */
+    double a[3], b[3];       /* x, y, turn since the start of the step */
+    double chord_a, chord_b; /* chord over arc of each side's rotation in the part */
 } midpoint;
 
-/* sin(x) / x, for turns within a part of a step */
+/* The chord of a rotation over its arc: sin(turn / 2) / (turn / 2). */
 static double chord_ratio(double turn) {
     double half = 0.5 * turn, s, c;
     if (half * half < 1e-12) {
@@ -80,7 +105,9 @@ static midpoint midpoint_of(const td_span *s) {
     return m;
 }
 
-/* The frame in the middle of the part. One that stays as it is has the mean arms instead. */
+/* The frame in the middle of the part. In one that does not turn the arms are averaged over the
+ * rotation, which shortens them by the ratio of chord to arc: times the rotation they give the
+ * chord, by which their ends move. */
 static td_joint_frame midpoint_frame(const td_block *block, int lane, double gap_u, double gap_v,
                                      bool turns, const td_span *s) {
     midpoint m = midpoint_of(s);
@@ -94,7 +121,9 @@ static td_joint_frame midpoint_frame(const td_block *block, int lane, double gap
     return f;
 }
 
-/* Along a line that turns: its mean, over the mean of both lengths. */
+/* The direction of a distance for a part: the mean d of the gap vectors at its start and end, over
+ * the mean length, so that (d / length) . (d1 - d0) = length1 - length0 exactly. length: both
+ * lengths. */
 static td_joint_frame midpoint_line(const td_block *block, int lane, double gap_u, double gap_v,
                                     const td_span *s, double length[2]) {
     td_joint_frame f = midpoint_frame(block, lane, gap_u, gap_v, false, s), end[2];
@@ -102,9 +131,9 @@ static td_joint_frame midpoint_line(const td_block *block, int lane, double gap_
         end[i] = td_joint_frame_after(block, lane, gap_u, gap_v, false, s->a[i], s->b[i]);
         length[i] = __builtin_sqrt(end[i].gap_u * end[i].gap_u + end[i].gap_v * end[i].gap_v);
     }
-    double both = length[0] + length[1];
-    double u = both > 0.0 ? (end[0].gap_u + end[1].gap_u) / both : 1.0;
-    double v = both > 0.0 ? (end[0].gap_v + end[1].gap_v) / both : 0.0;
+    double lengths = length[0] + length[1];
+    double u = lengths > 0.0 ? (end[0].gap_u + end[1].gap_u) / lengths : 1.0;
+    double v = lengths > 0.0 ? (end[0].gap_v + end[1].gap_v) / lengths : 0.0;
     return (td_joint_frame){.x = u * f.x - v * f.y,
                             .y = u * f.y + v * f.x,
                             .a_u = u * f.a_u + v * f.a_v,
@@ -113,8 +142,9 @@ static td_joint_frame midpoint_line(const td_block *block, int lane, double gap_
                             .b_v = u * f.b_v - v * f.b_u};
 }
 
-/* What impulses along u and v do about either side as it turns by the mean motion of the part, of
- * which half is done in its middle. */
+/* Geometric stiffness of impulses along u and v, as a moment of inertia: minus the change of their
+ * moment about each side per mean angular velocity of that side. h / 2 is the time up to the middle
+ * of the part. */
 static void set_geometric_stiffness(td_direct_constraint *c, const td_joint_frame *f,
                                     const td_span *s, double u, double v) {
     double half = 0.5 * s->time;
@@ -122,7 +152,9 @@ static void set_geometric_stiffness(td_direct_constraint *c, const td_joint_fram
     c->stiff[1] = half * (f->b_v * u - f->b_u * v);
 }
 
-/* A line that pulls is stiff across, too. */
+/* Geometric stiffness of a distance. One that pulls (impulse < 0) resists rotation of its line,
+ * too: a soft row across it, of weight h / 2 times tension over length, with the present speed as
+ * its target. */
 static void set_line_stiffness(td_direct_constraint *c, const td_joint_frame *f, const td_span *s,
                                double impulse, double length, td_direct_row *across) {
     set_geometric_stiffness(c, f, s, impulse, 0.0);
@@ -137,6 +169,8 @@ static void set_line_stiffness(td_direct_constraint *c, const td_joint_frame *f,
 
 /* ---- locked directions ---- */
 
+/* td_take_rows_fn of a locked distance: row 0. (Row 1 is its stiffness across, in parts of a step
+ * only.) */
 bool td_rod_take_rows(const thud_world *w, td_block *block, int lane, const float *impulses,
                       td_direct_constraint *c) {
     const td_point *p = &block->point[0];
@@ -157,6 +191,7 @@ void td_rod_turn_rows(const thud_world *w, const td_block *block, int lane, cons
     set_line_stiffness(c, &f, s, c->row[0].impulse, length[0], &c->row[1]);
 }
 
+/* td_turn_rows_fn of locked directions: rows 0 along, 1 across, 2 turn. */
 void td_lock_turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
                        td_direct_constraint *c) {
     const td_lock_rows *rows = td_lock_rows_at(block);
@@ -201,8 +236,9 @@ bool td_lock_take_rows(const thud_world *w, td_block *block, int lane, const flo
 
 /* ---- driven directions ---- */
 
-/* The limit that is nearer as the step begins, or the other one where the soft solver has come
- * nearer to that by its end. True where it is the first one, whose impulse is known. */
+/* Chooses the limit of a step: the one that is nearer as the step begins, or the other one where
+ * the soft solver ended nearer to that. True for the first, whose impulse of the last step is a
+ * warm start. */
 static bool choose_limit(td_block *block, int lane) {
     td_drive_rows *r = td_drive_rows_of(block);
     td_point *p = &block->point[0];
@@ -216,7 +252,8 @@ static bool choose_limit(td_block *block, int lane) {
     return !crossed;
 }
 
-/* A limit that is not reached must not be passed by the end of the step. */
+/* The row of a limit; `along` is the driven direction. A limit at a distance gets the target speed
+ * that just reaches it by the end of the step (as a speculative contact); equal limits lock. */
 static void take_limit(const thud_world *w, td_block *block, int lane, const float *impulses,
                        td_direct_row *row, const td_direct_row *along) {
     const td_drive_rows *r = td_drive_rows_at(block);
@@ -235,6 +272,7 @@ static void take_limit(const thud_world *w, td_block *block, int lane, const flo
     row->target_speed = gap > 0.0 && !locked ? -gap / w->def.time_step : row->target_speed;
 }
 
+/* The effective mass of a driven direction, at the start of the step. */
 static double mass_of(const thud_world *w, const td_block *block, int lane) {
     const td_drive_rows *r = td_drive_rows_at(block);
     int kind = td_constraint_at(w, block->constraint[lane])->kind;
@@ -246,22 +284,27 @@ static double mass_of(const thud_world *w, const td_block *block, int lane) {
     return inverse > 0.0f ? 1.0 / (double)inverse : 0.0;
 }
 
-/* Sets a spring's weight for a part of the step, and returns the speed at which it would not push:
- * its mean force is the one in the middle of the part, which keeps its energy. The impulses of the
- * problem are half of those of the part. `moved`: how far it is from where the step began. */
+/* A spring for a part of length h = `time`, by the implicit midpoint rule, which keeps its energy:
+ * its mean force is -k (x + h v / 2) - c v for its displacement x at the start of the part, mean
+ * speed v, stiffness k and damping c. That is a soft row, impulse = weight * (target - v), with
+ *     weight = h / 2 (h k / 2 + c),  target = -k x / (h k / 2 + c).
+ * Sets weight and bound of the row; returns the target speed. `moved`: displacement since the start
+ * of the step. */
 static double update_spring(const thud_world *w, const td_block *block, int lane,
                             td_direct_row *row, double moved, double time) {
     const td_drive_rows *r = td_drive_rows_at(block);
     double omega = td_spring_omega(w, r->frequency[lane]), mass = mass_of(w, block, lane);
     double stiffness = mass * omega * omega,
            damping = 2.0 * (double)r->damping[lane] * mass * omega;
-    double both = 0.5 * time * stiffness + damping;
-    row->weight = 0.5 * time * both;
+    double resistance = 0.5 * time * stiffness + damping;
+    row->weight = 0.5 * time * resistance;
     bool capped = r->spring_most[lane] < THUD_JOINT_FORCE_MAX;
     row->max_impulse = capped ? 0.5 * time * (double)r->spring_most[lane] : __builtin_inf();
-    return both > 0.0 ? -stiffness * ((double)block->point[1].base[lane] + moved) / both : 0.0;
+    return resistance > 0.0 ? -stiffness * ((double)block->point[1].base[lane] + moved) / resistance
+                            : 0.0;
 }
 
+/* The row of a spring, for the whole step. */
 static void take_spring(const thud_world *w, const td_block *block, int lane, const float *impulses,
                         td_direct_row *row) {
     row->kind = TD_ROW_SOFT;
@@ -270,6 +313,8 @@ static void take_spring(const thud_world *w, const td_block *block, int lane, co
     row->used = row->weight > 0.0;
 }
 
+/* td_take_rows_fn of a driven direction: rows 0 limit, 1 spring, 2 motor (a friction row whose
+ * bound is the motor's maximum impulse). */
 bool td_drive_take_rows(const thud_world *w, td_block *block, int lane, const float *impulses,
                         td_direct_constraint *c) {
     const td_drive_rows *r = td_drive_rows_of(block);
@@ -294,8 +339,7 @@ bool td_drive_take_rows(const thud_world *w, td_block *block, int lane, const fl
     return false;
 }
 
-/* Where b is along a driven direction at the start and at the end of the part, and the direction.
- */
+/* The direction of a drive for a part, and its coordinates at the start and end: value[0], [1]. */
 static td_joint_frame midpoint_drive(const thud_world *w, const td_block *block, int lane,
                                      const td_span *s, double value[2]) {
     const td_drive_rows *r = td_drive_rows_at(block);
@@ -314,6 +358,8 @@ static td_joint_frame midpoint_drive(const thud_world *w, const td_block *block,
                                             : midpoint_frame(block, lane, u, v, true, s);
 }
 
+/* td_turn_rows_fn of a driven direction. A limit that is open as the part begins gets the target
+ * speed that just reaches it by the end. */
 void td_drive_turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
                         td_direct_constraint *c) {
     const td_drive_rows *r = td_drive_rows_at(block);

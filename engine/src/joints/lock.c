@@ -1,8 +1,9 @@
-/* lock.c: the lanes of what joints lock. */
+/* lock.c: the operations of the constraint kind of locked directions. */
 #include "joints/joint.h"
 
 TD_DECLARE_WIDE(const td_solve_ops, td_solve_lock);
 
+/* td_lane_ops.load. Angles become lengths by `size`. */
 static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
     const td_point *p = block->point;
     const td_lock_rows *rows = td_lock_rows_at(block);
@@ -17,7 +18,8 @@ static float load(const thud_world *w, const td_block *block, int lane, float si
            td_joint_abs(block->tangent_impulse[lane]) * turn * size;
 }
 
-/* What is locked misses what it wants by its speed, either way. */
+/* td_lane_ops.count: the residual of a locked direction is its speed, in lengths/s; turn is not
+ * counted. */
 static void count(thud_world *w, const td_block *block) {
     const td_lock_rows *rows = td_lock_rows_at(block);
     const td_point *p = block->point;

@@ -1,8 +1,9 @@
-/* rod.c: the lanes of distances that are locked. */
+/* rod.c: the operations of the constraint kind of locked distances. */
 #include "joints/joint.h"
 
 TD_DECLARE_WIDE(const td_solve_ops, td_solve_rod);
 
+/* td_lane_ops.load */
 static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
     const td_point *p = &block->point[0];
     float mass = td_joint_max_inverse_mass(w, block, lane);
@@ -11,6 +12,7 @@ static float load(const thud_world *w, const td_block *block, int lane, float si
     return td_joint_abs(p->normal_impulse[lane]) * mass;
 }
 
+/* td_lane_ops.count: the residual is the speed along the line between the anchors. */
 static void count(thud_world *w, const td_block *block) {
     const td_point *p = &block->point[0];
     for (int lane = 0; lane < block->used; lane++) {

@@ -1,7 +1,13 @@
-/* wide_gear.c: solver passes for gears: one row, with a direction of its own for either side. Both
- * stay in the step as they are. */
+/* wide_gear.c: solver passes for gears: one equality row with
+ *     J x = a . x_a + b . x_b
+ * for the motions or velocities x = (x, y, turn) of both sides. The vectors
+ *     a = (td_gear_rows.a_x, td_gear_rows.a_y, point[0].cross_a)
+ *     b = (block->nx, block->ny, point[0].cross_b)
+ * are the gradients of the coordinates of the gear's two joints, the second times the ratio
+ * (gear.c). They keep their values of the start of the step. Neither side is static. */
 #include "joints/wide_joint.h"
 
+/* J x, for velocities or motions. */
 TD_INLINE f8 row_speed(const td_block *block, const sides *s) {
     const td_gear_rows *r = td_gear_rows_of((td_block *)block);
     const td_point *p = &block->point[0];
@@ -9,6 +15,7 @@ TD_INLINE f8 row_speed(const td_block *block, const sides *s) {
            block->ny * s->b.y + p->cross_b * s->b.z;
 }
 
+/* Applies an impulse along the row. */
 TD_INLINE void apply_row(const td_block *block, sides *v, f8 impulse) {
     const td_gear_rows *r = td_gear_rows_of((td_block *)block);
     const td_point *p = &block->point[0];
@@ -20,7 +27,10 @@ TD_INLINE void apply_row(const td_block *block, sides *v, f8 impulse) {
     v->b.z += block->inv_inertia_b * p->cross_b * impulse;
 }
 
-TD_INLINE void solve_gear(td_block *const *blocks, int count, const td_solve_context *c, bool soft) {
+/* A solve pass (`soft`) or relax pass. The last relax pass notes the greatest |J v| as the
+ * residual, with a minus sign as tallies have it. */
+TD_INLINE void solve_gear(td_block *const *blocks, int count, const td_solve_context *c,
+                          bool soft) {
     f8 zero = f8_all(0.0f);
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
@@ -29,8 +39,7 @@ TD_INLINE void solve_gear(td_block *const *blocks, int count, const td_solve_con
         p->separation = f8_keep(p->normal_mass > zero, p->base + row_speed(block, &d));
         f8 bias = zero, scale = f8_all(1.0f), impulse_share = zero;
         if (soft) {
-            f8 max =
-                max_bias(c->joint_closing, inverse_or_zero(p->normal_mass), p->normal_impulse);
+            f8 max = max_bias(c->joint_closing, inverse_or_zero(p->normal_mass), p->normal_impulse);
             bias = f8_clamp(p->separation * f8_all(GAP_SHARE * c->inv_h), -max, max);
             scale = f8_all(1.0f - IMPULSE_SCALE);
             impulse_share = f8_all(IMPULSE_SCALE);
@@ -46,6 +55,7 @@ TD_INLINE void solve_gear(td_block *const *blocks, int count, const td_solve_con
     }
 }
 
+/* Applies the impulses of the last step. */
 static void warm_start(td_block *const *blocks, int count, const td_solve_context *c) {
     for (int i = 0; i < count; i++) {
         sides v = read_sides(c->velocity, blocks[i], false);
@@ -62,12 +72,12 @@ static void relax(td_block *const *blocks, int count, const td_solve_context *c)
     solve_gear(blocks, count, c, false);
 }
 
-/* Nothing bounces off a joint. */
+/* The restitution pass: joints have none. */
 static void no_bounce(td_block *const *blocks, int count, const td_solve_context *c) {
     (void)blocks, (void)count, (void)c;
 }
 
-/* Neither side of a gear is ever static. */
+/* Both entries of a pair are the same, since neither side of a gear is static. */
 extern const td_solve_ops TD_WIDE(td_solve_gear);
 const td_solve_ops TD_WIDE(td_solve_gear) = {
     {warm_start, warm_start}, {solve, solve}, {relax, relax}, no_bounce, {NULL, NULL}};

@@ -1,7 +1,10 @@
-/* wide_rod.c: solver passes for distances that are locked: one row that pulls as well as it pushes,
- * along the line between both anchors as it turns. */
+/* wide_rod.c: solver passes for locked distances: one equality row along the line between the
+ * anchors as it is in the substep, with gap = distance - length; and the bracing of rods and locks.
+ */
 #include "joints/wide_joint.h"
 
+/* A solve pass (`soft`) or relax pass over a block. The last relax pass notes the greatest speed as
+ * the residual, with a minus sign. */
 TD_INLINE void solve_rod(td_block *block, const td_solve_context *c, bool fixed, bool soft) {
     td_point *p = &block->point[0];
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), length;
@@ -14,7 +17,8 @@ TD_INLINE void solve_rod(td_block *block, const td_solve_context *c, bool fixed,
         f8 old = p->normal_impulse;
         replace_impulse(block, fixed, &v, applied, f.x * old, f.y * old, f.a_u * old, f.b_u * old);
     }
-    f8 mass = inverse_or_zero(inverse_mass_entry(block, &v, fixed, one, f.a_u, f.b_u, f.a_u, f.b_u));
+    f8 mass =
+        inverse_or_zero(inverse_mass_entry(block, &v, fixed, one, f.a_u, f.b_u, f.a_u, f.b_u));
     f8 bias = zero, scale = one, impulse_share = zero;
     if (soft) {
         f8 max = td_lock_rows_of(block)->haste * f8_all(c->joint_closing);
@@ -27,13 +31,15 @@ TD_INLINE void solve_rod(td_block *block, const td_solve_context *c, bool fixed,
     f8 now = old - scale * mass * (speed + bias) - impulse_share * old;
     p->normal_impulse = now;
     f8 change = now - old;
-    apply_impulse(block, fixed, &v, applied, f.x * change, f.y * change, f.a_u * change, f.b_u * change);
+    apply_impulse(block, fixed, &v, applied, f.x * change, f.y * change, f.a_u * change,
+                  f.b_u * change);
     write_sides(c, block, fixed, &v);
     if (c->last) {
         c->tally->slowest = f8_min(f8_keep(mass > zero, -f8_abs(speed)), c->tally->slowest);
     }
 }
 
+/* Applies the impulses of the last step, and looks for gaps that make the step brace its joints. */
 TD_INLINE void warm_start(td_block *const *blocks, int count, const td_solve_context *c,
                           bool fixed) {
     for (int i = 0; i < count; i++) {
@@ -45,18 +51,21 @@ TD_INLINE void warm_start(td_block *const *blocks, int count, const td_solve_con
         flag_torn(c, p->separation, f8_all(0.0f));
         clear_applied(applied);
         apply_impulse(block, fixed, &v, applied, block->nx * impulse, block->ny * impulse,
-             p->cross_a * impulse, p->cross_b * impulse);
+                      p->cross_a * impulse, p->cross_b * impulse);
         write_sides(c, block, fixed, &v);
     }
 }
 
 TD_INLINE void solve(td_block *const *blocks, int count, const td_solve_context *c, bool fixed,
-                    bool soft) {
+                     bool soft) {
     for (int i = 0; i < count; i++) {
         solve_rod(blocks[i], c, fixed, soft);
     }
 }
 
+/* See wide_joint.h. The "powers" are products of the impulses that a lane applied in this substep
+ * and the speeds along them, p.u and p.u'. TD_BRACE_KEEP scales both the lane's impulses and the
+ * record of what it applied. */
 void TD_WIDE(td_brace_applied)(td_block *block, const td_solve_context *c, bool fixed) {
     td_applied_impulse *g = &td_lock_rows_of(block)->applied;
     td_point_history *powers = td_history_of(block, 2);
@@ -69,22 +78,24 @@ void TD_WIDE(td_brace_applied)(td_block *block, const td_solve_context *c, bool 
         powers[c->brace == TD_BRACE_AFTER].total = power;
         return;
     }
-    td_applied_impulse none;
-    clear_applied(&none);
+    td_applied_impulse sum;
+    clear_applied(&sum);
     if (c->brace == TD_BRACE_TAKE) {
-        apply_impulse(block, fixed, &v, &none, -g->x, -g->y, -g->moment_a, -g->moment_b);
+        apply_impulse(block, fixed, &v, &sum, -g->x, -g->y, -g->moment_a, -g->moment_b);
     } else {
         f8 kept = powers[0].total;
         block->point[0].normal_impulse *= kept;
         block->point[1].normal_impulse *= kept;
         block->tangent_impulse *= kept;
-        apply_impulse(block, fixed, &v, &none, kept * g->x, kept * g->y, kept * g->moment_a,
-             kept * g->moment_b);
-        *g = none;
+        apply_impulse(block, fixed, &v, &sum, kept * g->x, kept * g->y, kept * g->moment_a,
+                      kept * g->moment_b);
+        *g = sum;
     }
     write_sides(c, block, fixed, &v);
 }
 
+/* A stage of bracing, joint_brace.c. TD_BRACE_GIVE applies the warm start along the lines of the
+ * present substep. */
 TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context *c, bool fixed) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
@@ -102,7 +113,7 @@ TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context 
     }
 }
 
-/* Nothing bounces off a joint. */
+/* The restitution pass: joints have none. */
 static void no_bounce(td_block *const *blocks, int count, const td_solve_context *c) {
     (void)blocks, (void)count, (void)c;
 }
