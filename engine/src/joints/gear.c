@@ -145,7 +145,8 @@ float td_gear_inverse_mass(const thud_world *w, const td_block *block, int lane)
            b * (u * u + v * v) + block->inv_inertia_b[lane] * p->cross_b[lane] * p->cross_b[lane];
 }
 
-/* td_lane_ops.load. Angles become lengths by `size`. */
+/* td_lane_ops.load: the impulse of a substep over the effective mass, a speed. *off: the gap, a
+ * length. Angles become lengths by `size`. */
 static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
     const td_point *p = &block->point[0];
     const td_joint *gear = td_joint_of(w, td_constraint_at(w, block->constraint[lane]));

@@ -1,4 +1,7 @@
-/* joint_break.c: joints that bear no more than so much. */
+/* joint_break.c: joints that break, or report, beyond a force or torque. Events are collected at
+ * the end of a step, and joints destroyed after that, so that events name joints that are still
+ * there.
+ */
 #include "constraint/joint_hooks.h"
 #include "joints/joint.h"
 #include "state/handles.h"
@@ -8,6 +11,7 @@ static float length_of(thud_vec2 v) {
     return (float)__builtin_sqrt(x * x + y * y);
 }
 
+/* Adds the event of a joint whose force or torque in the last substep exceeds its maximum. */
 static void add_event_if_overloaded(thud_world *w, int index) {
     const td_joint *joint = td_joint_at(w, index);
     if (!joint->live || !td_joint_breaks(joint) || !td_joint_acts(w, joint)) {
@@ -16,7 +20,7 @@ static void add_event_if_overloaded(thud_world *w, int index) {
     td_joint_load load = td_joint_load_of(w, joint);
     float force = length_of(load.force), torque = td_joint_abs(load.torque);
     if (force > joint->break_force || torque > joint->break_torque) {
-        /* Bytes between its members go into snapshots as well. */
+        /* Snapshots copy the padding between the members as well: it must be defined. */
         thud_joint_event *event = td_at(&w->broken, w->broken.count++);
         __builtin_memset(event, 0, sizeof *event);
         event->joint = td_joint_handle(w, index);

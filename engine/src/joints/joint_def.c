@@ -1,4 +1,5 @@
-/* joint_def.c: what callers may ask of a joint, and what becomes of it. */
+/* joint_def.c: checks the defs of joints, makes the joint's record of one, and a def of the record.
+ */
 #include "joints/joint.h"
 #include "state/handles.h"
 
@@ -12,7 +13,8 @@ bool td_joint_frame_valid(const thud_world *w, td_reason *why, const thud_joint_
            td_in(why, "joint: angle of a frame", f->angle, -THUD_ANGLE_MAX, THUD_ANGLE_MAX);
 }
 
-/* What a joint of this kind cannot drive, or null. */
+/* The error of a drive in a direction that the kind does not drive; null where the drive does
+ * nothing. */
 static const char *undrivable_error(int direction, const thud_drive *d) {
     static const char *const none[TD_JOINT_DIRECTIONS] = {
         "joint drive: a joint of this kind has none along: no limits, spring or motor",
@@ -115,7 +117,7 @@ thud_joint_def thud_default_joint_def(thud_joint_kind kind) {
 
 td_drive td_drive_of(const thud_drive *d) {
     return (td_drive){.limited = d->limited,
-                      /* Of what is not limited nobody looked at the limits. */
+                      /* Unused limits were not checked, and may be not-a-number. */
                       .lower = d->limited ? d->lower : 0.0f,
                       .upper = d->limited ? d->upper : 0.0f,
                       .frequency = d->frequency,
@@ -165,11 +167,13 @@ td_joint td_joint_of_def(const thud_world *w, const thud_joint_def *d, td_body_i
 
 /* ---- reading ---- */
 
+/* The frame in body[side]. */
 static thud_joint_frame frame_of(const td_joint *joint, int side) {
     return (thud_joint_frame){{joint->anchor[side][0], joint->anchor[side][1]},
                               td_angle_radians(joint->angle[side])};
 }
 
+/* Copies the drives of the directions that the kind drives; others keep their defaults. */
 static void read_drives(const td_joint *joint, thud_joint_def *def) {
     for (int i = 0; i < TD_JOINT_DIRECTIONS; i++) {
         const td_drive *d = &joint->drive[i];

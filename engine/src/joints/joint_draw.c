@@ -1,4 +1,5 @@
-/* joint_draw.c: joints drawn through the caller's functions. */
+/* joint_draw.c: debug drawing of joints through the caller's functions: lines from the centres of
+ * mass to the anchors and between them, axes, limits, and forces. */
 #include "joints/gear.h"
 
 #include "api/debug_draw.h"
@@ -6,12 +7,13 @@
 #include "base/trig.h"
 #include "constraint/joint_hooks.h"
 
-#define AXIS_LENGTH 0.5f /* length scales: as far as axes and angles are drawn */
+/* Length of drawn axes and angle limits, length scales. Chosen. */
+#define AXIS_LENGTH 0.5f
 
-/* A joint in the coordinates of a drawing: side 0 is the caller's a. */
+/* A joint in the coordinates of the drawing. Side 0 is the caller's a. */
 typedef struct drawn {
-    thud_vec2 centre[2], place[2];
-    float x, y; /* the axis */
+    thud_vec2 centre[2], place[2]; /* centres of mass; anchors */
+    float x, y;                    /* direction `along`, of the stored order of sides */
 } drawn;
 
 static thud_vec2 offset_by(thud_vec2 p, float x, float y) {
@@ -35,7 +37,7 @@ static void point(const td_drawing *d, thud_vec2 p) {
     }
 }
 
-/* A ray from a's place at an angle against the axis. */
+/* A line from a's anchor at an angle (rad) to the axis. */
 static void angle_line(const td_drawing *d, const drawn *j, double angle, float length,
                        thud_draw_style style) {
     double s, c;
@@ -44,7 +46,7 @@ static void angle_line(const td_drawing *d, const drawn *j, double angle, float 
     td_drawing_line(d, j->place[0], offset_by(j->place[0], length * x, length * y), style);
 }
 
-/* Across the line of a direction, at both ends of what it may be. */
+/* Both limits of a direction (x, y): a line between them, and a mark across each end. */
 static void limit_marks(const td_drawing *d, thud_vec2 from, float x, float y, const td_drive *of) {
     float half = 0.25f * AXIS_LENGTH * d->w->unit, at[2] = {of->lower, of->upper};
     thud_vec2 end[2];
@@ -98,7 +100,8 @@ static void draw_joint(const td_drawing *d, const td_joint *joint) {
     draw_limits(d, joint, &j);
 }
 
-/* b is the side whose mass counts, but where it has none. */
+/* The force on the caller's b, as a line of half the acceleration: half the force times b's inverse
+ * mass, or a's where b has none. */
 static void draw_force(const td_drawing *d, const td_joint *joint) {
     drawn j = drawn_of(d, joint);
     td_joint_load load = td_joint_load_of(d->w, joint);

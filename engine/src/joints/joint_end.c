@@ -1,4 +1,4 @@
-/* joint_end.c: joints go, and their bodies notice. */
+/* joint_end.c: joints are destroyed, and their bodies wake. */
 #include "joints/joint.h"
 #include "state/body.h"
 #include "state/handles.h"
@@ -15,7 +15,8 @@ void td_joint_wake(thud_world *w, const td_joint *joint) {
     td_body_mark(w, joint->body[1], TD_CHANGE_WAKE);
 }
 
-/* Shapes that passed through each other look for each other. */
+/* Has the broadphase query the shapes of both bodies again: contacts between them, which the joint
+ * excluded, become possible. */
 static void mark_shapes_moved(thud_world *w, const td_joint *joint) {
     for (int side = 0; side < 2 && !joint->collides; side++) {
         int i = td_body_at(w, joint->body[side])->first_shape;

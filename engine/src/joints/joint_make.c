@@ -1,12 +1,13 @@
-/* joint_make.c: making joints, of parts; see thud_joint.h. */
+/* joint_make.c: creates joints (thud_joint.h), and the constraints that they consist of. */
 #include "joints/gear.h"
 #include "constraint/joint_hooks.h"
 #include "direct/joint_islands.h"
 #include "state/handles.h"
 
+/* Whether a joint needs a part, by the directions that it locks and drives. */
 static bool has_part(const td_joint *joint, int part) {
     unsigned driven = joint->driven;
-    /* One part is always there, so that the bodies know of the joint. */
+    /* A joint that does nothing has this part, so that it is in the lists of its bodies. */
     return part == TD_JOINT_LOCK ? joint->locked || !driven : driven >> part & 1u;
 }
 
@@ -38,6 +39,7 @@ static const td_joint_hooks joint_hooks = {.engage = td_joints_engage,
                                            .solve = td_island_solve_joints,
                                            .islands = &td_islands_of_joints};
 
+/* Makes a world ready for joints: operations of their kinds, hooks, and their direct solver. */
 static void install_hooks(thud_world *w) {
     w->kinds[TD_CONSTRAINT_ROD] = td_rod_ops(w);
     w->kinds[TD_CONSTRAINT_LOCK] = td_lock_ops(w);
@@ -62,7 +64,6 @@ thud_result thud_world_use_joints(thud_world *w) {
     return THUD_OK;
 }
 
-/* Gives it the parts that it needs, and takes the others away; room is reserved. */
 void td_joint_update_parts(thud_world *w, int index) {
     td_joint *joint = td_joint_at(w, index);
     td_joint_sort_directions(joint);
@@ -83,7 +84,7 @@ void td_joint_update_parts(thud_world *w, int index) {
     td_joint_wake(w, joint);
 }
 
-/* A gear's bodies are those that its joints move. */
+/* The dynamic body of one of a gear's joints, which becomes a side of the gear. */
 static thud_result find_dynamic_body(const thud_world *w, thud_joint_id id, td_body_index *body) {
     int index = 0;
     thud_result result = td_find_joint(w, id, false, &index);
@@ -101,6 +102,7 @@ static thud_result find_dynamic_body(const thud_world *w, thud_joint_id id, td_b
     return THUD_OK;
 }
 
+/* The bodies of a def. */
 static thud_result find_sides(const thud_world *w, const thud_joint_def *def, td_body_index *a,
                               td_body_index *b) {
     if (def->kind == THUD_GEAR) {
@@ -111,6 +113,7 @@ static thud_result find_sides(const thud_world *w, const thud_joint_def *def, td
     return result == THUD_OK ? td_find_body(w, def->body_b, b) : result;
 }
 
+/* Sets the two joints of a gear, and keeps their present coordinates. */
 static void set_members(const thud_world *w, td_joint *gear, const thud_joint_def *def) {
     gear->gear = (td_gear){.ratio = def->ratio};
     for (int i = 0; i < 2; i++) {

@@ -1,8 +1,13 @@
-/* joint_measure.c: where a joint is, by how much it is off, and what it bears. */
+/* joint_measure.c: measurements of joints: coordinates, gaps, forces, and the sums of the step's
+ * error report.
+ *
+ * Forces are the impulses of the last substep over its length. An impulse of a part's lane acts on
+ * side b along its Jacobian: J' impulse. */
 #include "constraint/joint_hooks.h"
 #include "joints/gear.h"
 
-/* By how much a value is off: from 0 where it is locked, from the limits where it has some. */
+/* The error of a coordinate: its distance from 0 where the direction is locked, by how much it
+ * exceeds a limit, or 0. With its sign. */
 static double error_of(const td_joint *joint, int direction, double value) {
     const td_drive *d = &joint->drive[direction];
     if (joint->locked >> direction & 1u) {
@@ -15,6 +20,7 @@ static double error_of(const td_joint *joint, int direction, double value) {
            td_min_double(value - (double)d->lower, 0.0);
 }
 
+/* A gear's coordinate and gap are those of its equation (gear.c): a length, or rad. */
 static td_joint_reading read_gear(const thud_world *w, const td_joint *joint) {
     if (!td_gear_has_joints(w, joint) || joint->gear.apart) {
         return (td_joint_reading){0};
@@ -49,7 +55,8 @@ td_joint_reading td_joint_read(const thud_world *w, const td_joint *joint) {
     return r;
 }
 
-/* Adds what a part gave b's side in the last substep. */
+/* Adds the impulse (x, y, and the moment of turn) of a part on side b in the last substep. The
+ * moment of (x, y) about the centre of mass is left out. */
 static void add_impulse(const thud_world *w, const td_constraint *part, double impulse[3]) {
     if (part->state != TD_TOUCHING) {
         return;
@@ -84,7 +91,8 @@ static void add_impulse(const thud_world *w, const td_constraint *part, double i
     impulse[2] += turns ? (double)rows->turn_sign[at.lane] * along : 0.0;
 }
 
-/* A time step next to nothing makes a force without end of any impulse. */
+/* Clamps a force to THUD_JOINT_FORCE_MAX: with a time step near 0 it may be infinite. Not-a-number
+ * becomes 0. */
 static float bounded_force(double x) {
     double max_force = (double)THUD_JOINT_FORCE_MAX;
     return x > max_force    ? (float)max_force
@@ -93,7 +101,7 @@ static float bounded_force(double x) {
                             : 0.0f;
 }
 
-/* Forces per impulse of a substep. */
+/* Substeps per second: the force of a unit of impulse in a substep. */
 static double force_per_impulse(const thud_world *w) {
     return w->substeps / w->def.time_step;
 }
@@ -110,7 +118,7 @@ td_joint_load td_joint_load_of(const thud_world *w, const td_joint *joint) {
                            bounded_force(rate * impulse[2])};
 }
 
-/* Values are the same with sides swapped, and what pushes them up. */
+/* Forces that increase the coordinate; the same with sides swapped, as coordinates are. */
 thud_drive_forces td_joint_drive_forces(const thud_world *w, const td_joint *joint, int direction) {
     int index = joint->part[direction];
     const td_constraint *part = index == TD_NONE ? NULL : td_constraint_at(w, index);
@@ -126,7 +134,7 @@ thud_drive_forces td_joint_drive_forces(const thud_world *w, const td_joint *joi
         .motor = bounded_force(rate * (double)at.block->tangent_impulse[at.lane])};
 }
 
-/* How many of its parts have lanes, asleep or not; of them, how many are awake. */
+/* The number of a joint's parts that have lanes, asleep or awake; *awake: how many are awake. */
 static int count_lanes(const thud_world *w, const td_joint *joint, int *awake) {
     int lanes = 0;
     *awake = 0;

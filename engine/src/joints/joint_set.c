@@ -1,4 +1,4 @@
-/* joint_set.c: changing joints; see thud_joint.h. */
+/* joint_set.c: the calls that change joints; see thud_joint.h. */
 #include "joints/gear.h"
 #include "state/handles.h"
 
