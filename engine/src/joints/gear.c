@@ -1,8 +1,10 @@
 /* gear.c: gears. A gear couples the coordinates q0, q1 of two joints, each between a static body
- * and a dynamic one, by the equality row q0 + ratio q1 - rest = 0,  rest: the value when the gear
- * was made or set anew. The coordinate is the rotation of hinges and wheels, counted over any
- * number of turns; the displacement along of sliders; the length of distances. The gear's sides are
- * the dynamic bodies of both joints. Jacobians are those of the start of a step. */
+ * and a dynamic one, by the equality row
+ *     q0 + ratio q1 - rest = 0
+ * where `rest` is its value when the gear was made, or enabled again. The coordinate of a hinge or
+ * wheel is its rotation, counted over any number of turns; of a slider, the displacement along; of
+ * a distance, its length. The gear's sides are the dynamic bodies of both joints. Its Jacobian is
+ * that of the start of a step. */
 #include "joints/gear.h"
 
 #include "base/rotation.h"
@@ -33,7 +35,6 @@ bool td_gear_has_joints(const thud_world *w, const td_joint *joint) {
 /* ---- coordinates ---- */
 
 /* The rotation of a joint within a turn; 2^32 is a full turn. */
-
 static uint32_t angle_of(const thud_world *w, const td_joint *joint) {
     uint32_t turn =
         td_pose_at(w, joint->body[1])->angle - td_pose_at(w, joint->body[0])->angle - joint->turn;

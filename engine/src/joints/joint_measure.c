@@ -56,7 +56,7 @@ td_joint_reading td_joint_read(const thud_world *w, const td_joint *joint) {
 }
 
 /* Adds the impulse (x, y, and the moment of turn) of a part on side b in the last substep. The
- * moment of (x, y) about the centre of mass is left out. */
+ * moment of (x, y) about the centre of mass is left out, but for gears. */
 static void add_impulse(const thud_world *w, const td_constraint *part, double impulse[3]) {
     if (part->state != TD_TOUCHING) {
         return;
