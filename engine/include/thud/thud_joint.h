@@ -1,45 +1,53 @@
-/* thud_joint.h: what ties two bodies together, without a shape touching: rods, ropes, springs,
- * hinges, sliders, welds, wheels and targets. A program that makes no joint links none of this.
+/* thud_joint.h: joints, constraints between two bodies without shapes that touch: rods, ropes,
+ * springs, hinges, sliders, welds, wheels, targets and gears. A program that makes no joint links
+ * none of this.
  *
- * A joint looks at body b from body a, in three directions: along the x axis of frame a, across it
- * (its y axis), and by turning. Each is locked, free, or driven, as its kind has it:
+ * A joint has a frame in each body: an anchor and an x axis. It measures body b relative to body a
+ * in three directions: along the x axis of frame a, across it (along its y axis), and in rotation
+ * (turn). Each direction is locked, free, or driven, depending on the kind:
  *
- *     kind            along               across     turn      frame b
- *     THUD_DISTANCE   the distance (*)    free       free      its position counts
- *     THUD_HINGE      locked              locked     driven    its position, and the angle's zero
+ *     kind            along               across     turn      what of frame b is used
+ *     THUD_DISTANCE   the distance (*)    free       free      the position
+ *     THUD_HINGE      locked              locked     driven    the position, and the angle as zero
+ *                                                              of turn
  *     THUD_SLIDER     driven              locked     locked    likewise
- *     THUD_WELD       locked, or driven where it has a spring, each by itself
+ *     THUD_WELD       locked, or driven where it has a drive,  likewise
+ *                     each direction by itself
  *     THUD_WHEEL      driven              locked     driven    likewise
  *     THUD_TARGET     driven              driven     driven    likewise
- *     THUD_FILTER     free                free       free      does not count
- *     THUD_GEAR       ties two joints together: see `gear` of the def
+ *     THUD_FILTER     free                free       free      nothing
+ *     THUD_GEAR       couples two joints: see `gear` of the def
+ *
+ * A driven direction without limits, spring and motor is free.
  *
  * (*) the distance between both positions: locked at `length`, or driven where it has limits, a
- * spring or a motor: a rope has limits (0, length), a spring a frequency, and pulls to `length`
+ * spring or a motor. A rope has limits (0, length); a spring has a frequency, and pulls to `length`
  * unless it has a target.
  *
- * Joints are solved softly with all else, and give way under a load; an island in which they would
- * by more than its quality allows, while it has work left for that, is solved directly, with its
- * contacts. Where it has none left, or something in the island bounces, and at least half of the
- * joints of up to 128 bodies that they tie give way, those are solved directly by themselves:
- * contacts give them what the soft solver has made of them, and close no further than it has them.
- * Where that cannot be, would gain energy, or contacts are more than the bodies, joints give way.
+ * Load. Joints are solved as soft constraints together with contacts, and open under a load. An
+ * island whose joints would open by more than its quality allows is solved directly, with its
+ * contacts, as long as the quality's work budget lasts. Where that is used up, or something in the
+ * island bounces, but at least half of the joints of up to 128 bodies that they connect open, those
+ * joints are solved directly without the contacts: the contacts keep the impulses of the soft
+ * solver, and close no further than it has closed them. Where this is not possible, would gain
+ * energy, or contacts are more than the bodies, joints stay soft.
  *
- * Where its detection stops a body on its way through a step, all that locked directions tie to it
- * stop as far on their ways and lose the speed that gravity gave them for the rest of the step, so
- * that their joints open by little more than the solver leaves; the statistics tell. Under `bisect`
- * and `swept` such bodies stop at what they meet, and bounce off as contacts do; what touches them
- * already is left to the contacts, which may overlap by as much as those of `continuous`.
+ * Detection. Where detection stops a body on its way through a step, all bodies that locked
+ * directions connect to it stop at the same share of their motions, and lose the speed that gravity
+ * gave them for the rest of the step. Their joints thus open by little more than the solver leaves;
+ * statistics count such bodies. Under `bisect` and `swept` such bodies stop where they hit
+ * something, and bounce as contacts do; what touches them already is left to the contacts, which
+ * may overlap by as much as those of `continuous`.
  *
- * A joint loses against static shapes, at every quality and under every detection. Where one
- * presses a body into what cannot move (a rope that is reeled in, a motor without a greatest
+ * Static shapes are stronger than joints, at every quality and under every detection. Where a joint
+ * presses a body into a body that cannot move (a rope that is shortened, a motor without a maximum
  * force), the body ends no step deeper than a tenth of its smallest half extent, or of half the
- * thickness of the shape where that is less; while the solver finds out, for some steps, than 0.4
- * of it. The body and all that locked directions tie to it are put back there, their joints closed
- * as far as contacts let them: ropes stay open, which thud_step_error tells, and motors stall. Such
- * a joint gives the body no speed; its force is what it reaches within a step from nothing.
- * Kinematic bodies are no static shapes, and a body that a joint has made faster than its detection
- * sees passes. */
+ * thickness of the shape where that is less; for some steps, until the solver has found out, 0.4 of
+ * it. The body and all that locked directions connect to it are put back there, and their joints
+ * are closed as far as contacts allow: ropes stay too long, which thud_step_error reports, and
+ * motors stall. Such a joint gives the body no speed, and its force is what it reaches within one
+ * step from 0. This does not apply to kinematic bodies, nor to a body that a joint has made faster
+ * than its detection can see. */
 #ifndef THUD_JOINT_H
 #define THUD_JOINT_H
 
@@ -62,95 +70,101 @@ typedef enum thud_joint_kind {
     THUD_WELD,
     THUD_WHEEL,
     THUD_TARGET,
-    THUD_FILTER, /* their shapes do not meet, and that is all */
+    THUD_FILTER, /* excludes contacts between the bodies' shapes, and does nothing else */
     THUD_GEAR,
     THUD_JOINT_KIND_COUNT
 } thud_joint_kind;
 
 typedef enum thud_direction {
-    THUD_ALONG = 0, /* or the distance */
+    THUD_ALONG = 0, /* of THUD_DISTANCE the distance */
     THUD_ACROSS,
     THUD_TURN,
     THUD_DIRECTION_COUNT
 } thud_direction;
 
-/* What acts in a direction that is not locked: lengths and forces, or radians and torques. All at
- * once are fine: a spring towards a place, a motor up to its force, and limits that hold both. */
+/* What acts in a direction that is not locked, in lengths and forces, or in radians and torques. A
+ * drive may have a spring, a motor and limits at once. */
 typedef struct thud_drive {
-    bool limited;       /* default false */
-    float lower, upper; /* lower <= upper; |.| of turn at most THUD_JOINT_TURN_MAX, of lengths
-                           THUD_JOINT_LENGTH_MAX length scales; of a distance >= 0. Equal: locked
-                           there */
-    float frequency;    /* Hz, of the spring, [0, THUD_JOINT_FREQUENCY_MAX]; default 0: none. About
-                           the mass that the bodies have there. A substep carries a radian of it:
-                           of more than the rate of substeps / 2 pi it acts as one of that, which
-                           is 19, 38, 76 and 153 Hz at draft, default, high and exact with 60 steps
-                           a second, so that no spring adds energy by being stiff */
-    float damping;      /* ratio, [0, THUD_JOINT_DAMPING_MAX]; default 0.7; 1: critical */
-    float target;       /* where the spring pulls to; in the range of limits: THUD_JOINT_TURN_MAX,
-                           THUD_JOINT_LENGTH_MAX. Default 0; of a distance -INFINITY, which stands
-                           for its length, as set by thud_joint_set_length too */
-    float spring_force; /* which the spring does not exceed, [0, THUD_JOINT_FORCE_MAX]; default
-                           that: none. Where springs act along and across, each keeps its own cap,
-                           and the force of both together is no longer than the greater one: with
-                           the same cap for both it is that of the force, whichever way it points.
-                           Once a step the direction that both want decides on their parts */
-    float motor_speed;  /* of b seen from a, |.| <= THUD_JOINT_LENGTH_MAX length scales a second, or
-                           THUD_JOINT_SPIN_MAX */
-    float motor_force;  /* up to which the motor acts, [0, THUD_JOINT_FORCE_MAX]; default 0: none;
-                           of a speed without force the log hears. Along and across together as
-                           springs are: with speed 0 and the same cap it is friction */
+    bool limited;       /* whether it has limits; default false */
+    float lower, upper; /* limits, lower <= upper; |.| of turn at most THUD_JOINT_TURN_MAX, of
+                           lengths THUD_JOINT_LENGTH_MAX length scales; of a distance >= 0. Equal
+                           limits lock the direction there. Default 0 */
+    float frequency;    /* of the spring, Hz, [0, THUD_JOINT_FREQUENCY_MAX]; default 0: no spring.
+                           It is that of the effective mass of both bodies in this direction. The
+                           phase in a substep is limited to a radian: above the rate of
+                           substeps / 2 pi the spring acts as one of that frequency, which is
+                           19, 38, 76 and 153 Hz at draft, default, high and exact with 60
+                           steps a second, so that no spring adds energy by being stiff */
+    float damping;      /* damping ratio of the spring, [0, THUD_JOINT_DAMPING_MAX]; default 0.7;
+                           1: critical */
+    float target;       /* coordinate to which the spring pulls, with the range of limits:
+                           THUD_JOINT_TURN_MAX, THUD_JOINT_LENGTH_MAX. Default 0; of a distance
+                           -INFINITY, which stands for its length, also after
+                           thud_joint_set_length */
+    float spring_force; /* maximum force of the spring, [0, THUD_JOINT_FORCE_MAX]; default that: no
+                           maximum. Where springs act along and across, neither exceeds its own
+                           maximum, nor the resultant of both the greater one: with the same
+                           maximum for both, it is the maximum of the force in any direction. The
+                           direction of the force is decided once a step */
+    float motor_speed;  /* target speed of b relative to a, |.| <= THUD_JOINT_LENGTH_MAX length
+                           scales a second, or THUD_JOINT_SPIN_MAX radians a second; default 0 */
+    float motor_force;  /* maximum force of the motor, [0, THUD_JOINT_FORCE_MAX]; default 0: no
+                           motor; a speed without a force is logged. Along and across together as
+                           for springs: with speed 0 and the same maximum it acts as friction */
 } thud_drive;
 
-/* A place and an axis in a body. */
+/* An anchor and an axis in a body. */
 typedef struct thud_joint_frame {
     thud_vec2 position; /* from the body's origin, in its frame; |x|, |y| <= THUD_JOINT_LENGTH_MAX
                            length scales */
-    double angle;       /* of the x axis, against the body's; |angle| <= THUD_ANGLE_MAX */
+    double angle;       /* of the x axis against the body's, rad; |angle| <= THUD_ANGLE_MAX */
 } thud_joint_frame;
 
 typedef struct thud_joint_def {
     thud_joint_kind kind;
-    thud_body_id body_a, body_b; /* two, of which one is dynamic; of wheels and targets body b */
-    thud_joint_frame frame_a, frame_b;
-    /* Of directions that the kind drives; limits, a spring or a motor of another one are refused.
-     */
+    thud_body_id body_a, body_b; /* two bodies, at least one of them dynamic; of wheels and targets
+                                    body_b is dynamic */
+    thud_joint_frame frame_a, frame_b; /* default: the bodies' own frames */
+    /* By thud_direction. Limits, springs and motors in directions that the kind does not drive are
+     * refused. */
     thud_drive drive[THUD_DIRECTION_COUNT];
-    /* Of a distance, (0, THUD_JOINT_LENGTH_MAX] length scales; default 1. Of a driven one where its
-     * spring pulls to, unless that has a target. */
+    /* Length of a distance, (0, THUD_JOINT_LENGTH_MAX] length scales; default 1. Of a driven
+     * distance it is where the spring pulls to, unless that has a target. */
     float length;
-    /* Of a gear: two joints, each a hinge, a wheel, a slider or a distance between a static body
-     * and a dynamic one; the dynamic ones, which must not be the same, are the gear's bodies, and
-     * body_a, body_b and the frames do not count. It keeps the value of the first (turn of a hinge
-     * or a wheel, along of the others) plus `ratio` times that of the second as it is when the gear
-     * is made, over any number of turns. While either is disabled it lets go, and goes on from
-     * where they are then; with either it is gone. Directions of rows are those at the start of a
-     * step: what a gear of distances keeps is off by the square of their turn in it. */
+    /* Two joints that a gear couples, each a hinge, a wheel, a slider or a distance between a
+     * static body and a dynamic one. The dynamic bodies, which must not be the same, are the gear's
+     * bodies; body_a, body_b and the frames of its def are not used. The gear keeps the coordinate
+     * of the first joint (turn of a hinge or a wheel, along of the others) plus `ratio` times that
+     * of the second as it is when the gear is made, over any number of turns. While either joint is
+     * disabled the gear does nothing, and then keeps the coordinates that it finds; it is destroyed
+     * with either joint. Directions are those at the start of a step: a gear of distances has an
+     * error of the square of their rotation in a step. */
     thud_joint_id gear[2];
     float ratio;            /* of a gear, |ratio| in [THUD_GEAR_RATIO_MIN, THUD_GEAR_RATIO_MAX];
                                default 1: they turn against each other, as two wheels that mesh */
-    bool collide_connected; /* default false: the bodies' shapes do not meet; of a gear true */
-    /* Beyond either the joint breaks: it is destroyed at the end of that step, or, where
-     * `only_reports`, goes on. Either way there is an event. */
-    float break_force, break_torque; /* [0, THUD_JOINT_FORCE_MAX]; default that: never */
-    bool only_reports;               /* default false */
-    bool disabled;                   /* default false */
+    bool collide_connected; /* the bodies' shapes may touch; default false, of a gear true */
+    /* Force and torque beyond which the joint breaks: it is destroyed at the end of that step, or
+     * stays if `only_reports`. Either way there is a thud_joint_event. [0, THUD_JOINT_FORCE_MAX];
+     * default that: never. */
+    float break_force, break_torque;
+    bool only_reports; /* default false */
+    bool disabled;     /* default false */
     uint64_t user_data;
     uint32_t cookie; /* of thud_default_joint_def */
 } thud_joint_def;
 
 THUD_API thud_joint_def thud_default_joint_def(thud_joint_kind kind);
 
-/* A joint takes effect with the next step, and wakes both bodies then; it is gone with either, when
- * the body leaves as a step begins, and lets go while either is disabled. None of these inside a
- * callback: THUD_ERROR_LOCKED. */
+/* A joint takes effect with the next step, and wakes both bodies then. It does nothing while either
+ * body is disabled, and is destroyed with either, as the next step begins. `out` may be null.
+ * All calls that create, change or destroy a joint return THUD_ERROR_LOCKED inside a callback. */
 THUD_NODISCARD THUD_API thud_result thud_joint_create(thud_world *world, const thud_joint_def *def,
                                                       thud_joint_id *out);
 THUD_API thud_result thud_joint_destroy(thud_world *world, thud_joint_id joint);
 THUD_API bool thud_joint_is_valid(const thud_world *world, thud_joint_id joint);
 
-/* What drives a direction: forces, of THUD_TURN torques, that push value[direction] up where they
- * are > 0; within THUD_JOINT_FORCE_MAX, and 0 where there is no such drive. */
+/* Forces of a direction's drive, of THUD_TURN torques. Positive ones increase value[direction];
+ * they are within THUD_JOINT_FORCE_MAX, and 0 where the drive has no such part. */
 typedef struct thud_drive_forces {
     float limit, spring, motor;
 } thud_drive_forces;
@@ -159,29 +173,33 @@ typedef struct thud_joint_state {
     thud_joint_kind kind;
     thud_body_id body_a, body_b;
     bool enabled;
-    double value[THUD_DIRECTION_COUNT]; /* where b is, seen from a; value[THUD_TURN] in (-pi, pi] */
-    double gap;                         /* length by which locked directions are off */
-    double angle_gap;                   /* likewise, rad; both >= 0 */
-    thud_vec2 force;                    /* on b, in the world, as it was last solved; it and
-                                           the torque are within THUD_JOINT_FORCE_MAX */
-    float torque; /* on b, about its centre of mass less that of `force`: of turn alone */
-    thud_drive_forces drive[THUD_DIRECTION_COUNT]; /* the parts of both that drives have */
+    double value[THUD_DIRECTION_COUNT]; /* coordinates of b relative to a, lengths;
+                                           value[THUD_TURN] in (-pi, pi] */
+    double gap;                         /* length by which locked directions are open and limits
+                                           exceeded; of a gear its error, where that is a length */
+    double angle_gap;                   /* likewise in rad; both >= 0 */
+    thud_vec2 force;                    /* on b, in the world, in the last substep; it and the
+                                           torque are within THUD_JOINT_FORCE_MAX */
+    float torque; /* on b, of the direction turn alone: the moment of `force` is not included */
+    thud_drive_forces drive[THUD_DIRECTION_COUNT]; /* parts of force and torque that drives apply */
     uint64_t user_data;
 } thud_joint_state;
 
 THUD_API thud_result thud_joint_get(const thud_world *world, thud_joint_id joint,
                                     thud_joint_state *out);
-/* What makes another like it, as it is now. Angles are in (-pi, pi]; of directions that the kind
- * does not drive, and of what it has none of, the defaults. */
+/* A def of the joint as it is now, from which another like it can be made. Angles are in (-pi, pi];
+ * what the kind does not use has its default. */
 THUD_API thud_result thud_joint_get_def(const thud_world *world, thud_joint_id joint,
                                         thud_joint_def *out);
-/* A direction that the kind drives; wakes the bodies, as the next two do. */
+/* Replaces the drive of a direction; the kind must drive it. Wakes the bodies, as the next two
+ * calls do. */
 THUD_API thud_result thud_joint_set_drive(thud_world *world, thud_joint_id joint,
                                           thud_direction direction, const thud_drive *drive);
-/* Of a distance. */
+/* Of a THUD_DISTANCE only. */
 THUD_API thud_result thud_joint_set_length(thud_world *world, thud_joint_id joint, float length);
 THUD_API thud_result thud_joint_set_enabled(thud_world *world, thud_joint_id joint, bool enabled);
-/* Where it is in a body (0: body_a, 1: body_b). Not of gears and filters. */
+/* Sets the frame in a body (side 0: body_a, 1: body_b). Not of gears and filters. Wakes the bodies.
+ */
 THUD_API thud_result thud_joint_set_frame(thud_world *world, thud_joint_id joint, int side,
                                           thud_joint_frame frame);
 THUD_API thud_result thud_joint_set_breaking(thud_world *world, thud_joint_id joint, float force,
@@ -189,28 +207,29 @@ THUD_API thud_result thud_joint_set_breaking(thud_world *world, thud_joint_id jo
 THUD_API thud_result thud_joint_set_user_data(thud_world *world, thud_joint_id joint,
                                               uint64_t user_data);
 
-/* A joint whose force or torque went beyond what it bears, in the last step or thud_world_advance.
- */
+/* A joint whose force or torque exceeded break_force or break_torque, in the last step or
+ * thud_world_advance. */
 typedef struct thud_joint_event {
     thud_joint_id joint;
     thud_body_id body_a, body_b;
     uint64_t user_data;
     float force, torque; /* magnitudes */
-    bool broken;         /* it is gone */
+    bool broken;         /* the joint was destroyed */
 } thud_joint_event;
 
-/* In the order of their making; valid until the next step. *count may be null. */
+/* Events, within a step in the order of the joints' slots; valid until the next step. `count` may
+ * be null. */
 THUD_API const thud_joint_event *thud_world_joint_events(const thud_world *world, int *count);
 
-/* Joints of the world, or of a body, in a deterministic order. Writes no more than `capacity` of
- * them to `out` (which may be null where that is 0) and returns how many there are; 0 where the
- * body is stale. */
+/* Joints of the world, or of a body, in a deterministic order. Writes at most `capacity` of them to
+ * `out` (which may be null if that is 0), and returns how many there are; 0 if the body is stale.
+ */
 THUD_API int thud_world_joints(const thud_world *world, thud_joint_id *out, int capacity);
 THUD_API int thud_body_joints(const thud_world *world, thud_body_id body, thud_joint_id *out,
                               int capacity);
 
-/* A world that never made a joint refuses to be restored from a snapshot that has some: this makes
- * it ready, as making one does. */
+/* Makes a world ready for joints, as creating one does. A world that never had a joint cannot be
+ * restored from a snapshot with joints unless this was called. */
 THUD_API thud_result thud_world_use_joints(thud_world *world);
 
 #ifdef __cplusplus

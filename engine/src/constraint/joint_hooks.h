@@ -1,5 +1,5 @@
-/* joint_hooks.h: when constraints that are no contacts take effect, and when they let go. A world
- * has it from its first joint on, so that a program without joints does not link it. */
+/* joint_hooks.h: what a step calls of the joints: a table of functions that a world gets with its
+ * first joint (joints/joint_make.c), so that a program without joints does not link them. */
 #ifndef TD_JOINT_HOOKS_H
 #define TD_JOINT_HOOKS_H
 
@@ -8,58 +8,75 @@
 struct td_island_work;
 struct td_drawing;
 
-/* As thud_step_error has them. */
+/* Gaps of joints, by which locked directions are open and limits exceeded, as thud_step_error
+ * reports them: the greatest and the mean length, and the greatest angle (rad). All are >= 0. */
 typedef struct td_joint_gaps {
     double worst, mean, angle;
 } td_joint_gaps;
 
 typedef struct td_joint_hooks {
-    /* Gives lanes to those that wait, where their bodies are in the world and enabled. False when
-     * memory is short: the rest goes on waiting. */
+    /* ---- joint_engage.c ---- */
+    /* Gives lanes to the parts of joints that wait for one, where both bodies are in the world and
+     * enabled. False when memory is short; the parts that remain wait on. */
     bool (*engage)(thud_world *w);
-    /* The joints of a body give their lanes back, and wait until it is enabled. */
+    /* Takes the lanes of a body's joints away; they wait until the body is enabled again. */
     void (*suspend)(thud_world *w, td_body_index body);
-    /* A body was put elsewhere, or its centre of mass was: its locks hold it there. */
+    /* After a body or its centre of mass was moved by the caller: locks of single axes
+     * (edits/locks.c) hold it at its new position. */
     void (*follow)(thud_world *w, td_body_index body);
-    /* Whether a joint of both has their shapes pass through each other. */
+    /* Whether a joint of both bodies excludes contacts between them. */
     bool (*keeps_apart)(const thud_world *w, td_body_index a, td_body_index b);
-    /* A part is no more; the joint is gone with its last one. */
+    /* A constraint (`part`) of a joint has been destroyed; with the last one the joint's record is
+     * freed. */
     void (*leave)(thud_world *w, int joint, int part);
-    /* Makes the rings of this step, if nobody has; tied_bodies.h. */
+
+    /* ---- joint_tied.c, see tied_bodies.h ---- */
+    /* Makes the groups of tied bodies, unless this step has them already. */
     void (*tie)(thud_world *w);
-    /* A body was held at a part of its motion: those that joints tie to it go back as far. */
+    /* Detection stopped a body at a share `time` (0 .. 1) of its motion: stops the others of its
+     * group there, too. */
     void (*hold_back)(thud_world *w, td_awake_slot slot, double time);
-    /* joint_brace.c: between passes of the solver that brace joints: whether the warm start, or
-     * what was given by the end of the relax pass, may have added energy; the share of it that each
-     * ring keeps; and whether a ring gapes, which is known once the warm start was judged. */
+
+    /* ---- joint_brace.c, between passes of the solver ---- */
+    /* Whether the impulses of locks may have added energy: those of the warm start, or, if
+     * `relaxed`, all up to the end of the relax pass. */
     bool (*adds_energy)(thud_world *w, bool relaxed);
+    /* Computes the share of its impulses that each group keeps. */
     void (*weigh)(thud_world *w, bool relaxed);
+    /* Whether a lock is wide open. Valid after the first call of adds_energy in a step. */
     bool (*gape)(const thud_world *w);
-    /* joint_caps.c, before solving: bounds of springs and motors whose cap is of both directions.
-     */
+
+    /* ---- joint_caps.c, before the solver ---- */
+    /* Sets the bounds of springs and motors that act both along and across. */
     void (*share_caps)(thud_world *w);
-    /* joint_yield.c: before the solver, impulses are forgotten of what was put back in the step
-     * before; after it, what joints have pressed into static shapes is put back. */
+
+    /* ---- joint_yield.c ---- */
+    /* Before the solver: clears the impulses of joints that yielded in the last step. */
     void (*forget)(thud_world *w);
+    /* After the solver: moves bodies back that joints have pressed into static shapes. */
     void (*yield)(thud_world *w);
-    /* After the epilogue: events of the joints that bear too much, which are destroyed. */
+
+    /* joint_break.c, after the epilogue: adds events of joints whose force or torque exceeds their
+     * maximum, and destroys those that break. */
     void (*break_up)(thud_world *w);
-    /* Adds up how far joints are open that are in force, asleep or awake. */
+    /* joint_measure.c: computes the gaps of all joints that have lanes, asleep or awake. Adds to
+     * *gaps, which starts as zeros. */
     void (*measure)(const thud_world *w, td_joint_gaps *gaps);
-    /* joint_draw.c; of a td_drawing: api/debug_draw.h */
+    /* joint_draw.c; td_drawing: api/debug_draw.h. */
     void (*draw)(const struct td_drawing *drawing);
-    /* island_step_joints.c: see island_step.h. */
+    /* direct/island_step_joints.c: a step of an island with joints; see island_step.h. */
     double (*solve)(struct td_island_work *work, double tolerance);
-    const thud_island_solver
-        *islands; /* joint_islands.c: where the quality has one, in its place */
+    /* direct/joint_islands.c: the direct solver that replaces thud_islands_direct in a world with
+     * joints. */
+    const thud_island_solver *islands;
 } td_joint_hooks;
 
-/* What solves a world's islands directly. */
+/* The direct solver of a world's islands. */
 static inline const thud_island_solver *td_direct_solver_of(const thud_world *w) {
     return w->joint_hooks ? w->joint_hooks->islands : &thud_islands_direct;
 }
 
-/* joint_engage.c */
+/* The functions of that table, from the files named there. */
 bool td_joints_engage(thud_world *w);
 void td_joints_suspend(thud_world *w, td_body_index body);
 void td_joints_follow(thud_world *w, td_body_index body);
@@ -77,8 +94,10 @@ void td_joints_measure(const thud_world *w, td_joint_gaps *gaps);
 void td_joints_leave(thud_world *w, int joint, int part);
 bool td_joints_keep_apart(const thud_world *w, td_body_index a, td_body_index b);
 
-/* The bit of a body in td_body.passes. Sixteen bits are few, and none is ever cleared: both bodies
- * have the bit of the other if they pass through each other, and seldom else. */
+/* The bit of a body in td_body.passes, a Bloom filter of the bodies that its joints exclude
+ * contacts with: if contacts of two bodies are excluded, each has the bit of the other. Other pairs
+ * may have them as well, since bodies share the 16 bits and bits are never cleared; keeps_apart
+ * decides. */
 static inline uint16_t td_passing_bit(td_body_index body) {
     return (uint16_t)(1u << (body.at & 15));
 }

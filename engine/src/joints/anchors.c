@@ -1,21 +1,24 @@
-/* anchors.c: what the lanes of a joint keep of it until it changes. */
+/* anchors.c: what the lanes of a joint copy from its td_joint. The copies stay until the joint or
+ * the centre of mass of a body changes, which sets td_block.armed: then td_joint_update_anchors
+ * copies all lanes of the block anew. */
 #include "joints/joint.h"
 
-void td_joint_fill(thud_world *w, td_block *block, int lane, int index) {
+void td_joint_fill_lane(thud_world *w, td_block *block, int lane, int index) {
     (void)w, (void)index;
     block->shape_a[lane] = block->shape_b[lane] = TD_NONE;
     block->armed = 1;
 }
 
-void td_joint_renew(thud_world *w, td_block *block, int lane, int index) {
+void td_joint_renew_lane(thud_world *w, td_block *block, int lane, int index) {
     (void)w, (void)lane, (void)index;
     block->armed = 1;
 }
 
-void td_joint_let_be(thud_world *w, td_block *block, int lane, int index) {
+void td_joint_clear_lane(thud_world *w, td_block *block, int lane, int index) {
     (void)w, (void)block, (void)lane, (void)index;
 }
 
+/* Anchors and axis of a lane, relative to the bodies' centres of mass, in the bodies' frames. */
 static void set_anchors(const thud_world *w, const td_joint *joint, td_anchor_rows *rows,
                         int lane) {
     const td_body *a = td_body_at(w, joint->body[0]), *b = td_body_at(w, joint->body[1]);
@@ -30,12 +33,13 @@ static void set_anchors(const thud_world *w, const td_joint *joint, td_anchor_ro
     rows->turn[lane] = (int32_t)joint->turn;
 }
 
+/* -1 where the joint's sides are swapped. */
 static float sign_of(const td_joint *joint) {
     return joint->swapped ? -1.0f : 1.0f;
 }
 
-/* What holds both ways stays in the world's axes, so that impulses that carry a weight go on doing
- * so. */
+/* A lane of locked directions. rows->frame is 0 where both along and across are locked: the frame
+ * is then that of the world, so that impulses that carry a weight keep their direction. */
 static void set_lock(const thud_world *w, td_block *block, int lane, const td_joint *joint) {
     td_lock_rows *rows = td_lock_rows_of(block);
     float sign = sign_of(joint);
@@ -47,13 +51,14 @@ static void set_lock(const thud_world *w, td_block *block, int lane, const td_jo
         joint->locked >> THUD_TURN & 1u ? sign : 0.0f;
 }
 
+/* A lane of a locked distance. */
 static void set_rod(const thud_world *w, td_block *block, int lane, const td_joint *joint) {
     td_lock_rows *rows = td_lock_rows_of(block);
     set_anchors(w, joint, &rows->anchor, lane);
     rows->turn_base[lane] = joint->length;
 }
 
-/* The direction of the part that drives it. */
+/* The direction (thud_direction) whose drive is this constraint. */
 static int direction_of(const td_joint *joint, int constraint) {
     int direction = 0;
     while (joint->part[direction] != constraint) {
@@ -62,6 +67,7 @@ static int direction_of(const td_joint *joint, int constraint) {
     return direction;
 }
 
+/* A lane of a driven direction. */
 static void set_drive(const thud_world *w, td_block *block, int lane, const td_joint *joint) {
     td_drive_rows *rows = td_drive_rows_of(block);
     int direction = direction_of(joint, block->constraint[lane]);
@@ -81,7 +87,7 @@ static void set_drive(const thud_world *w, td_block *block, int lane, const td_j
     rows->motor_most[lane] = d->motor_force;
 }
 
-void td_joint_look_up(const thud_world *w, td_block *block) {
+void td_joint_update_anchors(const thud_world *w, td_block *block) {
     for (int lane = 0; lane < block->used; lane++) {
         const td_constraint *constraint = td_constraint_at(w, block->constraint[lane]);
         const td_joint *joint = td_joint_of(w, constraint);

@@ -1,24 +1,26 @@
-/* drive.c: the lanes of what drives joints. */
+/* drive.c: the operations of the constraint kinds of driven directions: limits, springs, motors. */
 #include "joints/joint.h"
 
 TD_DECLARE_WIDE(const td_solve_ops, td_solve_drive_line);
 TD_DECLARE_WIDE(const td_solve_ops, td_solve_drive_axis);
 TD_DECLARE_WIDE(const td_solve_ops, td_solve_drive_turn);
 
-/* Springs and motors give way as they should; limits should not. */
+/* td_lane_ops.load: the impulse of the limit in a substep over the lighter side's mass, a speed.
+ * *off: by how much the limit is exceeded, a length. Springs and motors do not count, since they
+ * are meant to be displaced. Angles become lengths by `size`. */
 static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
     const td_point *p = &block->point[0];
     bool turns = td_constraint_at(w, block->constraint[lane])->kind == TD_CONSTRAINT_DRIVE_TURN;
-    float mass = td_joint_lighter(w, block, lane);
+    float mass = td_joint_max_inverse_mass(w, block, lane);
     float turn = td_max_float(block->inv_inertia_a[lane], block->inv_inertia_b[lane]);
     float beyond = td_max_float(-p->separation[lane], 0.0f);
-    float impulse = td_joint_size(p->normal_impulse[lane]);
+    float impulse = td_joint_abs(p->normal_impulse[lane]);
     *off = turns ? beyond * size : beyond;
     return impulse * (turns ? turn * size : mass);
 }
 
-/* Nothing of it is in the residual: springs and motors give way as they should, and limits are
- * judged by their gaps. */
+/* td_lane_ops.count: a drive adds nothing to the residual. Springs and motors may miss any speed,
+ * and limits are judged by their gaps. */
 static void count(thud_world *w, const td_block *block) {
     (void)w, (void)block;
 }

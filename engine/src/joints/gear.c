@@ -1,5 +1,10 @@
-/* gear.c: gears: two joints, each of a body that moves and one that does not, of which one turns or
- * moves as the other does. */
+/* gear.c: gears. A gear couples the coordinates q0, q1 of two joints, each between a static body
+ * and a dynamic one, by the equality row
+ *     q0 + ratio q1 - rest = 0
+ * where `rest` is its value when the gear was made, or enabled again. The coordinate of a hinge or
+ * wheel is its rotation, counted over any number of turns; of a slider, the displacement along; of
+ * a distance, its length. The gear's sides are the dynamic bodies of both joints. Its Jacobian is
+ * that of the start of a step. */
 #include "joints/gear.h"
 
 #include "base/rotation.h"
@@ -8,15 +13,16 @@
 
 TD_DECLARE_WIDE(const td_solve_ops, td_solve_gear);
 
+/* One of the gear's two joints. */
 static const td_joint *member(const thud_world *w, const td_joint *gear, int i) {
     return td_joint_at(w, gear->gear.joint[i]);
 }
 
-bool td_gear_turns(const td_joint *joint) {
+bool td_gear_by_angle(const td_joint *joint) {
     return joint->kind == THUD_HINGE || joint->kind == THUD_WHEEL;
 }
 
-bool td_gear_whole(const thud_world *w, const td_joint *joint) {
+bool td_gear_has_joints(const thud_world *w, const td_joint *joint) {
     for (int i = 0; i < 2; i++) {
         const td_joint *of = member(w, joint, i);
         if (!of->live || of->generation != joint->gear.generation[i]) {
@@ -26,23 +32,27 @@ bool td_gear_whole(const thud_world *w, const td_joint *joint) {
     return true;
 }
 
-/* ---- values ---- */
+/* ---- coordinates ---- */
 
-static uint32_t turn_of(const thud_world *w, const td_joint *joint) {
+/* The rotation of a joint within a turn; 2^32 is a full turn. */
+static uint32_t angle_of(const thud_world *w, const td_joint *joint) {
     uint32_t turn =
         td_pose_at(w, joint->body[1])->angle - td_pose_at(w, joint->body[0])->angle - joint->turn;
     return joint->swapped ? 0u - turn : turn;
 }
 
-static int64_t turned_of(const thud_world *w, const td_joint *gear, int i) {
-    uint32_t since = turn_of(w, member(w, gear, i)) - gear->gear.last[i];
+/* The rotation of a joint since td_gear_set_rest, 2^32 a turn. Valid while the joint has turned by
+ * less than half a turn since count_turns. */
+static int64_t counted_rotation(const thud_world *w, const td_joint *gear, int i) {
+    uint32_t since = angle_of(w, member(w, gear, i)) - gear->gear.last[i];
     return gear->gear.turned[i] + (int32_t)since;
 }
 
-static double value_of(const thud_world *w, const td_joint *gear, int i) {
+/* The coordinate of one of the gear's joints, rad or length. */
+static double coordinate_of(const thud_world *w, const td_joint *gear, int i) {
     const td_joint *joint = member(w, gear, i);
-    if (td_gear_turns(joint)) {
-        return (double)turned_of(w, gear, i) * (TD_PI / 2147483648.0);
+    if (td_gear_by_angle(joint)) {
+        return (double)counted_rotation(w, gear, i) * (TD_PI / 2147483648.0);
     }
     td_joint_place place = td_joint_place_of(w, joint);
     double x = (double)place.x, y = (double)place.y;
@@ -51,65 +61,67 @@ static double value_of(const thud_world *w, const td_joint *gear, int i) {
 }
 
 double td_gear_gap(const thud_world *w, const td_joint *gear) {
-    double first = value_of(w, gear, 0), second = value_of(w, gear, 1);
+    double first = coordinate_of(w, gear, 0), second = coordinate_of(w, gear, 1);
     return first + (double)gear->gear.ratio * second - gear->gear.rest;
 }
 
-void td_gear_begin(const thud_world *w, td_joint *gear) {
+void td_gear_set_rest(const thud_world *w, td_joint *gear) {
     td_gear *g = &gear->gear;
     for (int i = 0; i < 2; i++) {
         g->turned[i] = 0;
-        g->last[i] = turn_of(w, member(w, gear, i));
+        g->last[i] = angle_of(w, member(w, gear, i));
     }
     g->rest = 0.0;
     g->rest = td_gear_gap(w, gear);
 }
 
-/* Seen once a step, no turn is missed: a body turns by less than half of one. */
+/* Adds the rotation since the last step. A body turns by less than half a turn in a step. */
 static void count_turns(const thud_world *w, td_joint *gear) {
     for (int i = 0; i < 2; i++) {
-        gear->gear.turned[i] = turned_of(w, gear, i);
-        gear->gear.last[i] = turn_of(w, member(w, gear, i));
+        gear->gear.turned[i] = counted_rotation(w, gear, i);
+        gear->gear.last[i] = angle_of(w, member(w, gear, i));
     }
 }
 
 /* ---- lanes ---- */
 
-/* How the value of a joint follows its second body: x, y, turn. */
-static void direction_of(const thud_world *w, const td_joint *joint, float out[3]) {
+/* The gradient of a joint's coordinate by the motion (x, y, turn) of its second body. */
+static void coordinate_gradient(const thud_world *w, const td_joint *joint, float out[3]) {
     td_joint_place place = td_joint_place_of(w, joint);
     float sign = joint->swapped ? -1.0f : 1.0f;
     out[0] = out[1] = 0.0f;
     out[2] = sign;
-    if (td_gear_turns(joint)) {
+    if (td_gear_by_angle(joint)) {
         return;
     }
     float x = place.axis_x, y = place.axis_y;
     if (joint->kind == THUD_DISTANCE) {
-        td_joint_line_of(&place, &x, &y);
+        td_joint_line(&place, &x, &y);
     }
     out[0] = x;
     out[1] = y;
     out[2] = td_cross(place.arm[1], x, y);
 }
 
-/* While a joint of it is disabled it lets go, and then goes on from where they are. */
-static bool is_apart(const thud_world *w, td_joint *gear) {
+/* Sets and returns td_gear.apart: whether one of the joints is disabled, so that the gear does not
+ * act. When both are enabled again, it keeps the coordinates that they have then. */
+static bool update_apart(const thud_world *w, td_joint *gear) {
     bool apart = member(w, gear, 0)->disabled || member(w, gear, 1)->disabled;
     if (!apart && gear->gear.apart) {
-        td_gear_begin(w, gear);
+        td_gear_set_rest(w, gear);
     }
     gear->gear.apart = apart;
     return apart;
 }
 
+/* The row of a gear's lane; a mass of 0 where it does not act. */
 static void prepare_lane(const thud_world *w, td_block *block, int lane) {
     td_joint *gear = td_joint_of(w, td_constraint_at(w, block->constraint[lane]));
     td_point *p = &block->point[0];
     td_gear_rows *rows = td_gear_rows_of(block);
     float a[3], b[3], ratio = gear->gear.ratio;
-    direction_of(w, member(w, gear, 0), a);
-    direction_of(w, member(w, gear, 1), b);
+    coordinate_gradient(w, member(w, gear, 0), a);
+    coordinate_gradient(w, member(w, gear, 1), b);
     rows->a_x[lane] = a[0];
     rows->a_y[lane] = a[1];
     p->cross_a[lane] = a[2];
@@ -118,7 +130,7 @@ static void prepare_lane(const thud_world *w, td_block *block, int lane) {
     p->cross_b[lane] = ratio * b[2];
     float k = td_gear_inverse_mass(w, block, lane);
     count_turns(w, gear);
-    bool acts = !is_apart(w, gear) && k > 0.0f;
+    bool acts = !update_apart(w, gear) && k > 0.0f;
     p->normal_mass[lane] = acts ? 1.0f / k : 0.0f;
     p->normal_impulse[lane] = acts ? p->normal_impulse[lane] : 0.0f;
     p->base[lane] = p->separation[lane] = acts ? (float)td_gear_gap(w, gear) : 0.0f;
@@ -134,15 +146,17 @@ float td_gear_inverse_mass(const thud_world *w, const td_block *block, int lane)
            b * (u * u + v * v) + block->inv_inertia_b[lane] * p->cross_b[lane] * p->cross_b[lane];
 }
 
-/* As lengths: by what moves, or by what turns times its size. */
+/* td_lane_ops.load: the impulse of a substep over the effective mass, a speed. *off: the gap, a
+ * length. Angles become lengths by `size`. */
 static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
     const td_point *p = &block->point[0];
     const td_joint *gear = td_joint_of(w, td_constraint_at(w, block->constraint[lane]));
-    float length = td_gear_turns(member(w, gear, 0)) ? size : 1.0f;
-    *off = td_joint_size(p->separation[lane]) * length;
-    return td_joint_size(p->normal_impulse[lane]) * td_gear_inverse_mass(w, block, lane) * length;
+    float length = td_gear_by_angle(member(w, gear, 0)) ? size : 1.0f;
+    *off = td_joint_abs(p->separation[lane]) * length;
+    return td_joint_abs(p->normal_impulse[lane]) * td_gear_inverse_mass(w, block, lane) * length;
 }
 
+/* td_lane_ops.count: the residual is the speed of the row, in units of the first coordinate. */
 static void count(thud_world *w, const td_block *block) {
     const td_gear_rows *rows = td_gear_rows_of((td_block *)block);
     const td_point *p = &block->point[0];
@@ -151,13 +165,14 @@ static void count(thud_world *w, const td_block *block) {
         const float *b = td_row(&w->velocity, td_slot_of_side(block->b[lane]));
         float speed = rows->a_x[lane] * a[0] + rows->a_y[lane] * a[1] + p->cross_a[lane] * a[2] +
                       block->nx[lane] * b[0] + block->ny[lane] * b[1] + p->cross_b[lane] * b[2];
-        speed = p->normal_mass[lane] > 0.0f ? td_joint_size(speed) : 0.0f;
+        speed = p->normal_mass[lane] > 0.0f ? td_joint_abs(speed) : 0.0f;
         w->errors.residual = td_max_float(speed, w->errors.residual);
     }
 }
 
 /* ---- for the direct solver ---- */
 
+/* td_take_rows_fn: one equality row. */
 static bool take_rows(const thud_world *w, td_block *block, int lane, const float *impulses,
                       td_direct_constraint *c) {
     const td_gear_rows *rows = td_gear_rows_of(block);
@@ -172,6 +187,7 @@ static bool take_rows(const thud_world *w, td_block *block, int lane, const floa
     return false;
 }
 
+/* td_turn_rows_fn: the Jacobian stays, and the gap follows the motion along it. */
 static void turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
                       td_direct_constraint *c) {
     td_direct_row *row = &c->row[0];
@@ -183,7 +199,7 @@ static void turn_rows(const thud_world *w, const td_block *block, int lane, cons
     row->closing = s->time > 0.0 ? td_abs(row->target_speed) : row->closing;
 }
 
-/* Gears never part, and follow their joints as they are in each step. */
+/* td_constraint_ops.collide_world: rows from the present poses. All lanes go on touching. */
 static void prepare(thud_world *w, td_block *const *blocks, int count,
                     const td_collide_context *context) {
     (void)context;
@@ -196,7 +212,7 @@ static void prepare(thud_world *w, td_block *const *blocks, int count,
     }
 }
 
-/* They are the same for every instruction set. */
+/* It is compiled once for all instruction sets. */
 #define prepare_base prepare
 #define prepare_avx2 prepare
 

@@ -1,20 +1,21 @@
-/* gear.h: what gears have that other joints have not. */
+/* gear.h: what the files of this folder need of gears. */
 #ifndef TD_GEAR_H
 #define TD_GEAR_H
 
 #include "joints/joint.h"
 
-/* Whether a gear goes by the turn of this joint, and not by its length. */
-bool td_gear_turns(const td_joint *joint);
-/* Both its joints are there. */
-bool td_gear_whole(const thud_world *w, const td_joint *gear);
-/* It holds what its joints have now. */
-void td_gear_begin(const thud_world *w, td_joint *gear);
-/* By how much it is off, as the first joint has its value. */
+/* Whether the coordinate of this joint in a gear is its rotation (hinges, wheels), not a length. */
+bool td_gear_by_angle(const td_joint *joint);
+/* Whether both of the gear's joints exist. */
+bool td_gear_has_joints(const thud_world *w, const td_joint *gear);
+/* Sets td_gear.rest so that the gear keeps the coordinates that its joints have now. */
+void td_gear_set_rest(const thud_world *w, td_joint *gear);
+/* The gap q0 + ratio q1 - rest, in units of the first joint's coordinate. */
 double td_gear_gap(const thud_world *w, const td_joint *gear);
-/* 1 / the mass that its row feels. */
+/* J M^-1 J' of the row, the inverse of its effective mass. */
 float td_gear_inverse_mass(const thud_world *w, const td_block *block, int lane);
 
+/* The operations of the kind, for the world's instruction set. */
 const td_constraint_ops *td_gear_ops(const thud_world *w);
 
 #endif

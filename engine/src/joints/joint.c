@@ -1,4 +1,5 @@
-/* joint.c: see joint.h. */
+/* joint.c: which directions the kinds of joints lock and drive, where a joint is in the world, and
+ * its frame after motions of its bodies (joint.h), in double precision for the direct solver. */
 #include "joints/joint.h"
 
 #include "base/rotation.h"
@@ -13,9 +14,10 @@ enum {
 
 _Static_assert((int)THUD_DIRECTION_COUNT == (int)TD_JOINT_DIRECTIONS, "a drive for each direction");
 
-/* By kind: what is locked but for what has a drive in `either`; and what may be driven. */
+/* By kind: the directions that are locked, those of them that are locked only while they have no
+ * drive (`unless_driven`), and those that may be driven. */
 static const struct {
-    unsigned locked, either, drivable;
+    unsigned locked, unless_driven, drivable;
 } of_kind[] = {[THUD_DISTANCE] = {ALONG, ALONG, ALONG},
                [THUD_HINGE] = {ALONG | ACROSS, 0, TURN},
                [THUD_SLIDER] = {ACROSS | TURN, 0, ALONG},
@@ -38,7 +40,7 @@ void td_joint_sort_directions(td_joint *joint) {
     driven &= td_joint_drivable(joint->kind);
     joint->driven = (uint8_t)driven;
     joint->locked =
-        (uint8_t)(of_kind[joint->kind].locked & ~(of_kind[joint->kind].either & driven));
+        (uint8_t)(of_kind[joint->kind].locked & ~(of_kind[joint->kind].unless_driven & driven));
 }
 
 int td_joint_part_kind(const td_joint *joint, int part) {
@@ -58,6 +60,7 @@ int td_joint_part_kind(const td_joint *joint, int part) {
 
 /* ---- geometry ---- */
 
+/* The lever arm of an anchor, from the body's centre of mass, in the world. */
 static void arm_of(const thud_world *w, td_body_index index, const float anchor[2], float arm[2]) {
     const td_body *body = td_body_at(w, index);
     const td_pose *pose = td_pose_at(w, index);
@@ -84,7 +87,7 @@ td_joint_place td_joint_place_of(const thud_world *w, const td_joint *joint) {
     return place;
 }
 
-float td_joint_line_of(const td_joint_place *place, float *x, float *y) {
+float td_joint_line(const td_joint_place *place, float *x, float *y) {
     float length = __builtin_sqrtf(place->x * place->x + place->y * place->y);
     *x = length > 0.0f ? place->x / length : 0.0f;
     *y = length > 0.0f ? place->y / length : 1.0f;
@@ -92,17 +95,19 @@ float td_joint_line_of(const td_joint_place *place, float *x, float *y) {
 }
 
 double td_joint_closing_speed(const thud_world *w, double gap, double time) {
-    double most = (double)(TD_JOINT_CLOSING * w->unit), speed = -gap / time;
-    return speed > most ? most : speed < -most ? -most : speed;
+    double max_speed = (double)(TD_JOINT_CLOSING * w->unit), speed = -gap / time;
+    return speed > max_speed ? max_speed : speed < -max_speed ? -max_speed : speed;
 }
 
 /* ---- in motion ---- */
 
-/* Turns within a part of a step are small: their series are as good as the tables. */
-#define SMALL 0.125
+/* Rotations within a part of a step are small, rad. Up to this angle the Taylor series below have
+ * errors below 2^-52 of their values: the terms left out are x^10 / 11! of the sine, x^12 / 12! of
+ * the cosine. */
+#define SERIES_ANGLE_MAX 0.125
 
 void td_joint_sincos(double angle, double *s, double *c) {
-    if (!(td_abs(angle) <= SMALL)) {
+    if (!(td_abs(angle) <= SERIES_ANGLE_MAX)) {
         td_sincos(angle, s, c);
         return;
     }
@@ -113,8 +118,8 @@ void td_joint_sincos(double angle, double *s, double *c) {
         1.0 + xx * (-0.5 + xx * (1.0 / 24 + xx * (-1.0 / 720 + xx * (1.0 / 40320 - xx / 3628800))));
 }
 
-/* Crosses of an arm with u and v, once it has turned. */
-static void turn_arm(double angle, double *u, double *v) {
+/* Rotates an arm against a frame that stays: *u, *v are its crosses with u and v. */
+static void rotate_arm(double angle, double *u, double *v) {
     double c, s, x = *u, y = *v;
     if (angle == 0.0) {
         return;
@@ -124,8 +129,8 @@ static void turn_arm(double angle, double *u, double *v) {
     *v = c * y + s * x;
 }
 
-/* The same in a frame that is turned by (c, s). */
-static td_joint_frame turn_frame(td_joint_frame f, double c, double s) {
+/* The same anchors in a frame that is rotated by the angle of (c, s). */
+static td_joint_frame rotate_frame(td_joint_frame f, double c, double s) {
     return (td_joint_frame){.x = c * f.x - s * f.y,
                             .y = c * f.y + s * f.x,
                             .a_u = c * f.a_u + s * f.a_v,
@@ -144,8 +149,8 @@ td_joint_frame td_joint_frame_after(const td_block *block, int lane, double gap_
     td_joint_frame f = {
         (double)block->nx[lane], (double)block->ny[lane], a_u, a_v, b_u, b_v, gap_u, gap_v};
     double x = b[0] - a[0], y = b[1] - a[1];
-    turn_arm(a[2], &f.a_u, &f.a_v);
-    turn_arm(b[2], &f.b_u, &f.b_v);
+    rotate_arm(a[2], &f.a_u, &f.a_v);
+    rotate_arm(b[2], &f.b_u, &f.b_v);
     f.gap_u += x * f.x + y * f.y + (f.b_v - b_v) - (f.a_v - a_v);
     f.gap_v += y * f.x - x * f.y - (f.b_u - b_u) + (f.a_u - a_u);
     if (turns) {
@@ -153,7 +158,7 @@ td_joint_frame td_joint_frame_after(const td_block *block, int lane, double gap_
         f.a_u -= f.gap_v;
         f.a_v += f.gap_u;
         td_joint_sincos(a[2], &s, &c);
-        f = turn_frame(f, c, s);
+        f = rotate_frame(f, c, s);
     }
     return f;
 }
@@ -163,7 +168,7 @@ td_joint_frame td_joint_line_after(const td_block *block, int lane, double gap_u
     td_joint_frame f = td_joint_frame_after(block, lane, gap_u, gap_v, false, a, b);
     double length = __builtin_sqrt(f.gap_u * f.gap_u + f.gap_v * f.gap_v);
     if (length > 0.0) {
-        f = turn_frame(f, f.gap_u / length, f.gap_v / length);
+        f = rotate_frame(f, f.gap_u / length, f.gap_v / length);
     }
     return f;
 }

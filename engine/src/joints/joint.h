@@ -1,8 +1,28 @@
-/* joint.h: joints as their parts see them.
+/* joint.h: joints as the files of this folder see them.
  *
- * A joint is a td_joint and up to four constraints of the graph, each with a lane of its own: what
- * it locks (lock.c, or rod.c for a distance), and what drives it in each direction that is driven
- * (drive.c). The caller's side of it is joint_make.c and joint_state.c. */
+ * A joint is a td_joint and up to four constraints of the graph, its parts, each with a lane of its
+ * own while the joint acts:
+ *     part                          constraint kind     lanes, solver passes, direct solver's rows
+ *     locked directions             TD_CONSTRAINT_LOCK  lock.c, wide_lock.c, joint_rows.c
+ *     locked distance               TD_CONSTRAINT_ROD   rod.c, wide_rod.c, joint_rows.c
+ *     a driven direction (spring,   TD_CONSTRAINT_DRIVE_LINE (a distance), _AXIS (along, across),
+ *       motor, limits)              _TURN (rotation)    drive.c, wide_drive.c, joint_rows.c
+ *     gear                          TD_CONSTRAINT_GEAR  gear.c, wide_gear.c
+ * wide_place.c computes the rows at the start of a step. joint_make.c creates joints, joint_set.c
+ * changes and joint_state.c reads them for the caller.
+ *
+ * Geometry. A joint has an anchor on each body and an axis fixed in body a. Its frame is u, the
+ * direction `along`, and v = (-u.y, u.x), `across`. The gap is the vector d from a's anchor to b's,
+ * with d.u and d.v. With the lever arms r_a and r_b from the centres of mass to the anchors, the
+ * coordinate d.u changes by
+ *     u . (v_b - v_a) + (r_b x u) w_b - ((r_a + d) x u) w_a
+ * since the frame turns with a, whose arm then ends at b's anchor. Where both along and across are
+ * locked, the frame stays as it is in the step, and d is left out. A distance has u along d, and no
+ * v. Lanes keep the crosses r x u as cross_a, cross_b of point[0], and r x v as those of point[1].
+ *
+ * Sides. A static body is always side a of its constraints. Where it is the caller's b, the sides
+ * are `swapped`: the axis is then stored with the opposite sign, and turn_sign is -1, so that the
+ * coordinates are those of the caller's order. */
 #ifndef TD_JOINT_H
 #define TD_JOINT_H
 
@@ -19,33 +39,36 @@ static inline td_joint *td_joint_of(const thud_world *w, const td_constraint *pa
     return td_joint_at(w, part->joint);
 }
 
-/* joint_state.c: THUD_ERROR_NULL, THUD_ERROR_STALE, or, where it `edits` inside a callback,
- * THUD_ERROR_LOCKED through td_refuse; *index is the slot. */
+/* joint_state.c: finds a joint by its handle, and sets *index to its slot. THUD_ERROR_NULL without
+ * a world, THUD_ERROR_STALE for a joint that is gone, and, where the caller `edits`,
+ * THUD_ERROR_LOCKED inside a callback. The last two are logged. */
 thud_result td_find_joint(const thud_world *w, thud_joint_id id, bool edits, int *index);
 
 thud_joint_id td_joint_handle(const thud_world *w, int index);
 
-/* joint_def.c */
-bool td_joint_frame_in(const thud_world *w, td_reason *why, const thud_joint_frame *f);
-/* Why it is none, or null. */
+/* joint_def.c. Whether a frame is within its ranges; otherwise *why says what is not. */
+bool td_joint_frame_valid(const thud_world *w, td_reason *why, const thud_joint_frame *f);
+/* The reason why a drive is not valid for this direction of this kind, or null. */
 const char *td_joint_drive_error(const thud_world *w, thud_joint_kind kind, int direction,
                                  const thud_drive *d, td_reason *why);
-/* Tells the log of what it takes, and is hardly meant. */
-void td_joint_look_at_drive(const thud_world *w, const thud_drive *d);
-/* Why not, or null. */
+/* Logs settings that are valid but without effect: a motor's speed without force. */
+void td_joint_warn_of_drive(const thud_world *w, const thud_drive *d);
+/* The reason why no joint can be made of the def, or null. a, b: its bodies. */
 const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_body_index a,
                                td_body_index b, td_reason *why);
-/* Whether a joint may break beyond so much, with the reason. */
-static inline bool td_joint_break_in(td_reason *why, const char *name, float x) {
+/* Whether a force or torque at which a joint breaks is in range; otherwise *why says so. */
+static inline bool td_joint_break_valid(td_reason *why, const char *name, float x) {
     return td_in(why, name, (double)x, 0.0, (double)THUD_JOINT_FORCE_MAX);
 }
+/* A drive without padding; limits that are not used become 0. */
 td_drive td_drive_of(const thud_drive *d);
+/* The record of a def, with a static body first, and without parts. */
 td_joint td_joint_of_def(const thud_world *w, const thud_joint_def *d, td_body_index a,
                          td_body_index b);
-/* Where it is in its first or second body. */
+/* Sets the joint's frame in body[side]. */
 void td_joint_set_place(td_joint *joint, int side, const thud_joint_frame *f);
 
-/* Whether it keeps an axis of this body where it is: edits/locks.c. */
+/* Whether the joint is one that edits/locks.c made to keep x or y of this body. */
 static inline bool td_joint_is_lock(const thud_world *w, const td_joint *joint,
                                     td_body_index body) {
     return td_same_body(joint->body[1], body) &&
@@ -53,21 +76,25 @@ static inline bool td_joint_is_lock(const thud_world *w, const td_joint *joint,
            (joint->kind == THUD_HINGE || joint->kind == THUD_WHEEL);
 }
 
-/* joint_make.c: room for all parts that a kind may have; and the parts that it needs, of those. */
+/* joint_make.c. Reserves memory for all parts that a joint of this kind may have; false when memory
+ * is short. */
 bool td_joint_reserve(thud_world *w, int kind);
-void td_joint_settle(thud_world *w, int index);
+/* After td_joint_reserve: creates the parts that the joint needs and lacks, destroys the others,
+ * and wakes its bodies. */
+void td_joint_update_parts(thud_world *w, int index);
 
-/* joint_end.c */
-/* It has changed: its bodies wake, and its lanes look it up anew. */
+/* joint_end.c. After a change of the joint: wakes its bodies, and has its lanes copy it anew. */
 void td_joint_wake(thud_world *w, const td_joint *joint);
-/* Destroys it, and wakes its bodies. */
+/* Destroys the joint, and wakes its bodies. */
 void td_joint_end(thud_world *w, int index);
 
-/* joint_measure.c: as thud_joint_state has it. */
+/* joint_measure.c: coordinates and gaps of a joint, as thud_joint_state has them: lengths, and
+ * radians of turn. */
 typedef struct td_joint_reading {
     double value[TD_JOINT_DIRECTIONS], gap, angle_gap;
 } td_joint_reading;
 
+/* The force and torque of a joint on the caller's b. */
 typedef struct td_joint_load {
     thud_vec2 force;
     float torque;
@@ -75,121 +102,131 @@ typedef struct td_joint_load {
 
 td_joint_reading td_joint_read(const thud_world *w, const td_joint *joint);
 td_joint_load td_joint_load_of(const thud_world *w, const td_joint *joint);
+/* Forces of a direction's limits, spring and motor. */
 thud_drive_forces td_joint_drive_forces(const thud_world *w, const td_joint *joint, int direction);
-/* It has lanes, and is awake. */
+/* Whether the joint acts: one of its parts has a lane, and is awake. */
 bool td_joint_acts(const thud_world *w, const td_joint *joint);
 
+/* Whether the joint breaks, or reports, at some force or torque. */
 static inline bool td_joint_breaks(const td_joint *joint) {
     return joint->break_force < THUD_JOINT_FORCE_MAX || joint->break_torque < THUD_JOINT_FORCE_MAX;
 }
 
-/* The default of a distance's. */
+/* Whether a target is the default of a distance, -infinity, which stands for td_joint.length. */
 static inline bool td_target_is_length(float target) {
     return target == -__builtin_inff();
 }
 
-/* Where its spring pulls to. */
+/* The target of a direction's spring, a length or an angle. */
 static inline float td_joint_target(const td_joint *joint, int direction) {
     float target = joint->drive[direction].target;
     return td_target_is_length(target) ? joint->length : target;
 }
 
-/* Of a spring, rad/s, as the soft solver has it: a spring is the same whichever solves it. */
+/* Angular frequency of a spring, rad/s, limited to TD_SPRING_PHASE a substep as in the soft solver,
+ * so that the direct solver's springs are the same. `frequency` in Hz. */
 static inline double td_spring_omega(const thud_world *w, float frequency) {
-    double most = (double)TD_SPRING_PHASE * w->substeps / w->def.time_step;
-    return td_min_double(2.0 * TD_PI * (double)frequency, most);
+    double max_omega = (double)TD_SPRING_PHASE * w->substeps / w->def.time_step;
+    return td_min_double(2.0 * TD_PI * (double)frequency, max_omega);
 }
 
+/* Whether a drive has limits, a spring or a motor. */
 static inline bool td_drive_acts(const td_drive *d) {
     return d->limited || d->frequency > 0.0f || d->motor_force > 0.0f;
 }
 
-/* Which of its directions are locked, and which driven, by its kind and its drives. */
+/* Sets td_joint.locked and .driven by the joint's kind and its drives. */
 void td_joint_sort_directions(td_joint *joint);
-/* Directions that its kind lets the caller drive. */
+/* The directions that a kind lets the caller drive: bits 1 << thud_direction. */
 unsigned td_joint_drivable(int kind);
-/* The kind of constraint that its part has. */
+/* The kind of constraint of a part. */
 int td_joint_part_kind(const td_joint *joint, int part);
 
-/* Where the sides of a part are: the arms of both anchors about the centres of mass, in the world;
- * the way from a's anchor to b's; and by how much b is turned against a. */
+/* A joint in the world, by the present poses of its bodies. */
 typedef struct td_joint_place {
-    float arm[2][2];
-    float x, y;
-    float turn;           /* in (-pi, pi], as the caller has it */
-    float turn_sign;      /* -1 where its sides have changed places */
-    float axis_x, axis_y; /* of `along`, in the world */
+    float arm[2][2];      /* lever arms, from the centres of mass to the anchors */
+    float x, y;           /* from a's anchor to b's */
+    float turn;           /* coordinate of turn, in (-pi, pi], for the caller's order of sides */
+    float turn_sign;      /* 1; -1 where the sides are swapped */
+    float axis_x, axis_y; /* direction `along` */
 } td_joint_place;
 
 td_joint_place td_joint_place_of(const thud_world *w, const td_joint *joint);
 
-/* How far apart both anchors are, and the direction from a's to b's; where they meet, any. */
-float td_joint_line_of(const td_joint_place *place, float *x, float *y);
+/* Returns the distance of the anchors; (*x, *y) is the unit vector from a's to b's, and (0, 1)
+ * where they coincide. */
+float td_joint_line(const td_joint_place *place, float *x, float *y);
 
-/* The speed at which a gap goes within so much time, as far as TD_JOINT_CLOSING allows. */
+/* The speed that closes a gap within `time`, within -TD_JOINT_CLOSING .. TD_JOINT_CLOSING length
+ * scales a second. */
 double td_joint_closing_speed(const thud_world *w, double gap, double time);
 
+/* arm x (x, y) */
 static inline float td_cross(const float arm[2], float x, float y) {
     return arm[0] * y - arm[1] * x;
 }
 
-/* A lane's frame after a motion of its sides (x, y, turn) from the start of the step, as
- * wide_joint.h has it, in double precision: u = (x, y), v = (-y, x), and the crosses of the arms
- * with both. The gap is from a's anchor to b's. Where `turns` is set the frame turns with a, whose
- * arm ends at b's anchor then. */
+/* A lane's frame, as frame8 of wide_joint.h in double precision: u = (x, y), v = (-y, x); the
+ * crosses of a's and b's lever arms with both; and the gap from a's anchor to b's along both. */
 typedef struct td_joint_frame {
     double x, y, a_u, a_v, b_u, b_v, gap_u, gap_v;
 } td_joint_frame;
 
+/* joint.c. Sine and cosine, by their series for small angles. */
 void td_joint_sincos(double angle, double *s, double *c);
+/* The frame after motions a, b (x, y, turn) of both sides since the start of the step. gap_u,
+ * gap_v: the gap at the start. `turns`: the frame turns with a, and a's arm ends at b's anchor;
+ * false: u and v stay as they were. */
 td_joint_frame td_joint_frame_after(const td_block *block, int lane, double gap_u, double gap_v,
                                     bool turns, const double a[3], const double b[3]);
-/* The same with u along the gap. */
+/* The frame after these motions with u along the gap, for distances. */
 td_joint_frame td_joint_line_after(const td_block *block, int lane, double gap_u, double gap_v,
                                    const double a[3], const double b[3]);
-/* By the motion of its sides in this step, as far as it has got. */
+/* Motions (x, y, turn) of a lane's sides in this step so far. */
 void td_joint_motion(const thud_world *w, const td_block *block, int lane, double a[3],
                      double b[3]);
-/* Speed of b past a along a direction with these crosses. */
+/* Speed of b's anchor relative to a's along (x, y), with these crosses. */
 float td_joint_speed(const thud_world *w, const td_block *block, int lane, double x, double y,
                      double cross_a, double cross_b);
 
-/* 1 / the mass that a lane's row feels. */
+/* The inverse of a row's effective mass, J M^-1 J'. `linear`: 1, or 0 for a row of turn alone. */
 float td_joint_inverse_mass(const thud_world *w, const td_block *block, int lane, float linear,
                             float cross_a, float cross_b);
-/* For td_lane_ops: what is no contact has no shapes, and what a lane keeps of its joint is to be
- * looked up anew, after changes too. */
-void td_joint_fill(thud_world *w, td_block *block, int lane, int index);
-void td_joint_renew(thud_world *w, td_block *block, int lane, int index);
-void td_joint_let_be(thud_world *w, td_block *block, int lane, int index);
+/* td_lane_ops of all joints (anchors.c): a new or changed lane copies its joint in the next step; a
+ * lane that is left needs nothing. */
+void td_joint_fill_lane(thud_world *w, td_block *block, int lane, int index);
+void td_joint_renew_lane(thud_world *w, td_block *block, int lane, int index);
+void td_joint_clear_lane(thud_world *w, td_block *block, int lane, int index);
 
-/* anchors.c: what lanes keep of their joints. */
-void td_joint_look_up(const thud_world *w, td_block *block);
+/* anchors.c: copies from the joints what a block's lanes keep of them, and clears td_block.armed.
+ */
+void td_joint_update_anchors(const thud_world *w, td_block *block);
 
-/* wide_place.c: the rows of rods, holds and drives from the present poses; for
- * td_constraint_ops.collide_world. Joints never part: all lanes go on touching. */
+/* wide_place.c: td_constraint_ops.collide_world of rods, locks and drives: their rows from the
+ * present poses. All lanes go on touching. */
 typedef void td_place_fn(thud_world *w, td_block *const *blocks, int count,
                          const td_collide_context *context);
 TD_DECLARE_WIDE(td_place_fn, td_place_joints);
 
-/* Inverse mass of the lighter side. */
-static inline float td_joint_lighter(const thud_world *w, const td_block *block, int lane) {
+/* Inverse mass of the lighter side of a lane. */
+static inline float td_joint_max_inverse_mass(const thud_world *w, const td_block *block,
+                                              int lane) {
     return td_max_float(td_row(&w->velocity, td_slot_of_side(block->a[lane]))[3],
                         td_row(&w->velocity, td_slot_of_side(block->b[lane]))[3]);
 }
 
-static inline float td_joint_size(float x) {
+static inline float td_joint_abs(float x) {
     return x < 0.0f ? -x : x;
 }
 
-/* Stands in the file of a kind of part, below its count and load; defines `lanes`. */
-#define TD_DEFINE_JOINT_LANES(take, turn)                       \
-    static const td_lane_ops lanes = {.fill = td_joint_fill,    \
-                                      .clear = td_joint_let_be, \
-                                      .renew = td_joint_renew,  \
-                                      .count = count,           \
-                                      .load = load,             \
-                                      .take_rows = (take),      \
+/* Defines the td_lane_ops `lanes` of a kind, below its functions `count` and `load` in its file. */
+#define TD_DEFINE_JOINT_LANES(take, turn)                           \
+    static const td_lane_ops lanes = {.fill = td_joint_fill_lane,   \
+                                      .clear = td_joint_clear_lane, \
+                                      .renew = td_joint_renew_lane, \
+                                      .count = count,               \
+                                      .load = load,                 \
+                                      .take_rows = (take),          \
                                       .turn_rows = (turn)};
 
 #define TD_JOINT_OPS(block_form, prepare, solve_ops)                                              \
@@ -198,7 +235,8 @@ static inline float td_joint_size(float x) {
         .solve_unarmed = &(solve_ops)                                                             \
     }
 
-/* Below those: the operations `ops` for TD_PICK_WIDE, of passes that are `solve`. */
+/* Defines, below those, the operations ops_base and ops_avx2 of a kind, for TD_PICK_WIDE; `solve`
+ * names its td_solve_ops, `prepare` its collide_world. */
 #if defined(TD_HAS_AVX2)
 #define TD_DEFINE_JOINT_OPS(ops, form, prepare, solve)                    \
     static const td_constraint_ops ops##_base =                           \
@@ -211,12 +249,12 @@ static inline float td_joint_size(float x) {
         TD_JOINT_OPS(form, TD_JOIN(prepare, base), TD_JOIN(solve, base));
 #endif
 
-/* The operations of the kinds, for this world's instruction set. */
+/* The operations of each kind, for the world's instruction set. */
 const td_constraint_ops *td_rod_ops(const thud_world *w);
 const td_constraint_ops *td_lock_ops(const thud_world *w);
 const td_constraint_ops *td_drive_ops(const thud_world *w, int kind);
 
-/* Their rows for the direct solver. */
+/* joint_rows.c: their rows for the direct solver. */
 td_take_rows_fn td_rod_take_rows, td_lock_take_rows, td_drive_take_rows;
 td_turn_rows_fn td_rod_turn_rows, td_lock_turn_rows, td_drive_turn_rows;
 

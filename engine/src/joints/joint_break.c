@@ -1,22 +1,26 @@
-/* joint_break.c: joints that bear no more than so much. */
+/* joint_break.c: joints that break, or report, beyond a force or torque. Events are collected at
+ * the end of a step, and joints destroyed after that, so that events name joints that are still
+ * there.
+ */
 #include "constraint/joint_hooks.h"
 #include "joints/joint.h"
 #include "state/handles.h"
 
-static float size_of(thud_vec2 v) {
+static float length_of(thud_vec2 v) {
     double x = (double)v.x, y = (double)v.y;
     return (float)__builtin_sqrt(x * x + y * y);
 }
 
-static void judge(thud_world *w, int index) {
+/* Adds the event of a joint whose force or torque in the last substep exceeds its maximum. */
+static void add_event_if_overloaded(thud_world *w, int index) {
     const td_joint *joint = td_joint_at(w, index);
     if (!joint->live || !td_joint_breaks(joint) || !td_joint_acts(w, joint)) {
         return;
     }
     td_joint_load load = td_joint_load_of(w, joint);
-    float force = size_of(load.force), torque = td_joint_size(load.torque);
+    float force = length_of(load.force), torque = td_joint_abs(load.torque);
     if (force > joint->break_force || torque > joint->break_torque) {
-        /* Bytes between its members go into snapshots as well. */
+        /* Snapshots copy the padding between the members as well: it must be defined. */
         thud_joint_event *event = td_at(&w->broken, w->broken.count++);
         __builtin_memset(event, 0, sizeof *event);
         event->joint = td_joint_handle(w, index);
@@ -32,7 +36,7 @@ static void judge(thud_world *w, int index) {
 void td_joints_break_up(thud_world *w) {
     w->broken.count = 0;
     for (int i = 0; i < w->joints.count && w->breakable > 0; i++) {
-        judge(w, i);
+        add_event_if_overloaded(w, i);
     }
     for (int i = 0; i < w->broken.count; i++) {
         const thud_joint_event *event = td_at(&w->broken, i);
@@ -43,11 +47,11 @@ void td_joints_break_up(thud_world *w) {
 }
 
 const thud_joint_event *thud_world_joint_events(const thud_world *w, int *count) {
-    const td_array *told = !w ? NULL : w->gathers ? &w->gathered.broken : &w->broken;
+    const td_array *events = !w ? NULL : w->gathers ? &w->gathered.broken : &w->broken;
     if (count) {
-        *count = told ? told->count : 0;
+        *count = events ? events->count : 0;
     }
-    return told && told->count ? td_at(told, 0) : NULL;
+    return events && events->count ? td_at(events, 0) : NULL;
 }
 
 thud_result thud_joint_set_breaking(thud_world *w, thud_joint_id id, float force, float torque,
@@ -58,8 +62,8 @@ thud_result thud_joint_set_breaking(thud_world *w, thud_joint_id id, float force
         return result;
     }
     td_reason why;
-    if (!td_joint_break_in(&why, "joint set breaking: force", force) ||
-        !td_joint_break_in(&why, "joint set breaking: torque", torque)) {
+    if (!td_joint_break_valid(&why, "joint set breaking: force", force) ||
+        !td_joint_break_valid(&why, "joint set breaking: torque", torque)) {
         return td_refuse(w, THUD_ERROR_INVALID, why.text);
     }
     td_joint *joint = td_joint_at(w, index);

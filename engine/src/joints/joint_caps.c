@@ -1,20 +1,22 @@
-/* joint_caps.c: greatest forces of springs and motors that act both along and across.
+/* joint_caps.c: maximum forces of springs and motors that act both along and across.
  *
- * Both directions are rows of their own, each with a bound. So that the two forces together are no
- * longer than the greater cap R, the bounds are the sides of a rectangle with its corner on the
- * circle of radius R. Once a step the corner is chosen by the force F = (F_u, F_v) that the drive
- * would give without a cap:
- *     |F| >= R: in the direction of F, so that the pull is R towards where it is wanted;
- *     |F| < R:  (|F_u| + s, |F_v| + s), with the same room s >= 0 in both directions.
- * Both agree where |F| = R, and the corner follows F continuously. No direction passes its own cap,
- * and the other one has the room that this leaves. */
+ * Each direction is a row of its own with its own bound, so that both forces together could exceed
+ * the greater cap R by a factor of sqrt(2). To keep their resultant within R, the bounds are the
+ * sides of a rectangle with its corner on the circle of radius R. The corner is chosen once a step
+ * by the force F = (F_u, F_v) that the drive would apply without a cap:
+ *     |F| >= R: R F / |F|, so that the drive pulls with R in the direction of F;
+ *     |F| <  R: (|F_u| + s, |F_v| + s), with the s >= 0 that puts it on the circle.
+ * Both agree where |F| = R, so that the corner is a continuous function of F. Where the corner
+ * exceeds a direction's own cap, it moves along the circle to that cap. */
 #include "constraint/joint_hooks.h"
 #include "joints/joint.h"
 
-/* The force that a lane's motor or spring would give if it had no cap, of either sign. The spring's
- * is that of where it is and how fast; the motor goes on with the force of the last substep, and
- * with what would take its bodies to its speed by the end of the step. */
-static double wanted(const thud_world *w, td_lane at, bool motor) {
+/* The force that a lane's motor or spring would apply without a cap; of the spring's, minus that.
+ * The caller needs magnitudes only. With m the effective mass of the direction:
+ *     spring: m omega (omega x + 2 damping v), for its displacement x and speed v;
+ *     motor: the mean force of the last substep's impulse, plus m (target speed - v) / dt, which
+ *            would reach its target speed by the end of the step. */
+static double uncapped_force(const thud_world *w, td_lane at, bool motor) {
     const td_block *block = at.block;
     const td_drive_rows *r = td_drive_rows_at(block);
     float cross_a = block->point[0].cross_a[at.lane] - r->gap_v[at.lane];
@@ -25,8 +27,8 @@ static double wanted(const thud_world *w, td_lane at, bool motor) {
         (double)td_joint_speed(w, block, at.lane, (double)block->nx[at.lane],
                                (double)block->ny[at.lane], (double)cross_a, (double)cross_b);
     if (motor) {
-        double lack = mass * ((double)r->motor_speed[at.lane] - speed);
-        return (w->substeps * (double)block->tangent_impulse[at.lane] + lack) / w->def.time_step;
+        double missing = mass * ((double)r->motor_speed[at.lane] - speed);
+        return (w->substeps * (double)block->tangent_impulse[at.lane] + missing) / w->def.time_step;
     }
     double omega = td_spring_omega(w, r->frequency[at.lane]);
     return mass * omega *
@@ -34,26 +36,29 @@ static double wanted(const thud_world *w, td_lane at, bool motor) {
             2.0 * (double)r->damping[at.lane] * speed);
 }
 
+/* The cap of a direction's motor or spring; 0 where it has none of them. */
 static double cap_of(const td_drive *d, bool motor) {
     return (double)(motor ? d->motor_force : d->frequency > 0.0f ? d->spring_force : 0.0f);
 }
 
+/* The lanes' bounds of the force. */
 static f8 *bounds_of(td_lane at, bool motor) {
     td_drive_rows *r = td_drive_rows_of(at.block);
     return motor ? &r->motor_most : &r->spring_most;
 }
 
-/* Nothing is shared where only one direction acts, or one has no cap. */
-static void share(const thud_world *w, const td_joint *joint, td_lane along, td_lane across,
-                  bool motor) {
+/* Sets the bounds of both directions of a joint's springs or motors. Bounds stay the caps
+ * themselves where one direction has none of them, or the greater cap is unlimited. */
+static void share_cap(const thud_world *w, const td_joint *joint, td_lane along, td_lane across,
+                      bool motor) {
     double cap_u = cap_of(&joint->drive[THUD_ALONG], motor);
     double cap_v = cap_of(&joint->drive[THUD_ACROSS], motor);
-    double most = td_max_double(cap_u, cap_v);
-    if (!(cap_u > 0.0 && cap_v > 0.0 && most < (double)THUD_JOINT_FORCE_MAX)) {
+    double radius = td_max_double(cap_u, cap_v);
+    if (!(cap_u > 0.0 && cap_v > 0.0 && radius < (double)THUD_JOINT_FORCE_MAX)) {
         return;
     }
-    double u = td_abs(wanted(w, along, motor)) / most;
-    double v = td_abs(wanted(w, across, motor)) / most;
+    double u = td_abs(uncapped_force(w, along, motor)) / radius;
+    double v = td_abs(uncapped_force(w, across, motor)) / radius;
     double length = __builtin_sqrt(u * u + v * v);
     if (!td_finite(length)) {
         u = v = length = 0.0;
@@ -62,25 +67,26 @@ static void share(const thud_world *w, const td_joint *joint, td_lane along, td_
     double room = length < 1.0 ? 0.5 * (__builtin_sqrt(2.0 - (u - v) * (u - v)) - (u + v)) : 0.0;
     u = scale * u + room;
     v = scale * v + room;
-    if (most * u > cap_u) {
-        u = cap_u / most;
+    if (radius * u > cap_u) {
+        u = cap_u / radius;
         v = __builtin_sqrt(1.0 - u * u);
-    } else if (most * v > cap_v) {
-        v = cap_v / most;
+    } else if (radius * v > cap_v) {
+        v = cap_v / radius;
         u = __builtin_sqrt(1.0 - v * v);
     }
-    (*bounds_of(along, motor))[along.lane] = (float)(most * u);
-    (*bounds_of(across, motor))[across.lane] = (float)(most * v);
+    (*bounds_of(along, motor))[along.lane] = (float)(radius * u);
+    (*bounds_of(across, motor))[across.lane] = (float)(radius * v);
 }
 
-static void share_of_block(const thud_world *w, td_block *block) {
+/* Does so for the joints of lanes that drive `across` and have a drive `along`, too. */
+static void share_caps_of_block(const thud_world *w, td_block *block) {
     for (int lane = 0; lane < block->used; lane++) {
         const td_joint *joint = td_joint_of(w, td_constraint_at(w, block->constraint[lane]));
         bool across = td_drive_rows_of(block)->across[lane] != 0;
         if (across && joint->part[THUD_ALONG] != TD_NONE) {
             td_lane along = td_lane_of(w, td_constraint_at(w, joint->part[THUD_ALONG]));
-            share(w, joint, along, (td_lane){block, lane}, false);
-            share(w, joint, along, (td_lane){block, lane}, true);
+            share_cap(w, joint, along, (td_lane){block, lane}, false);
+            share_cap(w, joint, along, (td_lane){block, lane}, true);
         }
     }
 }
@@ -89,7 +95,7 @@ void td_joints_share_caps(thud_world *w) {
     for (int i = 0; i < w->scratch.runs.count; i++) {
         const td_run *run = TD_AT(td_run, &w->scratch.runs, i);
         for (int k = 0; run->kind == TD_CONSTRAINT_DRIVE_AXIS && k < run->count; k++) {
-            share_of_block(w, *TD_AT(td_block *, &w->scratch.blocks, run->first + k));
+            share_caps_of_block(w, *TD_AT(td_block *, &w->scratch.blocks, run->first + k));
         }
     }
 }

@@ -1,19 +1,21 @@
-/* joint_def.c: what callers may ask of a joint, and what becomes of it. */
+/* joint_def.c: checks the defs of joints, makes the joint's record of one, and a def of the record.
+ */
 #include "joints/joint.h"
 #include "state/handles.h"
 
 #include "base/rotation.h"
 #include "base/trig.h"
 
-bool td_joint_frame_in(const thud_world *w, td_reason *why, const thud_joint_frame *f) {
-    float most = THUD_JOINT_LENGTH_MAX * w->unit;
-    return td_float_in(why, "joint: x of a frame's position", f->position.x, -most, most) &&
-           td_float_in(why, "joint: y of a frame's position", f->position.y, -most, most) &&
+bool td_joint_frame_valid(const thud_world *w, td_reason *why, const thud_joint_frame *f) {
+    float max = THUD_JOINT_LENGTH_MAX * w->unit;
+    return td_float_in(why, "joint: x of a frame's position", f->position.x, -max, max) &&
+           td_float_in(why, "joint: y of a frame's position", f->position.y, -max, max) &&
            td_in(why, "joint: angle of a frame", f->angle, -THUD_ANGLE_MAX, THUD_ANGLE_MAX);
 }
 
-/* What a joint of this kind cannot drive, or null. */
-static const char *lacks(int direction, const thud_drive *d) {
+/* The error of a drive in a direction that the kind does not drive; null where the drive does
+ * nothing. */
+static const char *undrivable_error(int direction, const thud_drive *d) {
     static const char *const none[TD_JOINT_DIRECTIONS] = {
         "joint drive: a joint of this kind has none along: no limits, spring or motor",
         "joint drive: a joint of this kind has none across: no limits, spring or motor",
@@ -25,29 +27,29 @@ static const char *lacks(int direction, const thud_drive *d) {
 const char *td_joint_drive_error(const thud_world *w, thud_joint_kind kind, int direction,
                                  const thud_drive *d, td_reason *why) {
     bool turns = direction == THUD_TURN;
-    float furthest = turns ? THUD_JOINT_TURN_MAX : THUD_JOINT_LENGTH_MAX * w->unit;
-    float fastest = turns ? THUD_JOINT_SPIN_MAX : furthest, strongest = THUD_JOINT_FORCE_MAX;
-    float least = kind == THUD_DISTANCE ? 0.0f : -furthest;
+    float max_value = turns ? THUD_JOINT_TURN_MAX : THUD_JOINT_LENGTH_MAX * w->unit;
+    float max_speed = turns ? THUD_JOINT_SPIN_MAX : max_value, max_force = THUD_JOINT_FORCE_MAX;
+    float min = kind == THUD_DISTANCE ? 0.0f : -max_value;
     if (!(td_joint_drivable((int)kind) >> direction & 1u)) {
-        return lacks(direction, d);
+        return undrivable_error(direction, d);
     }
-    bool follows = kind == THUD_DISTANCE && td_target_is_length(d->target);
-    bool all =
-        (!d->limited || (td_float_in(why, "joint drive: lower", d->lower, least, furthest) &&
-                         td_float_in(why, "joint drive: upper", d->upper, least, furthest))) &&
+    bool target_is_length = kind == THUD_DISTANCE && td_target_is_length(d->target);
+    bool valid =
+        (!d->limited || (td_float_in(why, "joint drive: lower", d->lower, min, max_value) &&
+                         td_float_in(why, "joint drive: upper", d->upper, min, max_value))) &&
         td_float_in(why, "joint drive: frequency", d->frequency, 0.0f, THUD_JOINT_FREQUENCY_MAX) &&
         td_float_in(why, "joint drive: damping", d->damping, 0.0f, THUD_JOINT_DAMPING_MAX) &&
-        (follows || td_float_in(why, "joint drive: target", d->target, least, furthest)) &&
-        td_float_in(why, "joint drive: spring_force", d->spring_force, 0.0f, strongest) &&
-        td_float_in(why, "joint drive: motor_speed", d->motor_speed, -fastest, fastest) &&
-        td_float_in(why, "joint drive: motor_force", d->motor_force, 0.0f, strongest);
-    if (!all) {
+        (target_is_length || td_float_in(why, "joint drive: target", d->target, min, max_value)) &&
+        td_float_in(why, "joint drive: spring_force", d->spring_force, 0.0f, max_force) &&
+        td_float_in(why, "joint drive: motor_speed", d->motor_speed, -max_speed, max_speed) &&
+        td_float_in(why, "joint drive: motor_force", d->motor_force, 0.0f, max_force);
+    if (!valid) {
         return why->text;
     }
     return d->limited && d->lower > d->upper ? "joint drive: lower is above upper" : NULL;
 }
 
-void td_joint_look_at_drive(const thud_world *w, const thud_drive *d) {
+void td_joint_warn_of_drive(const thud_world *w, const thud_drive *d) {
     if (d->motor_speed != 0.0f && d->motor_force == 0.0f) {
         td_refuse(w, THUD_OK, "joint drive: motor_speed without a motor_force drives nothing");
     }
@@ -68,9 +70,9 @@ const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_
     if (d->kind == THUD_GEAR && td_same_body(a, b)) {
         return "joint create: both joints of a gear move the same body";
     }
-    float least = d->ratio < 0.0f ? -THUD_GEAR_RATIO_MAX : THUD_GEAR_RATIO_MIN;
-    float most = d->ratio < 0.0f ? -THUD_GEAR_RATIO_MIN : THUD_GEAR_RATIO_MAX;
-    if (d->kind == THUD_GEAR && !td_float_in(why, "joint create: ratio", d->ratio, least, most)) {
+    float min = d->ratio < 0.0f ? -THUD_GEAR_RATIO_MAX : THUD_GEAR_RATIO_MIN;
+    float max = d->ratio < 0.0f ? -THUD_GEAR_RATIO_MIN : THUD_GEAR_RATIO_MAX;
+    if (d->kind == THUD_GEAR && !td_float_in(why, "joint create: ratio", d->ratio, min, max)) {
         return why->text;
     }
     if (td_same_body(a, b) || (!is_dynamic(w, a) && !is_dynamic(w, b))) {
@@ -79,11 +81,11 @@ const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_
     if ((d->kind == THUD_WHEEL || d->kind == THUD_TARGET) && !is_dynamic(w, b)) {
         return "joint create: body b of a wheel or a target must be dynamic";
     }
-    if (!td_joint_frame_in(w, why, &d->frame_a) || !td_joint_frame_in(w, why, &d->frame_b) ||
+    if (!td_joint_frame_valid(w, why, &d->frame_a) || !td_joint_frame_valid(w, why, &d->frame_b) ||
         (d->kind == THUD_DISTANCE && !td_above_0(why, "joint create: length", (double)d->length,
                                                  (double)(THUD_JOINT_LENGTH_MAX * w->unit))) ||
-        !td_joint_break_in(why, "joint create: break_force", d->break_force) ||
-        !td_joint_break_in(why, "joint create: break_torque", d->break_torque)) {
+        !td_joint_break_valid(why, "joint create: break_force", d->break_force) ||
+        !td_joint_break_valid(why, "joint create: break_torque", d->break_torque)) {
         return why->text;
     }
     for (int i = 0; i < TD_JOINT_DIRECTIONS; i++) {
@@ -115,7 +117,7 @@ thud_joint_def thud_default_joint_def(thud_joint_kind kind) {
 
 td_drive td_drive_of(const thud_drive *d) {
     return (td_drive){.limited = d->limited,
-                      /* Of what is not limited nobody looked at the limits. */
+                      /* Unused limits were not checked, and may be not-a-number. */
                       .lower = d->limited ? d->lower : 0.0f,
                       .upper = d->limited ? d->upper : 0.0f,
                       .frequency = d->frequency,
@@ -165,11 +167,13 @@ td_joint td_joint_of_def(const thud_world *w, const thud_joint_def *d, td_body_i
 
 /* ---- reading ---- */
 
+/* The frame in body[side]. */
 static thud_joint_frame frame_of(const td_joint *joint, int side) {
     return (thud_joint_frame){{joint->anchor[side][0], joint->anchor[side][1]},
                               td_angle_radians(joint->angle[side])};
 }
 
+/* Copies the drives of the directions that the kind drives; others keep their defaults. */
 static void read_drives(const td_joint *joint, thud_joint_def *def) {
     for (int i = 0; i < TD_JOINT_DIRECTIONS; i++) {
         const td_drive *d = &joint->drive[i];

@@ -1,4 +1,5 @@
-/* joint_draw.c: joints drawn through the caller's functions. */
+/* joint_draw.c: debug drawing of joints through the caller's functions: lines from the centres of
+ * mass to the anchors and between them, axes, limits, and forces. */
 #include "joints/gear.h"
 
 #include "api/debug_draw.h"
@@ -6,15 +7,16 @@
 #include "base/trig.h"
 #include "constraint/joint_hooks.h"
 
-#define AXIS 0.5f /* length scales: as far as axes and angles are drawn */
+/* Length of drawn axes and angle limits, length scales. Chosen. */
+#define AXIS_LENGTH 0.5f
 
-/* A joint in the coordinates of a drawing: side 0 is the caller's a. */
+/* A joint in the coordinates of the drawing. Side 0 is the caller's a. */
 typedef struct drawn {
-    thud_vec2 centre[2], place[2];
-    float x, y; /* the axis */
+    thud_vec2 centre[2], place[2]; /* centres of mass; anchors */
+    float x, y;                    /* direction `along`, of the stored order of sides */
 } drawn;
 
-static thud_vec2 plus(thud_vec2 p, float x, float y) {
+static thud_vec2 offset_by(thud_vec2 p, float x, float y) {
     return (thud_vec2){p.x + x, p.y + y};
 }
 
@@ -24,7 +26,7 @@ static drawn drawn_of(const td_drawing *d, const td_joint *joint) {
     for (int side = 0; side < 2; side++) {
         int of = side ^ joint->swapped;
         out.centre[side] = td_drawing_local(d, td_pose_at(d->w, joint->body[of])->center);
-        out.place[side] = plus(out.centre[side], place.arm[of][0], place.arm[of][1]);
+        out.place[side] = offset_by(out.centre[side], place.arm[of][0], place.arm[of][1]);
     }
     return out;
 }
@@ -35,29 +37,29 @@ static void point(const td_drawing *d, thud_vec2 p) {
     }
 }
 
-/* A ray from a's place at an angle against the axis. */
+/* A line from a's anchor at an angle (rad) to the axis. */
 static void angle_line(const td_drawing *d, const drawn *j, double angle, float length,
                        thud_draw_style style) {
     double s, c;
     td_sincos(angle, &s, &c);
     float x = (float)c * j->x - (float)s * j->y, y = (float)s * j->x + (float)c * j->y;
-    td_drawing_line(d, j->place[0], plus(j->place[0], length * x, length * y), style);
+    td_drawing_line(d, j->place[0], offset_by(j->place[0], length * x, length * y), style);
 }
 
-/* Across the line of a direction, at both ends of what it may be. */
+/* Both limits of a direction (x, y): a line between them, and a mark across each end. */
 static void limit_marks(const td_drawing *d, thud_vec2 from, float x, float y, const td_drive *of) {
-    float half = 0.25f * AXIS * d->w->unit, at[2] = {of->lower, of->upper};
+    float half = 0.25f * AXIS_LENGTH * d->w->unit, at[2] = {of->lower, of->upper};
     thud_vec2 end[2];
     for (int i = 0; i < 2; i++) {
-        end[i] = plus(from, at[i] * x, at[i] * y);
-        td_drawing_line(d, plus(end[i], half * y, -half * x), plus(end[i], -half * y, half * x),
-                        THUD_DRAW_JOINT_LIMIT);
+        end[i] = offset_by(from, at[i] * x, at[i] * y);
+        td_drawing_line(d, offset_by(end[i], half * y, -half * x),
+                        offset_by(end[i], -half * y, half * x), THUD_DRAW_JOINT_LIMIT);
     }
     td_drawing_line(d, end[0], end[1], THUD_DRAW_JOINT_LIMIT);
 }
 
 static void draw_limits(const td_drawing *d, const td_joint *joint, const drawn *j) {
-    float length = AXIS * d->w->unit, x = j->x, y = j->y;
+    float length = AXIS_LENGTH * d->w->unit, x = j->x, y = j->y;
     if (joint->kind == THUD_DISTANCE) {
         float u = j->place[1].x - j->place[0].x, v = j->place[1].y - j->place[0].y;
         float size = __builtin_sqrtf(u * u + v * v);
@@ -93,12 +95,13 @@ static void draw_joint(const td_drawing *d, const td_joint *joint) {
     }
     td_drawing_line(d, j.place[0], j.place[1], THUD_DRAW_JOINT);
     if (joint->kind != THUD_DISTANCE) {
-        angle_line(d, &j, 0.0, AXIS * d->w->unit, THUD_DRAW_JOINT_AXIS);
+        angle_line(d, &j, 0.0, AXIS_LENGTH * d->w->unit, THUD_DRAW_JOINT_AXIS);
     }
     draw_limits(d, joint, &j);
 }
 
-/* b is the side whose mass counts, but where it has none. */
+/* The force on the caller's b, as a line of half the acceleration: half the force times b's inverse
+ * mass, or a's where b has none. */
 static void draw_force(const td_drawing *d, const td_joint *joint) {
     drawn j = drawn_of(d, joint);
     td_joint_load load = td_joint_load_of(d->w, joint);
@@ -106,7 +109,7 @@ static void draw_force(const td_drawing *d, const td_joint *joint) {
     float mass = td_body_at(d->w, joint->body[b])->inv_mass;
     mass = mass > 0.0f ? mass : td_body_at(d->w, joint->body[1 - b])->inv_mass;
     float part = 0.5f * mass;
-    td_drawing_line(d, j.place[1], plus(j.place[1], part * load.force.x, part * load.force.y),
+    td_drawing_line(d, j.place[1], offset_by(j.place[1], part * load.force.x, part * load.force.y),
                     THUD_DRAW_JOINT_FORCE);
 }
 

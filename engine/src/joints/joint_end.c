@@ -1,4 +1,4 @@
-/* joint_end.c: joints go, and their bodies notice. */
+/* joint_end.c: joints are destroyed, and their bodies wake. */
 #include "joints/joint.h"
 #include "state/body.h"
 #include "state/handles.h"
@@ -15,8 +15,9 @@ void td_joint_wake(thud_world *w, const td_joint *joint) {
     td_body_mark(w, joint->body[1], TD_CHANGE_WAKE);
 }
 
-/* Shapes that passed through each other look for each other. */
-static void look_around(thud_world *w, const td_joint *joint) {
+/* Has the broadphase query the shapes of both bodies again: contacts between them, which the joint
+ * excluded, become possible. */
+static void mark_shapes_moved(thud_world *w, const td_joint *joint) {
     for (int side = 0; side < 2 && !joint->collides; side++) {
         int i = td_body_at(w, joint->body[side])->first_shape;
         for (; i != TD_NONE; i = td_shape_at(w, i)->next) {
@@ -31,7 +32,7 @@ void td_joint_end(thud_world *w, int index) {
     int part[TD_JOINT_PARTS];
     __builtin_memcpy(part, joint->part, sizeof part);
     td_joint_wake(w, joint);
-    look_around(w, joint);
+    mark_shapes_moved(w, joint);
     for (int i = 0; i < TD_JOINT_PARTS; i++) {
         if (part[i] != TD_NONE) {
             td_constraint_destroy(w, part[i]);

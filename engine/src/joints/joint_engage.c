@@ -1,4 +1,7 @@
-/* joint_engage.c: see joint_hooks.h. */
+/* joint_engage.c: when the constraints of joints take lanes and give them back; see joint_hooks.h.
+ *
+ * A constraint waits until both bodies are in the world and enabled; as a step begins it then takes
+ * a lane, wakes the bodies, and ends contacts between them, unless the joint lets them collide. */
 #include "constraint/joint_hooks.h"
 
 #include "joints/gear.h"
@@ -9,12 +12,14 @@ static bool is_solid_contact(const td_constraint *constraint) {
     return td_is_contact(constraint) && constraint->kind != TD_PAIR_SENSOR;
 }
 
-static bool is_there(const td_body *body) {
+/* Whether the body is in the world: entered, enabled, and not quarantined. */
+static bool in_world(const td_body *body) {
     return !(body->flags & (TD_BODY_DISABLED | TD_BODY_QUARANTINED)) &&
            !(body->changes & TD_CHANGE_ENTER);
 }
 
-/* Contacts of two bodies that are to meet no more. */
+/* Destroys the contacts between two bodies. False when memory is short; nothing has changed then.
+ */
 static bool end_contacts(thud_world *w, td_body_index a, td_body_index b) {
     int count = 0;
     for (int e = td_body_at(w, a)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
@@ -34,14 +39,15 @@ static bool end_contacts(thud_world *w, td_body_index a, td_body_index b) {
     return true;
 }
 
-/* Its bodies are there. */
+/* Whether the joint is enabled and both bodies are in the world. */
 static bool may_engage(const thud_world *w, const td_constraint *constraint) {
-    return !td_joint_of(w, constraint)->disabled && is_there(td_body_at(w, constraint->body[0])) &&
-           is_there(td_body_at(w, constraint->body[1]));
+    return !td_joint_of(w, constraint)->disabled && in_world(td_body_at(w, constraint->body[0])) &&
+           in_world(td_body_at(w, constraint->body[1]));
 }
 
-/* Bodies that are tied meet no more, and wake, since something new holds them. */
-static bool make_way(thud_world *w, int index) {
+/* Before a constraint takes its lane: ends contacts between its bodies, unless the joint lets them
+ * collide, and wakes them, unless it is a filter. False when memory is short. */
+static bool prepare_bodies(thud_world *w, int index) {
     const td_constraint *constraint = td_constraint_at(w, index);
     const td_joint *joint = td_joint_of(w, constraint);
     if (!joint->collides && !end_contacts(w, constraint->body[0], constraint->body[1])) {
@@ -56,8 +62,8 @@ static bool make_way(thud_world *w, int index) {
     return true;
 }
 
-/* A filter needs no lane, and rests. */
-static void drop_filters(const thud_world *w, td_array *list) {
+/* Removes filters from a list of constraints: they need no lane. */
+static void remove_filters(const thud_world *w, td_array *list) {
     int kept = 0;
     for (int i = 0; i < list->count; i++) {
         int index = td_int_at(list, i);
@@ -68,12 +74,12 @@ static void drop_filters(const thud_world *w, td_array *list) {
     list->count = kept;
 }
 
-/* Lanes for all parts of a kind that wait and may have some. */
-static bool engage(thud_world *w, int kind) {
+/* Gives lanes to all constraints of a kind that wait and may act. False when memory is short. */
+static bool engage_kind(thud_world *w, int kind) {
     const td_array *waiting = &w->waiting[kind];
     for (int i = 0; i < waiting->count; i++) {
         int index = td_int_at(waiting, i);
-        if (may_engage(w, td_constraint_at(w, index)) && !make_way(w, index)) {
+        if (may_engage(w, td_constraint_at(w, index)) && !prepare_bodies(w, index)) {
             return false;
         }
     }
@@ -90,9 +96,9 @@ static bool engage(thud_world *w, int kind) {
     for (int i = 0; i < list->count; i++) {
         td_constraint_rest(w, td_int_at(list, i));
     }
-    drop_filters(w, list);
-    /* Where memory was short they wait in the order in which they did, so that the next try gives
-     * them the same lanes. */
+    remove_filters(w, list);
+    /* Where memory is short, they wait again in the order in which they did, so that the next
+     * attempt gives them the same lanes. */
     if (!td_lanes_place(w, list->data, list->count)) {
         for (int i = 0; i < list->count; i++) {
             td_constraint_wait(w, td_int_at(list, i));
@@ -102,18 +108,18 @@ static bool engage(thud_world *w, int kind) {
     return true;
 }
 
-/* Gears go with their joints. */
+/* Destroys gears of which a joint is gone. */
 static void end_idle_gears(thud_world *w) {
     for (int i = 0; i < w->joints.count && w->constraint_count[TD_CONSTRAINT_GEAR] > 0; i++) {
         const td_joint *joint = td_joint_at(w, i);
-        if (joint->live && joint->kind == THUD_GEAR && !td_gear_whole(w, joint)) {
+        if (joint->live && joint->kind == THUD_GEAR && !td_gear_has_joints(w, joint)) {
             td_joint_end(w, i);
         }
     }
 }
 
 bool td_joints_engage(thud_world *w) {
-    int bodies = w->bodies.live + 1; /* awake slots of this step, whoever wakes in it */
+    int bodies = w->bodies.live + 1; /* bound of the awake slots in this step */
     w->scratch.next_tied.count = w->scratch.powers.count = 0;
     if (!td_array_reserve(&w->memory, &w->broken, w->breakable) ||
         !td_array_reserve(&w->memory, &w->scratch.parents, bodies) ||
@@ -124,7 +130,7 @@ bool td_joints_engage(thud_world *w) {
     }
     end_idle_gears(w);
     for (int kind = TD_PAIR_COUNT; kind < TD_CONSTRAINT_KINDS; kind++) {
-        if (w->waiting[kind].count > 0 && !engage(w, kind)) {
+        if (w->waiting[kind].count > 0 && !engage_kind(w, kind)) {
             return false;
         }
     }
@@ -141,7 +147,10 @@ void td_joints_suspend(thud_world *w, td_body_index body) {
     }
 }
 
-/* An anchor has no shapes, and stands at angle 0: it is its own frame. */
+/* Sets the frames of the locks of axes (edits/locks.c) to the present position. Their other side is
+ * an anchor: a static body at angle 0 without shapes, in whose frame directions are those of the
+ * world.
+ */
 void td_joints_follow(thud_world *w, td_body_index index) {
     const td_body *body = td_body_at(w, index);
     const td_position *center = &td_pose_at(w, index)->center;
@@ -162,7 +171,7 @@ void td_joints_follow(thud_world *w, td_body_index index) {
     }
 }
 
-/* Both bodies' constraints are walked in turns: the shorter list decides. */
+/* Walks both bodies' lists of constraints alternately, so that the shorter one bounds the time. */
 bool td_joints_keep_apart(const thud_world *w, td_body_index a, td_body_index b) {
     const td_body *body_a = td_body_at(w, a), *body_b = td_body_at(w, b);
     if (!(body_a->passes & td_passing_bit(b) && body_b->passes & td_passing_bit(a))) {
@@ -184,12 +193,13 @@ bool td_joints_keep_apart(const thud_world *w, td_body_index a, td_body_index b)
     return false;
 }
 
-/* A body that locked others, and nobody any more. Where it waits for the change list it goes by
- * that; else no list has it, and no shapes, contacts or awake slot are to be given back. */
+/* Frees an anchor of edits/locks.c that locks no body any more. If it has pending changes, it
+ * leaves with those; otherwise it is in no list, and has no shapes, contacts or awake slot to give
+ * back. */
 static void end_idle_anchor(thud_world *w, td_body_index index) {
     td_body *body = td_body_at(w, index);
-    int wanted = TD_BODY_LIVE | TD_BODY_ANCHOR;
-    if ((body->flags & wanted) != wanted || body->first_constraint != TD_NONE) {
+    int both = TD_BODY_LIVE | TD_BODY_ANCHOR;
+    if ((body->flags & both) != both || body->first_constraint != TD_NONE) {
         return;
     }
     if (body->changes) {

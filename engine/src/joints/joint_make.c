@@ -1,22 +1,23 @@
-/* joint_make.c: making joints, of parts; see thud_joint.h. */
+/* joint_make.c: creates joints (thud_joint.h), and the constraints that they consist of. */
 #include "joints/gear.h"
 #include "constraint/joint_hooks.h"
 #include "direct/joint_islands.h"
 #include "state/handles.h"
 
+/* Whether a joint needs a part, by the directions that it locks and drives. */
 static bool has_part(const td_joint *joint, int part) {
     unsigned driven = joint->driven;
-    /* One part is always there, so that the bodies know of the joint. */
+    /* A joint that does nothing has this part, so that it is in the lists of its bodies. */
     return part == TD_JOINT_LOCK ? joint->locked || !driven : driven >> part & 1u;
 }
 
 bool td_joint_reserve(thud_world *w, int kind) {
-    int more[TD_CONSTRAINT_KINDS] = {0};
+    int counts[TD_CONSTRAINT_KINDS] = {0};
     td_joint joint = {.kind = (uint8_t)kind};
     for (int i = 0; i < TD_JOINT_PARTS; i++) {
-        more[td_joint_part_kind(&joint, i)]++;
+        counts[td_joint_part_kind(&joint, i)]++;
     }
-    return td_constraints_reserve(w, more);
+    return td_constraints_reserve(w, counts);
 }
 
 static const td_joint_hooks joint_hooks = {.engage = td_joints_engage,
@@ -38,7 +39,8 @@ static const td_joint_hooks joint_hooks = {.engage = td_joints_engage,
                                            .solve = td_island_solve_joints,
                                            .islands = &td_islands_of_joints};
 
-static void plug(thud_world *w) {
+/* Makes a world ready for joints: operations of their kinds, hooks, and their direct solver. */
+static void install_hooks(thud_world *w) {
     w->kinds[TD_CONSTRAINT_ROD] = td_rod_ops(w);
     w->kinds[TD_CONSTRAINT_LOCK] = td_lock_ops(w);
     for (int kind = TD_CONSTRAINT_DRIVE_LINE; kind <= TD_CONSTRAINT_DRIVE_TURN; kind++) {
@@ -58,12 +60,11 @@ thud_result thud_world_use_joints(thud_world *w) {
     if (w->locked) {
         return td_refuse(w, THUD_ERROR_LOCKED, "use joints: not inside a callback");
     }
-    plug(w);
+    install_hooks(w);
     return THUD_OK;
 }
 
-/* Gives it the parts that it needs, and takes the others away; room is reserved. */
-void td_joint_settle(thud_world *w, int index) {
+void td_joint_update_parts(thud_world *w, int index) {
     td_joint *joint = td_joint_at(w, index);
     td_joint_sort_directions(joint);
     for (int part = TD_JOINT_PARTS - 1; part >= 0; part--) {
@@ -79,19 +80,19 @@ void td_joint_settle(thud_world *w, int index) {
             td_constraint_destroy(w, joint->part[part]);
         }
     }
-    plug(w);
+    install_hooks(w);
     td_joint_wake(w, joint);
 }
 
-/* A gear's bodies are those that its joints move. */
-static thud_result find_moved(const thud_world *w, thud_joint_id id, td_body_index *body) {
+/* The dynamic body of one of a gear's joints, which becomes a side of the gear. */
+static thud_result find_dynamic_body(const thud_world *w, thud_joint_id id, td_body_index *body) {
     int index = 0;
     thud_result result = td_find_joint(w, id, false, &index);
     if (result != THUD_OK) {
         return result;
     }
     const td_joint *joint = td_joint_at(w, index);
-    if ((!td_gear_turns(joint) && joint->kind != THUD_SLIDER && joint->kind != THUD_DISTANCE) ||
+    if ((!td_gear_by_angle(joint) && joint->kind != THUD_SLIDER && joint->kind != THUD_DISTANCE) ||
         td_body_at(w, joint->body[0])->kind != THUD_STATIC) {
         return td_refuse(w, THUD_ERROR_INVALID,
                          "joint create: a gear is of hinges, wheels, sliders or distances between "
@@ -101,16 +102,18 @@ static thud_result find_moved(const thud_world *w, thud_joint_id id, td_body_ind
     return THUD_OK;
 }
 
+/* The bodies of a def. */
 static thud_result find_sides(const thud_world *w, const thud_joint_def *def, td_body_index *a,
                               td_body_index *b) {
     if (def->kind == THUD_GEAR) {
-        thud_result result = find_moved(w, def->gear[0], a);
-        return result == THUD_OK ? find_moved(w, def->gear[1], b) : result;
+        thud_result result = find_dynamic_body(w, def->gear[0], a);
+        return result == THUD_OK ? find_dynamic_body(w, def->gear[1], b) : result;
     }
     thud_result result = td_find_body(w, def->body_a, a);
     return result == THUD_OK ? td_find_body(w, def->body_b, b) : result;
 }
 
+/* Sets the two joints of a gear, and keeps their present coordinates. */
 static void set_members(const thud_world *w, td_joint *gear, const thud_joint_def *def) {
     gear->gear = (td_gear){.ratio = def->ratio};
     for (int i = 0; i < 2; i++) {
@@ -118,7 +121,7 @@ static void set_members(const thud_world *w, td_joint *gear, const thud_joint_de
         gear->gear.joint[i] = member;
         gear->gear.generation[i] = td_joint_at(w, member)->generation;
     }
-    td_gear_begin(w, gear);
+    td_gear_set_rest(w, gear);
 }
 
 thud_result thud_joint_create(thud_world *w, const thud_joint_def *def, thud_joint_id *out) {
@@ -155,12 +158,12 @@ thud_result thud_joint_create(thud_world *w, const thud_joint_def *def, thud_joi
     if (joint->kind == THUD_GEAR) {
         set_members(w, joint, def);
     }
-    td_joint_settle(w, index);
+    td_joint_update_parts(w, index);
     if (out) {
         *out = td_joint_handle(w, index);
     }
     for (int i = 0; i < TD_JOINT_DIRECTIONS; i++) {
-        td_joint_look_at_drive(w, &def->drive[i]);
+        td_joint_warn_of_drive(w, &def->drive[i]);
     }
     return THUD_OK;
 }

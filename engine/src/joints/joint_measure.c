@@ -1,9 +1,14 @@
-/* joint_measure.c: where a joint is, by how much it is off, and what it bears. */
+/* joint_measure.c: measurements of joints: coordinates, gaps, forces, and the sums of the step's
+ * error report.
+ *
+ * Forces are the impulses of the last substep over its length. An impulse of a part's lane acts on
+ * side b along its Jacobian: J' impulse. */
 #include "constraint/joint_hooks.h"
 #include "joints/gear.h"
 
-/* By how much a value is off: from 0 where it is locked, from the limits where it has some. */
-static double miss_of(const td_joint *joint, int direction, double value) {
+/* The error of a coordinate: its distance from 0 where the direction is locked, by how much it
+ * exceeds a limit, or 0. With its sign. */
+static double error_of(const td_joint *joint, int direction, double value) {
     const td_drive *d = &joint->drive[direction];
     if (joint->locked >> direction & 1u) {
         return value;
@@ -15,12 +20,13 @@ static double miss_of(const td_joint *joint, int direction, double value) {
            td_min_double(value - (double)d->lower, 0.0);
 }
 
+/* A gear's coordinate and gap are those of its equation (gear.c): a length, or rad. */
 static td_joint_reading read_gear(const thud_world *w, const td_joint *joint) {
-    if (!td_gear_whole(w, joint) || joint->gear.apart) {
+    if (!td_gear_has_joints(w, joint) || joint->gear.apart) {
         return (td_joint_reading){0};
     }
     double gap = td_gear_gap(w, joint);
-    bool turns = td_gear_turns(td_joint_at(w, joint->gear.joint[0]));
+    bool turns = td_gear_by_angle(td_joint_at(w, joint->gear.joint[0]));
     td_joint_reading r = {.gap = turns ? 0.0 : td_abs(gap), .angle_gap = turns ? td_abs(gap) : 0.0};
     r.value[turns ? THUD_TURN : THUD_ALONG] = gap;
     return r;
@@ -38,18 +44,19 @@ td_joint_reading td_joint_read(const thud_world *w, const td_joint *joint) {
         r.value[THUD_ALONG] = __builtin_sqrt(x * x + y * y);
         r.value[THUD_ACROSS] = 0.0;
         double off = joint->locked ? r.value[THUD_ALONG] - (double)joint->length
-                                   : miss_of(joint, THUD_ALONG, r.value[THUD_ALONG]);
+                                   : error_of(joint, THUD_ALONG, r.value[THUD_ALONG]);
         r.gap = td_abs(off);
         return r;
     }
-    double along = miss_of(joint, THUD_ALONG, r.value[THUD_ALONG]);
-    double across = miss_of(joint, THUD_ACROSS, r.value[THUD_ACROSS]);
+    double along = error_of(joint, THUD_ALONG, r.value[THUD_ALONG]);
+    double across = error_of(joint, THUD_ACROSS, r.value[THUD_ACROSS]);
     r.gap = __builtin_sqrt(along * along + across * across);
-    r.angle_gap = td_abs(miss_of(joint, THUD_TURN, r.value[THUD_TURN]));
+    r.angle_gap = td_abs(error_of(joint, THUD_TURN, r.value[THUD_TURN]));
     return r;
 }
 
-/* Adds what a part gave b's side in the last substep. */
+/* Adds the impulse (x, y, and the moment of turn) of a part on side b in the last substep. The
+ * moment of (x, y) about the centre of mass is left out, but for gears. */
 static void add_impulse(const thud_world *w, const td_constraint *part, double impulse[3]) {
     if (part->state != TD_TOUCHING) {
         return;
@@ -84,14 +91,18 @@ static void add_impulse(const thud_world *w, const td_constraint *part, double i
     impulse[2] += turns ? (double)rows->turn_sign[at.lane] * along : 0.0;
 }
 
-/* A time step next to nothing makes a force without end of any impulse. */
-static float as_force(double x) {
-    double most = (double)THUD_JOINT_FORCE_MAX;
-    return x > most ? (float)most : x < -most ? (float)-most : x == x ? (float)x : 0.0f;
+/* Clamps a force to THUD_JOINT_FORCE_MAX: with a time step near 0 it may be infinite. Not-a-number
+ * becomes 0. */
+static float bounded_force(double x) {
+    double max_force = (double)THUD_JOINT_FORCE_MAX;
+    return x > max_force    ? (float)max_force
+           : x < -max_force ? (float)-max_force
+           : x == x         ? (float)x
+                            : 0.0f;
 }
 
-/* Forces per impulse of a substep. */
-static double rate_of(const thud_world *w) {
+/* Substeps per second: the force of a unit of impulse in a substep. */
+static double force_per_impulse(const thud_world *w) {
     return w->substeps / w->def.time_step;
 }
 
@@ -102,12 +113,12 @@ td_joint_load td_joint_load_of(const thud_world *w, const td_joint *joint) {
             add_impulse(w, td_constraint_at(w, joint->part[i]), impulse);
         }
     }
-    double rate = (joint->swapped ? -1.0 : 1.0) * rate_of(w);
-    return (td_joint_load){{as_force(rate * impulse[0]), as_force(rate * impulse[1])},
-                           as_force(rate * impulse[2])};
+    double rate = (joint->swapped ? -1.0 : 1.0) * force_per_impulse(w);
+    return (td_joint_load){{bounded_force(rate * impulse[0]), bounded_force(rate * impulse[1])},
+                           bounded_force(rate * impulse[2])};
 }
 
-/* Values are the same with sides swapped, and what pushes them up. */
+/* Forces that increase the coordinate; the same with sides swapped, as coordinates are. */
 thud_drive_forces td_joint_drive_forces(const thud_world *w, const td_joint *joint, int direction) {
     int index = joint->part[direction];
     const td_constraint *part = index == TD_NONE ? NULL : td_constraint_at(w, index);
@@ -115,14 +126,15 @@ thud_drive_forces td_joint_drive_forces(const thud_world *w, const td_joint *joi
         return (thud_drive_forces){0};
     }
     td_lane at = td_lane_of(w, part);
-    double side = (double)td_drive_rows_at(at.block)->limit_side[at.lane], rate = rate_of(w);
+    double side = (double)td_drive_rows_at(at.block)->limit_side[at.lane],
+           rate = force_per_impulse(w);
     return (thud_drive_forces){
-        .limit = as_force(rate * side * (double)at.block->point[0].normal_impulse[at.lane]),
-        .spring = as_force(rate * (double)at.block->point[1].normal_impulse[at.lane]),
-        .motor = as_force(rate * (double)at.block->tangent_impulse[at.lane])};
+        .limit = bounded_force(rate * side * (double)at.block->point[0].normal_impulse[at.lane]),
+        .spring = bounded_force(rate * (double)at.block->point[1].normal_impulse[at.lane]),
+        .motor = bounded_force(rate * (double)at.block->tangent_impulse[at.lane])};
 }
 
-/* How many of its parts have lanes, asleep or not; of them, how many are awake. */
+/* The number of a joint's parts that have lanes, asleep or awake; *awake: how many are awake. */
 static int count_lanes(const thud_world *w, const td_joint *joint, int *awake) {
     int lanes = 0;
     *awake = 0;

@@ -1,9 +1,28 @@
-/* joint_rows.c: the rows of joints for the direct solver. */
+/* joint_rows.c: the rows of joints for the direct solver (direct/direct.h): Jacobians, target
+ * speeds and warm starts.
+ *
+ * td_*_take_rows fills a constraint's rows at the start of the step. td_*_turn_rows recomputes them
+ * for a part of the step of length h, from the motions of both sides at its start (a[0], b[0]) and,
+ * as known so far, at its end (a[1], b[1]): td_span. Where h is 0, rows are those of the instant.
+ *
+ * The Jacobians J of a part are discrete gradients of the joint's coordinate q, so that locked rows
+ * do no work (O. Gonzalez, "Time integration and discrete Hamiltonian systems", 1996):
+ *     J (x[1] - x[0]) = q(x[1]) - q(x[0])
+ * This is exact for distances, for turn, and for frames that do not turn. For a frame that turns
+ * with body a, J is that in the middle of the motion, and the equation holds to second order. The
+ * target speed corrects what is left of it, so that gaps close in either case
+ * (target_speed_for_gap).
+ *
+ * The velocity at the end of a part is 2 v - v_before, where v is the mean velocity that the
+ * problem solves for. Its impulses are thus half of those of the part, which gives the factors 0.5.
+ * Lengths, masses and times are the world's; turn is in radians. */
 #include "joints/joint.h"
 
 #include "direct/rows.h"
 
-static void equality_row(const thud_world *w, td_direct_row *row, const float *impulses, int k,
+/* Warm start and target speed of an equality row: half of impulse k of the last step, and the speed
+ * that closes `gap` (a length or an angle) in this one. */
+static void set_equality(const thud_world *w, td_direct_row *row, const float *impulses, int k,
                          double gap) {
     row->impulse = 0.5 * (double)impulses[k];
     row->target_speed = td_joint_closing_speed(w, gap, w->def.time_step);
@@ -11,6 +30,7 @@ static void equality_row(const thud_world *w, td_direct_row *row, const float *i
 
 /* ---- a part of the step ---- */
 
+/* Sets a row's Jacobian: along (x, y) from a to b, with the crosses of the lever arms. */
 static void set_direction(td_direct_row *row, double x, double y, double cross_a, double cross_b) {
     double a[3] = {-x, -y, -cross_a}, b[3] = {x, y, cross_b};
     for (int k = 0; k < 3; k++) {
@@ -19,47 +39,56 @@ static void set_direction(td_direct_row *row, double x, double y, double cross_a
     }
 }
 
-/* What the row's direction makes of the motion of the part. */
-static double way_of(const td_direct_row *row, const td_span *s) {
-    double way = 0.0;
+/* J (x[1] - x[0]): the displacement along a row by the motion of the part. */
+static double displacement_along(const td_direct_row *row, const td_span *s) {
+    double sum = 0.0;
     for (int k = 0; k < 3; k++) {
-        way += row->a[k] * (s->a[1][k] - s->a[0][k]) + row->b[k] * (s->b[1][k] - s->b[0][k]);
+        sum += row->a[k] * (s->a[1][k] - s->a[0][k]) + row->b[k] * (s->b[1][k] - s->b[0][k]);
     }
-    return way;
+    return sum;
 }
 
-/* Gaps of so many length scales, or radians, are what single precision makes of places: they stay
- * as they are. Where a loop has more locks than it needs, closing all of them would strain it for
- * nothing. */
-#define NOTHING 1e-6
+/* Gaps up to this width, in length scales or radians, stay as they are: they come from the rounding
+ * of lever arms and motions to single precision (2^-24 = 6e-8 of each, some of them added). In a
+ * loop with redundant locks, closing all of them would cause impulses against each other.
+ * Measured: at 0 pendulum_keeps_time_by_its_substeps (test_joints_phase.c) and
+ * chain_swings_without_stretching (test_joint_scenes.c) fail. */
+#define GAP_IGNORED 1e-6
 
-/* Wider ones close by so much of them in a step, as those of contacts do: a chain in which many are
- * open would leap otherwise. */
-#define CLOSING 0.2
-#define LITTLE 1e-4 /* length scales, or radians, on top */
+/* The share of a wider gap that closes in a whole step, and a width that closes in every part on
+ * top of it, in length scales or radians, so that small gaps close for good. A chain with many open
+ * gaps would be thrown if all of them closed at once. Measured on the tests of joints: they pass at
+ * half and double the share, and at a width of 0; lorry_crosses_the_bridge (test_joint_scenes.c)
+ * fails at a share of 1 and at ten times the width. */
+#define GAP_SHARE_PER_STEP 0.2
+#define GAP_CLOSED_MIN 1e-4
 
-/* The mean speed for which a gap that goes from `before` to `after` by the motion as known closes
- * by the end as far as it should, and TD_JOINT_CLOSING allows. */
-static double wanted_of(const thud_world *w, td_direct_row *row, const td_span *s, double before,
-                        double after) {
-    double most = (double)(TD_JOINT_CLOSING * w->unit) * s->time, off = td_abs(before);
-    double part = off * (CLOSING * s->time / w->def.time_step) + LITTLE * (double)w->unit;
-    most = td_min_double(most, part);
-    double left = off <= NOTHING * (double)w->unit ? before
-                  : before > most                  ? before - most
-                  : before < -most                 ? before + most
-                                                   : 0.0;
+/* The mean speed along a row for which its gap, which the motion as known changes from `before` to
+ * `after`, is by the end of the part as wide as it should be:
+ *     (J (x[1] - x[0]) - (after - left)) / h,  where `left` is the gap that should be left.
+ * Closing is also limited to TD_JOINT_CLOSING. Sets row->closing, the speed of closing. */
+static double target_speed_for_gap(const thud_world *w, td_direct_row *row, const td_span *s,
+                                   double before, double after) {
+    double max_change = (double)(TD_JOINT_CLOSING * w->unit) * s->time, off = td_abs(before);
+    double share =
+        off * (GAP_SHARE_PER_STEP * s->time / w->def.time_step) + GAP_CLOSED_MIN * (double)w->unit;
+    max_change = td_min_double(max_change, share);
+    double left = off <= GAP_IGNORED * (double)w->unit ? before
+                  : before > max_change                ? before - max_change
+                  : before < -max_change               ? before + max_change
+                                                       : 0.0;
     row->closing = s->time > 0.0 ? td_abs(before - left) / s->time : row->closing;
-    return s->time > 0.0 ? (way_of(row, s) - (after - left)) / s->time : 0.0;
+    return s->time > 0.0 ? (displacement_along(row, s) - (after - left)) / s->time : 0.0;
 }
 
-typedef struct middle {
-    double a[3], b[3];
-    double chord_a, chord_b; /* of an arm's end, over the way along its circle */
-} middle;
+/* The motion half way through a part. */
+typedef struct midpoint {
+    double a[3], b[3];       /* x, y, turn since the start of the step */
+    double chord_a, chord_b; /* chord over arc of each side's rotation in the part */
+} midpoint;
 
-/* sin(x) / x, for turns within a part of a step */
-static double chord(double turn) {
+/* The chord of a rotation over its arc: sin(turn / 2) / (turn / 2). */
+static double chord_ratio(double turn) {
     double half = 0.5 * turn, s, c;
     if (half * half < 1e-12) {
         return 1.0;
@@ -68,21 +97,23 @@ static double chord(double turn) {
     return s / half;
 }
 
-static middle middle_of(const td_span *s) {
-    middle m;
+static midpoint midpoint_of(const td_span *s) {
+    midpoint m;
     for (int k = 0; k < 3; k++) {
         m.a[k] = 0.5 * (s->a[0][k] + s->a[1][k]);
         m.b[k] = 0.5 * (s->b[0][k] + s->b[1][k]);
     }
-    m.chord_a = chord(s->a[1][2] - s->a[0][2]);
-    m.chord_b = chord(s->b[1][2] - s->b[0][2]);
+    m.chord_a = chord_ratio(s->a[1][2] - s->a[0][2]);
+    m.chord_b = chord_ratio(s->b[1][2] - s->b[0][2]);
     return m;
 }
 
-/* The frame in the middle of the part. One that stays as it is has the mean arms instead. */
-static td_joint_frame frame_between(const td_block *block, int lane, double gap_u, double gap_v,
-                                    bool turns, const td_span *s) {
-    middle m = middle_of(s);
+/* The frame in the middle of the part. In one that does not turn the arms are averaged over the
+ * rotation, which shortens them by the ratio of chord to arc: times the rotation they give the
+ * chord, by which their ends move. */
+static td_joint_frame midpoint_frame(const td_block *block, int lane, double gap_u, double gap_v,
+                                     bool turns, const td_span *s) {
+    midpoint m = midpoint_of(s);
     td_joint_frame f = td_joint_frame_after(block, lane, gap_u, gap_v, turns, m.a, m.b);
     if (!turns) {
         f.a_u *= m.chord_a;
@@ -93,17 +124,19 @@ static td_joint_frame frame_between(const td_block *block, int lane, double gap_
     return f;
 }
 
-/* Along a line that turns: its mean, over the mean of both lengths. */
-static td_joint_frame line_between(const td_block *block, int lane, double gap_u, double gap_v,
-                                   const td_span *s, double length[2]) {
-    td_joint_frame f = frame_between(block, lane, gap_u, gap_v, false, s), end[2];
+/* The direction of a distance for a part: the mean d of the gap vectors at its start and end, over
+ * the mean length, so that (d / length) . (d1 - d0) = length1 - length0 exactly. length: both
+ * lengths. */
+static td_joint_frame midpoint_line(const td_block *block, int lane, double gap_u, double gap_v,
+                                    const td_span *s, double length[2]) {
+    td_joint_frame f = midpoint_frame(block, lane, gap_u, gap_v, false, s), end[2];
     for (int i = 0; i < 2; i++) {
         end[i] = td_joint_frame_after(block, lane, gap_u, gap_v, false, s->a[i], s->b[i]);
         length[i] = __builtin_sqrt(end[i].gap_u * end[i].gap_u + end[i].gap_v * end[i].gap_v);
     }
-    double both = length[0] + length[1];
-    double u = both > 0.0 ? (end[0].gap_u + end[1].gap_u) / both : 1.0;
-    double v = both > 0.0 ? (end[0].gap_v + end[1].gap_v) / both : 0.0;
+    double lengths = length[0] + length[1];
+    double u = lengths > 0.0 ? (end[0].gap_u + end[1].gap_u) / lengths : 1.0;
+    double v = lengths > 0.0 ? (end[0].gap_v + end[1].gap_v) / lengths : 0.0;
     return (td_joint_frame){.x = u * f.x - v * f.y,
                             .y = u * f.y + v * f.x,
                             .a_u = u * f.a_u + v * f.a_v,
@@ -112,49 +145,56 @@ static td_joint_frame line_between(const td_block *block, int lane, double gap_u
                             .b_v = u * f.b_v - v * f.b_u};
 }
 
-/* What impulses along u and v do about either side as it turns by the mean motion of the part, of
- * which half is done in its middle. */
-static void set_stiffness(td_direct_constraint *c, const td_joint_frame *f, const td_span *s,
-                          double u, double v) {
+/* Geometric stiffness of impulses along u and v, as a moment of inertia: minus the change of their
+ * moment about each side per mean angular velocity of that side. h / 2 is the time up to the middle
+ * of the part. */
+static void set_geometric_stiffness(td_direct_constraint *c, const td_joint_frame *f,
+                                    const td_span *s, double u, double v) {
     double half = 0.5 * s->time;
     c->stiff[0] = -half * (f->a_v * u - f->a_u * v);
     c->stiff[1] = half * (f->b_v * u - f->b_u * v);
 }
 
-/* A line that pulls is stiff across, too. */
+/* Geometric stiffness of a distance. One that pulls (impulse < 0) resists rotation of its line,
+ * too: a soft row across it, of weight h / 2 times tension over length, with the present speed as
+ * its target. */
 static void set_line_stiffness(td_direct_constraint *c, const td_joint_frame *f, const td_span *s,
                                double impulse, double length, td_direct_row *across) {
-    set_stiffness(c, f, s, impulse, 0.0);
+    set_geometric_stiffness(c, f, s, impulse, 0.0);
     set_direction(across, -f->y, f->x, f->a_v, f->b_v);
     across->kind = TD_ROW_SOFT;
     across->used = impulse < 0.0 && length > 0.0 && s->time > 0.0;
     across->weight = across->used ? -0.5 * s->time * impulse / length : 0.0;
-    across->target_speed = s->time > 0.0 ? way_of(across, s) / s->time : 0.0;
+    across->target_speed = s->time > 0.0 ? displacement_along(across, s) / s->time : 0.0;
     across->max_impulse = __builtin_inf();
     across->impulse = 0.0;
 }
 
 /* ---- locked directions ---- */
 
+/* td_take_rows_fn of a locked distance: row 0. (Row 1 is its stiffness across, in parts of a step
+ * only.) */
 bool td_rod_take_rows(const thud_world *w, td_block *block, int lane, const float *impulses,
                       td_direct_constraint *c) {
     const td_point *p = &block->point[0];
     td_row_set(&c->row[0], TD_ROW_EQUALITY, (double)block->nx[lane], (double)block->ny[lane],
                (double)p->cross_a[lane], (double)p->cross_b[lane]);
-    equality_row(w, &c->row[0], impulses, 0, (double)p->base[lane]);
+    set_equality(w, &c->row[0], impulses, 0, (double)p->base[lane]);
     return false;
 }
 
 void td_rod_turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
                       td_direct_constraint *c) {
-    double wanted = (double)td_lock_rows_at(block)->turn_base[lane], length[2];
-    td_joint_frame f =
-        line_between(block, lane, (double)block->point[0].base[lane] + wanted, 0.0, s, length);
+    double rest_length = (double)td_lock_rows_at(block)->turn_base[lane], length[2];
+    td_joint_frame f = midpoint_line(block, lane, (double)block->point[0].base[lane] + rest_length,
+                                     0.0, s, length);
     set_direction(&c->row[0], f.x, f.y, f.a_u, f.b_u);
-    c->row[0].target_speed = wanted_of(w, &c->row[0], s, length[0] - wanted, length[1] - wanted);
+    c->row[0].target_speed =
+        target_speed_for_gap(w, &c->row[0], s, length[0] - rest_length, length[1] - rest_length);
     set_line_stiffness(c, &f, s, c->row[0].impulse, length[0], &c->row[1]);
 }
 
+/* td_turn_rows_fn of locked directions: rows 0 along, 1 across, 2 turn. */
 void td_lock_turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
                        td_direct_constraint *c) {
     const td_lock_rows *rows = td_lock_rows_at(block);
@@ -162,35 +202,35 @@ void td_lock_turn_rows(const thud_world *w, const td_block *block, int lane, con
     double sign = (double)rows->turn_sign[lane];
     bool turns = rows->frame[lane] > 0.0f;
     td_joint_frame end[2];
-    double turned[2];
+    double angle[2];
     for (int i = 0; i < 2; i++) {
-        bool stays = i == 1 && s->time == 0.0;
-        end[i] = stays ? end[0] : td_joint_frame_after(block, lane, u, v, turns, s->a[i], s->b[i]);
-        turned[i] = (double)rows->turn_base[lane] + sign * (s->b[i][2] - s->a[i][2]);
+        bool same = i == 1 && s->time == 0.0;
+        end[i] = same ? end[0] : td_joint_frame_after(block, lane, u, v, turns, s->a[i], s->b[i]);
+        angle[i] = (double)rows->turn_base[lane] + sign * (s->b[i][2] - s->a[i][2]);
     }
-    td_joint_frame f = s->time == 0.0 ? end[0] : frame_between(block, lane, u, v, turns, s);
+    td_joint_frame f = s->time == 0.0 ? end[0] : midpoint_frame(block, lane, u, v, turns, s);
     set_direction(&c->row[0], f.x, f.y, f.a_u, f.b_u);
     set_direction(&c->row[1], -f.y, f.x, f.a_v, f.b_v);
-    c->row[0].target_speed = wanted_of(w, &c->row[0], s, end[0].gap_u, end[1].gap_u);
-    c->row[1].target_speed = wanted_of(w, &c->row[1], s, end[0].gap_v, end[1].gap_v);
-    c->row[2].target_speed = wanted_of(w, &c->row[2], s, turned[0], turned[1]);
-    set_stiffness(c, &f, s, c->row[0].impulse, c->row[1].impulse);
+    c->row[0].target_speed = target_speed_for_gap(w, &c->row[0], s, end[0].gap_u, end[1].gap_u);
+    c->row[1].target_speed = target_speed_for_gap(w, &c->row[1], s, end[0].gap_v, end[1].gap_v);
+    c->row[2].target_speed = target_speed_for_gap(w, &c->row[2], s, angle[0], angle[1]);
+    set_geometric_stiffness(c, &f, s, c->row[0].impulse, c->row[1].impulse);
 }
 
 bool td_lock_take_rows(const thud_world *w, td_block *block, int lane, const float *impulses,
                        td_direct_constraint *c) {
     const td_lock_rows *rows = td_lock_rows_of(block);
     const td_point *p = block->point;
-    double still[3] = {0.0, 0.0, 0.0}, sign = (double)rows->turn_sign[lane];
+    double no_motion[3] = {0.0, 0.0, 0.0}, sign = (double)rows->turn_sign[lane];
     td_joint_frame f =
         td_joint_frame_after(block, lane, (double)p[0].base[lane], (double)p[1].base[lane],
-                             rows->frame[lane] > 0.0f, still, still);
+                             rows->frame[lane] > 0.0f, no_motion, no_motion);
     td_row_set(&c->row[0], TD_ROW_EQUALITY, f.x, f.y, f.a_u, f.b_u);
     td_row_set(&c->row[1], TD_ROW_EQUALITY, -f.y, f.x, f.a_v, f.b_v);
     td_row_set(&c->row[2], TD_ROW_EQUALITY, 0.0, 0.0, sign, sign);
-    equality_row(w, &c->row[0], impulses, 0, f.gap_u);
-    equality_row(w, &c->row[1], impulses, 1, f.gap_v);
-    equality_row(w, &c->row[2], impulses, 2, (double)rows->turn_base[lane]);
+    set_equality(w, &c->row[0], impulses, 0, f.gap_u);
+    set_equality(w, &c->row[1], impulses, 1, f.gap_v);
+    set_equality(w, &c->row[2], impulses, 2, (double)rows->turn_base[lane]);
     c->row[0].used = p[0].normal_mass[lane] > 0.0f;
     c->row[1].used = p[1].normal_mass[lane] > 0.0f;
     c->row[2].used = block->tangent_mass[lane] > 0.0f;
@@ -199,8 +239,9 @@ bool td_lock_take_rows(const thud_world *w, td_block *block, int lane, const flo
 
 /* ---- driven directions ---- */
 
-/* The limit that is nearer as the step begins, or the other one where the soft solver has come
- * nearer to that by its end. True where it is the first one, whose impulse is known. */
+/* Chooses the limit of a step: the one that is nearer as the step begins, or the other one where
+ * the soft solver ended nearer to that. True for the first, whose impulse of the last step is a
+ * warm start. */
 static bool choose_limit(td_block *block, int lane) {
     td_drive_rows *r = td_drive_rows_of(block);
     td_point *p = &block->point[0];
@@ -214,7 +255,8 @@ static bool choose_limit(td_block *block, int lane) {
     return !crossed;
 }
 
-/* A limit that is not reached must not be passed by the end of the step. */
+/* The row of a limit; `along` is the driven direction. A limit at a distance gets the target speed
+ * that just reaches it by the end of the step (as a speculative contact); equal limits lock. */
 static void take_limit(const thud_world *w, td_block *block, int lane, const float *impulses,
                        td_direct_row *row, const td_direct_row *along) {
     const td_drive_rows *r = td_drive_rows_at(block);
@@ -228,11 +270,12 @@ static void take_limit(const thud_world *w, td_block *block, int lane, const flo
     }
     row->kind = locked ? TD_ROW_EQUALITY : TD_ROW_UNILATERAL;
     row->used = side != 0.0;
-    equality_row(w, row, impulses, 0, gap);
+    set_equality(w, row, impulses, 0, gap);
     row->impulse *= known ? 1.0 : 0.0;
     row->target_speed = gap > 0.0 && !locked ? -gap / w->def.time_step : row->target_speed;
 }
 
+/* The effective mass of a driven direction, at the start of the step. */
 static double mass_of(const thud_world *w, const td_block *block, int lane) {
     const td_drive_rows *r = td_drive_rows_at(block);
     int kind = td_constraint_at(w, block->constraint[lane])->kind;
@@ -244,40 +287,48 @@ static double mass_of(const thud_world *w, const td_block *block, int lane) {
     return inverse > 0.0f ? 1.0 / (double)inverse : 0.0;
 }
 
-/* Sets a spring's weight for a part of the step, and returns the speed at which it would not push:
- * its mean force is the one in the middle of the part, which keeps its energy. The impulses of the
- * problem are half of those of the part. `moved`: how far it is from where the step began. */
-static double spring_speed(const thud_world *w, const td_block *block, int lane, td_direct_row *row,
-                           double moved, double time) {
+/* A spring for a part of length h = `time`, by the implicit midpoint rule, which keeps its energy:
+ * its mean force is -k (x + h v / 2) - c v for its displacement x at the start of the part, mean
+ * speed v, stiffness k and damping c. That is a soft row, impulse = weight * (target - v), with
+ *     weight = h / 2 (h k / 2 + c),  target = -k x / (h k / 2 + c).
+ * Sets weight and bound of the row; returns the target speed. `moved`: displacement since the start
+ * of the step. */
+static double update_spring(const thud_world *w, const td_block *block, int lane,
+                            td_direct_row *row, double moved, double time) {
     const td_drive_rows *r = td_drive_rows_at(block);
     double omega = td_spring_omega(w, r->frequency[lane]), mass = mass_of(w, block, lane);
-    double stiffness = mass * omega * omega, drag = 2.0 * (double)r->damping[lane] * mass * omega;
-    double both = 0.5 * time * stiffness + drag;
-    row->weight = 0.5 * time * both;
+    double stiffness = mass * omega * omega,
+           damping = 2.0 * (double)r->damping[lane] * mass * omega;
+    double resistance = 0.5 * time * stiffness + damping;
+    row->weight = 0.5 * time * resistance;
     bool capped = r->spring_most[lane] < THUD_JOINT_FORCE_MAX;
     row->max_impulse = capped ? 0.5 * time * (double)r->spring_most[lane] : __builtin_inf();
-    return both > 0.0 ? -stiffness * ((double)block->point[1].base[lane] + moved) / both : 0.0;
+    return resistance > 0.0 ? -stiffness * ((double)block->point[1].base[lane] + moved) / resistance
+                            : 0.0;
 }
 
+/* The row of a spring, for the whole step. */
 static void take_spring(const thud_world *w, const td_block *block, int lane, const float *impulses,
                         td_direct_row *row) {
     row->kind = TD_ROW_SOFT;
     row->impulse = 0.5 * (double)impulses[1];
-    row->target_speed = spring_speed(w, block, lane, row, 0.0, w->def.time_step);
+    row->target_speed = update_spring(w, block, lane, row, 0.0, w->def.time_step);
     row->used = row->weight > 0.0;
 }
 
+/* td_take_rows_fn of a driven direction: rows 0 limit, 1 spring, 2 motor (a friction row whose
+ * bound is the motor's maximum impulse). */
 bool td_drive_take_rows(const thud_world *w, td_block *block, int lane, const float *impulses,
                         td_direct_constraint *c) {
     const td_drive_rows *r = td_drive_rows_of(block);
     bool turns = td_constraint_at(w, block->constraint[lane])->kind == TD_CONSTRAINT_DRIVE_TURN;
     bool line = td_constraint_at(w, block->constraint[lane])->kind == TD_CONSTRAINT_DRIVE_LINE;
-    double still[3] = {0.0, 0.0, 0.0}, sign = (double)r->turn_sign[lane];
+    double no_motion[3] = {0.0, 0.0, 0.0}, sign = (double)r->turn_sign[lane];
     double gap_u = (double)r->gap_u[lane], gap_v = (double)r->gap_v[lane];
     td_joint_frame f = {.a_u = sign, .b_u = sign};
     if (!turns) {
-        f = line ? td_joint_line_after(block, lane, gap_u, gap_v, still, still)
-                 : td_joint_frame_after(block, lane, gap_u, gap_v, true, still, still);
+        f = line ? td_joint_line_after(block, lane, gap_u, gap_v, no_motion, no_motion)
+                 : td_joint_frame_after(block, lane, gap_u, gap_v, true, no_motion, no_motion);
     }
     td_direct_row along;
     td_row_set(&along, TD_ROW_FRICTION, f.x, f.y, f.a_u, f.b_u);
@@ -291,16 +342,15 @@ bool td_drive_take_rows(const thud_world *w, td_block *block, int lane, const fl
     return false;
 }
 
-/* Where b is along a driven direction at the start and at the end of the part, and the direction.
- */
-static td_joint_frame drive_between(const thud_world *w, const td_block *block, int lane,
-                                    const td_span *s, double value[2]) {
+/* The direction of a drive for a part, and its coordinates at the start and end: value[0], [1]. */
+static td_joint_frame midpoint_drive(const thud_world *w, const td_block *block, int lane,
+                                     const td_span *s, double value[2]) {
     const td_drive_rows *r = td_drive_rows_at(block);
     int kind = td_constraint_at(w, block->constraint[lane])->kind;
     double u = (double)r->gap_u[lane], v = (double)r->gap_v[lane];
     double sign = (double)r->turn_sign[lane];
     if (kind == TD_CONSTRAINT_DRIVE_LINE) {
-        return line_between(block, lane, u, v, s, value);
+        return midpoint_line(block, lane, u, v, s, value);
     }
     for (int i = 0; i < 2; i++) {
         value[i] = kind == TD_CONSTRAINT_DRIVE_TURN
@@ -308,14 +358,16 @@ static td_joint_frame drive_between(const thud_world *w, const td_block *block, 
                        : td_joint_frame_after(block, lane, u, v, true, s->a[i], s->b[i]).gap_u;
     }
     return kind == TD_CONSTRAINT_DRIVE_TURN ? (td_joint_frame){.a_u = sign, .b_u = sign}
-                                            : frame_between(block, lane, u, v, true, s);
+                                            : midpoint_frame(block, lane, u, v, true, s);
 }
 
+/* td_turn_rows_fn of a driven direction. A limit that is open as the part begins gets the target
+ * speed that just reaches it by the end. */
 void td_drive_turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
                         td_direct_constraint *c) {
     const td_drive_rows *r = td_drive_rows_at(block);
     double side = (double)r->limit_side[lane], value[2], gap[2];
-    td_joint_frame f = drive_between(w, block, lane, s, value);
+    td_joint_frame f = midpoint_drive(w, block, lane, s, value);
     set_direction(&c->row[1], f.x, f.y, f.a_u, f.b_u);
     set_direction(&c->row[2], f.x, f.y, f.a_u, f.b_u);
     set_direction(&c->row[0], side * f.x, side * f.y, side * f.a_u, side * f.b_u);
@@ -323,12 +375,13 @@ void td_drive_turn_rows(const thud_world *w, const td_block *block, int lane, co
         gap[i] = side * (value[i] - (double)r->limit[lane]);
     }
     bool open = gap[0] > 0.0 && c->row[0].kind == TD_ROW_UNILATERAL;
-    c->row[0].target_speed = !open           ? wanted_of(w, &c->row[0], s, gap[0], gap[1])
-                             : s->time > 0.0 ? (way_of(&c->row[0], s) - gap[1]) / s->time
-                                             : -gap[1] / w->def.time_step;
+    c->row[0].target_speed = !open ? target_speed_for_gap(w, &c->row[0], s, gap[0], gap[1])
+                             : s->time > 0.0
+                                 ? (displacement_along(&c->row[0], s) - gap[1]) / s->time
+                                 : -gap[1] / w->def.time_step;
     if (s->time > 0.0) {
         c->bound = 0.5 * s->time * (double)r->motor_most[lane];
         double moved = value[0] - (double)r->value_base[lane];
-        c->row[1].target_speed = spring_speed(w, block, lane, &c->row[1], moved, s->time);
+        c->row[1].target_speed = update_spring(w, block, lane, &c->row[1], moved, s->time);
     }
 }

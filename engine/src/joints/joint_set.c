@@ -1,4 +1,4 @@
-/* joint_set.c: changing joints; see thud_joint.h. */
+/* joint_set.c: the calls that change joints; see thud_joint.h. */
 #include "joints/gear.h"
 #include "state/handles.h"
 
@@ -28,8 +28,8 @@ thud_result thud_joint_set_drive(thud_world *w, thud_joint_id id, thud_direction
         return td_refuse(w, THUD_ERROR_MEMORY, "joint set drive: out of memory");
     }
     joint->drive[direction] = td_drive_of(drive);
-    td_joint_settle(w, index);
-    td_joint_look_at_drive(w, drive);
+    td_joint_update_parts(w, index);
+    td_joint_warn_of_drive(w, drive);
     return THUD_OK;
 }
 
@@ -64,8 +64,8 @@ thud_result thud_joint_set_enabled(thud_world *w, thud_joint_id id, bool enabled
         return THUD_OK;
     }
     joint->disabled = !enabled;
-    if (enabled && joint->kind == THUD_GEAR && td_gear_whole(w, joint)) {
-        td_gear_begin(w, joint);
+    if (enabled && joint->kind == THUD_GEAR && td_gear_has_joints(w, joint)) {
+        td_gear_set_rest(w, joint);
     }
     for (int i = 0; i < TD_JOINT_PARTS; i++) {
         int part = joint->part[i];
@@ -91,7 +91,7 @@ thud_result thud_joint_set_frame(thud_world *w, thud_joint_id id, int side,
                          "joint set frame: the joint has none, or side is neither 0 nor 1");
     }
     td_reason why;
-    if (!td_joint_frame_in(w, &why, &frame)) {
+    if (!td_joint_frame_valid(w, &why, &frame)) {
         return td_refuse(w, THUD_ERROR_INVALID, why.text);
     }
     td_joint_set_place(joint, side != (int)joint->swapped, &frame);

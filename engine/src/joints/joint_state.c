@@ -1,13 +1,15 @@
-/* joint_state.c: what callers read of a joint; see thud_joint.h. */
+/* joint_state.c: finds joints by their handles, and reads them; see thud_joint.h. */
 #include "joints/gear.h"
 #include "state/handles.h"
 
-/* Of a gear its joints count as well: it goes with them, in the next step. */
+/* Whether a slot holds a joint. A gear of which a joint is gone is destroyed as the next step
+ * begins, and counts as gone already. */
 static bool is_there(const thud_world *w, int index) {
     const td_joint *joint = td_joint_at(w, index);
-    return joint->live && (joint->kind != THUD_GEAR || td_gear_whole(w, joint));
+    return joint->live && (joint->kind != THUD_GEAR || td_gear_has_joints(w, joint));
 }
 
+/* Whether a handle names a joint of this world. */
 static bool is_live(const thud_world *w, thud_joint_id id) {
     return id.index1 > 0 && id.index1 <= (uint32_t)w->joints.count &&
            is_there(w, (int)(id.index1 - 1)) &&
@@ -64,6 +66,7 @@ thud_joint_id td_joint_handle(const thud_world *w, int index) {
     return (thud_joint_id){(uint32_t)index + 1, td_tag(w, td_joint_at(w, index)->generation)};
 }
 
+/* Appends a joint's handle to a list, if there is room; returns the new count. */
 static int list(const thud_world *w, int index, thud_joint_id *out, int capacity, int count) {
     if (!is_there(w, index)) {
         return count;
@@ -82,7 +85,7 @@ int thud_world_joints(const thud_world *w, thud_joint_id *out, int capacity) {
     return count;
 }
 
-/* The part of a joint by which lists name it. */
+/* The first part of a joint: a body's list has each joint once, by this part. */
 static int first_part(const td_joint *joint) {
     for (int i = 0; i < TD_JOINT_PARTS; i++) {
         if (joint->part[i] != TD_NONE) {

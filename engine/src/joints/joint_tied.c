@@ -1,12 +1,15 @@
-/* joint_tied.c: see tied_bodies.h. */
+/* joint_tied.c: makes the groups of tied bodies of a step (constraint/tied_bodies.h), and stops
+ * them together. Groups are found by union-find over the joints (islands/label.h); the circular
+ * lists are merged at each union. */
 #include "constraint/joint_hooks.h"
 #include "constraint/tied_bodies.h"
 #include "detection/detection.h"
 #include "islands/label.h"
 #include "joints/joint.h"
 
-/* Two rings become one where their next ones change places. */
-static void tie(thud_world *w, td_awake_slot a, td_awake_slot b) {
+/* Joins the groups of two bodies. Two circular lists become one where one link of each is swapped.
+ */
+static void join_groups(thud_world *w, td_awake_slot a, td_awake_slot b) {
     td_awake_slot *parents = w->scratch.parents.data;
     td_awake_slot root_a = td_root_of(parents, a), root_b = td_root_of(parents, b);
     if (root_a.at != root_b.at) {
@@ -17,24 +20,28 @@ static void tie(thud_world *w, td_awake_slot a, td_awake_slot b) {
     }
 }
 
-/* Whether it locks a body to what it cannot move, in so many directions that an impact on the way
- * would tear it: a rod leaves all but one free. Locks of axes leave bodies to detection, too. */
-static bool holds_still(const thud_world *w, const td_joint *joint) {
+/* Whether a joint with a static or kinematic body locks so many directions that detection, by
+ * stopping the dynamic body on its way, would open it. A rod locks one direction and does not
+ * count; nor do locks of single axes (edits/locks.c). */
+static bool fixes_body(const thud_world *w, const td_joint *joint) {
     return joint->kind != THUD_DISTANCE && !td_joint_is_lock(w, joint, joint->body[1]);
 }
 
-static void tie_down(const thud_world *w, td_awake_slot slot) {
+/* Marks a body that is alone in its group as fixed. Slot 0 is no body. */
+static void mark_fixed(const thud_world *w, td_awake_slot slot) {
     if (td_tied_link(w, slot)->at == slot.at && slot.at > 0) {
         td_tied_link(w, slot)->at = TD_NONE;
     }
 }
 
+/* The awake slot of a dynamic body; slot 0 for others, and where it sleeps. */
 static td_awake_slot moving_slot(const thud_world *w, td_body_index body) {
     const td_body *b = td_body_at(w, body);
     return b->kind == THUD_DYNAMIC && b->awake.at > 0 ? b->awake : (td_awake_slot){0};
 }
 
-/* Springs and motors give way anyway, and tie nothing; rooms are made by td_joints_engage. */
+/* Only locked directions tie: springs and motors may be displaced. td_joints_engage has reserved
+ * the memory. */
 void td_joints_tie(thud_world *w) {
     if (w->scratch.next_tied.count > 0) {
         return;
@@ -50,9 +57,9 @@ void td_joints_tie(thud_world *w) {
         if (joint->live && joint->locked && td_joint_acts(w, joint)) {
             td_awake_slot a = moving_slot(w, joint->body[0]), b = moving_slot(w, joint->body[1]);
             if (a.at > 0 && b.at > 0) {
-                tie(w, a, b);
-            } else if (holds_still(w, joint)) {
-                tie_down(w, a.at > 0 ? a : b);
+                join_groups(w, a, b);
+            } else if (fixes_body(w, joint)) {
+                mark_fixed(w, a.at > 0 ? a : b);
             }
         }
     }

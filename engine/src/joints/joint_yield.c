@@ -1,18 +1,34 @@
-/* joint_yield.c: joints lose against static shapes.
+/* joint_yield.c: joints yield where they press a body into a static shape: a correction of the
+ * step's motions and velocities after the solver, by projected Gauss-Seidel.
  *
- * A joint that pulls a body against what cannot move (a rope that is reeled in, a motor without a
- * greatest force) makes a problem that has no solution. The solver's impulses of both sides grow
- * from substep to substep then; a contact is soft, gives way in proportion to its impulse, and is
- * pressed in by as much in each step. So what the solver has made of a step is looked at
- * afterwards. Where a body that joints act on ends it deeper in a static shape than it began, by
- * more than LOST_SHARE, it is put back, and with it all that locked joints tie to it; so is a ring
- * that touches something static where a motor with force left misses its speed and a lock has
- * opened. By projected Gauss-Seidel on the motions of the step, and then on the velocities, locks
- * are closed again and contacts are opened; contacts come last and have the last word. Drives give
- * way: a motor stalls, a rope stays open. None of it leaves with more energy than it came with.
+ * A joint that pulls a body against a static shape (a rope that is shortened, a motor without a
+ * maximum force) and the contact there are a problem without a solution. The solver's impulses of
+ * joint and contact grow from substep to substep, and the soft contact, which overlaps in
+ * proportion to its impulse, is pressed in further in each step. So the result of a step is checked
+ * after the solver. A group of tied bodies (constraint/tied_bodies.h; a body without locked joints
+ * is a group of its own) is corrected
+ * - where a contact of one of its bodies with a static shape overlaps more than before the step and
+ *   more than DEPTH_SHARE_DETECT allows, and a joint acts on that body; or
+ * - where one of its motors misses its target speed although its force is below its maximum, a
+ *   contact with a static shape touches, and a lock has opened or such a contact is too deep.
  *
- * The next step begins without the impulses of those joints and contacts, which would grow without
- * end. */
+ * A row's value is J x, where J is its Jacobian and x first the motions of the group's bodies in
+ * this step (thud_world.delta), then their velocities. Where the value has to change by c, with the
+ * masses and moments of inertia M,
+ *     x += M^-1 J' c / (J M^-1 J').
+ * Targets of the motions: the gap of a lock is 0, or what is left of the gap before the step
+ * (excess_gap); the separation of a contact is at least min_separation. Targets of the velocities:
+ * 0 along a lock, and >= 0 along a contact point that touches.
+ * GROUP_PASSES passes solve motors, locks and contacts in this order, and CONTACT_PASSES more the
+ * contacts alone, so that where rows contradict each other the contacts are satisfied: a rope stays
+ * too long, and a motor stalls. The velocities are scaled down where they have more kinetic energy
+ * than gravity and forces explain (limit_energy).
+ *
+ * The next step begins without the impulses of the joints that yielded and of their static contacts
+ * (td_joints_forget); kept, they would grow without bound. step.c calls td_joints_forget before the
+ * solver and td_joints_yield after it.
+ *
+ * The rule for motions is the projection of M. Mueller et al., "Position Based Dynamics" (2006). */
 #include "constraint/joint_hooks.h"
 #include "constraint/tied_bodies.h"
 #include "detection/trajectory.h"
@@ -22,271 +38,311 @@
 #include "state/kinds.h"
 #include "state/shape.h"
 
-/* A contact may be pressed in to this share of the smallest half extent of the body, or of half the
- * thickness of the static shape where that is less. Chosen. */
-#define SINK_SHARE 0.1f
-/* A joint is taken to press without end once a contact sinks further than this share; from then on
- * SINK_SHARE counts. Impacts press limbs of ragdolls in as far as the first for a few steps.
- * Chosen.
- */
-#define LOST_SHARE 0.4f
-/* What is deeper already, as bodies are that were made there, comes out at this share of the
- * world's push_speed. Chosen. */
-#define PUSH_SHARE 0.2
+/* Overlaps are limited to shares of an extent: the smallest half extent of the body, or half the
+ * thickness of the static shape where that is less.
+ *
+ * Share that a contact may overlap once its joint has yielded. Chosen; thud_joint.h states it, and
+ * floor_bears_what_is_reeled_in (test_distances.c) and
+ * motor_stalls_at_a_wall_and_its_hinge_stays_closed (test_joints_held.c) hold bodies to it. */
+#define DEPTH_SHARE_MAX 0.1f
+/* Share beyond which a joint is found to yield; while its group yielded in the last step,
+ * DEPTH_SHARE_MAX is used instead. It is greater because impacts press limbs of ragdolls in further
+ * than DEPTH_SHARE_MAX for a few steps, and their joints must not yield. Chosen; thud_joint.h
+ * states it, and floor_bears_what_is_reeled_in fails at twice this. */
+#define DEPTH_SHARE_DETECT 0.4f
+/* A contact that overlaps by more than the limit as a step begins, as that of a body created inside
+ * of a shape, has to separate at this share of the world's push_speed. Measured: at half and at
+ * double, an arm of motor_stalls_at_a_wall_and_its_hinge_stays_closed ends within the block that it
+ * meets (beyond 0.18 rad). */
+#define RECOVERY_SHARE 0.2
 
 enum {
-    PASSES = 24, /* Gauss-Seidel passes over a ring, each for motions and for velocities */
-    LAST = 8     /* of contacts alone, behind them */
+    /* Gauss-Seidel passes over all rows of a group, for motions and again for velocities. Measured:
+     * at half of them the hinge of motor_stalls_at_a_wall_and_its_hinge_stays_closed opens by more
+     * than 0.002; twice as many change no test. */
+    GROUP_PASSES = 24,
+    /* Passes over contacts alone after them. Chosen, with a margin: with 1 the tests of yielding
+     * joints pass as well (test_joints_held.c, test_distances.c). */
+    CONTACT_PASSES = 8
 };
 
 struct finding;
 
-/* A ring of bodies (constraint/tied_bodies.h), or one body alone. */
-typedef struct ring {
+/* A group of tied bodies and what is done with it. */
+typedef struct tied_group {
     thud_world *w;
-    td_awake_slot first;
-    bool velocities; /* velocities are being mended; motions are before */
-    struct finding *found;
-    float core;  /* smallest half extent of its bodies */
-    float share; /* of that, from which on a joint has lost */
-} ring;
+    td_awake_slot first;   /* any of its bodies */
+    bool on_velocities;    /* rows act on velocities; false: on the motions of the step */
+    struct finding *found; /* out: what inspect_constraint found */
+    float core;            /* smallest half extent of its bodies, a length */
+    float depth_share;     /* DEPTH_SHARE_DETECT, or DEPTH_SHARE_MAX after a step in which one of
+                              its joints yielded */
+} tied_group;
 
-/* Calls `visit` for each acting constraint of the ring's bodies, once. */
-static void walk(const ring *r, void (*visit)(const ring *r, const td_constraint *constraint)) {
-    const thud_world *w = r->w;
-    td_awake_slot slot = r->first;
+/* Calls `visit` once for each acting constraint of the group's bodies. One with a dynamic body
+ * outside of the group (a contact, or a joint that locks nothing) is left out where that body is
+ * side a. */
+static void for_each_constraint(const tied_group *g,
+                                void (*visit)(const tied_group *g,
+                                              const td_constraint *constraint)) {
+    const thud_world *w = g->w;
+    td_awake_slot slot = g->first;
     do {
         int e = td_body_at(w, td_body_of(w, slot))->first_constraint;
         for (; e != TD_NONE; e = td_next_edge(w, e)) {
             const td_constraint *constraint = td_constraint_at(w, e / 2);
             bool first = !(e & 1) || !td_island_neighbour(w, constraint, e & 1).at;
             if (constraint->state == TD_TOUCHING && first) {
-                visit(r, constraint);
+                visit(g, constraint);
             }
         }
         slot = td_next_tied(w, slot);
-    } while (slot.at != r->first.at);
+    } while (slot.at != g->first.at);
 }
 
 /* ---- rows ---- */
 
-/* The motion or the velocity that a pass mends, of a side. */
-static float *record_of(const ring *r, uint32_t side) {
+/* The motion or the velocity (x, y, turn) of a lane's side, by on_velocities. */
+static float *record_of(const tied_group *g, uint32_t side) {
     td_awake_slot slot = td_slot_of_side(side);
-    return r->velocities ? td_row(&r->w->velocity, slot) : td_row(&r->w->delta, slot);
+    return g->on_velocities ? td_row(&g->w->velocity, slot) : td_row(&g->w->delta, slot);
 }
 
-/* A direction of a lane: from side a to side b, and the crosses of the arms with it. */
-typedef struct direction {
+/* A row's Jacobian: a direction n from side a to side b, and the lever arms crossed with it.
+ * J x = n . (x_b - x_a) + cross_b turn_b - cross_a turn_a. */
+typedef struct row_direction {
     double x, y, cross_a, cross_b;
-} direction;
+} row_direction;
 
-static double along(const ring *r, const td_lane *at, const direction *n) {
-    const float *a = record_of(r, at->block->a[at->lane]),
-                *b = record_of(r, at->block->b[at->lane]);
+/* J x of a row, for the motion or the velocity. */
+static double row_value(const tied_group *g, const td_lane *at, const row_direction *n) {
+    const float *a = record_of(g, at->block->a[at->lane]),
+                *b = record_of(g, at->block->b[at->lane]);
     return n->x * ((double)b[0] - (double)a[0]) + n->y * ((double)b[1] - (double)a[1]) +
            n->cross_b * (double)b[2] - n->cross_a * (double)a[2];
 }
 
-static void add(float *record, double mass, double inertia, const direction *n, double cross,
-                double impulse) {
+/* Adds an impulse times the inverse mass and inertia of one side to its record. */
+static void add_to_record(float *record, double mass, double inertia, const row_direction *n,
+                          double cross, double impulse) {
     record[0] += (float)(mass * n->x * impulse);
     record[1] += (float)(mass * n->y * impulse);
     record[2] += (float)(inertia * cross * impulse);
 }
 
-/* Changes what a lane has along a direction by so much. Sides that nothing moves have no mass. */
-static void correct(const ring *r, const td_lane *at, const direction *n, double by) {
+/* Changes J x of a row by `change`. Static and kinematic sides have inverse masses of 0, and stay.
+ */
+static void change_row_value(const tied_group *g, const td_lane *at, const row_direction *n,
+                             double change) {
     const td_block *block = at->block;
     uint32_t a = block->a[at->lane], b = block->b[at->lane];
-    double mass_a = (double)td_row(&r->w->velocity, td_slot_of_side(a))[3];
-    double mass_b = (double)td_row(&r->w->velocity, td_slot_of_side(b))[3];
+    double mass_a = (double)td_row(&g->w->velocity, td_slot_of_side(a))[3];
+    double mass_b = (double)td_row(&g->w->velocity, td_slot_of_side(b))[3];
     double inertia_a = (double)block->inv_inertia_a[at->lane];
     double inertia_b = (double)block->inv_inertia_b[at->lane];
     double k = (mass_a + mass_b) * (n->x * n->x + n->y * n->y) +
                inertia_a * n->cross_a * n->cross_a + inertia_b * n->cross_b * n->cross_b;
-    if (k > 0.0 && by != 0.0) {
-        add(record_of(r, b), mass_b, inertia_b, n, n->cross_b, by / k);
+    if (k > 0.0 && change != 0.0) {
+        add_to_record(record_of(g, b), mass_b, inertia_b, n, n->cross_b, change / k);
         if (mass_a + inertia_a > 0.0) {
-            add(record_of(r, a), mass_a, inertia_a, n, n->cross_a, -by / k);
+            add_to_record(record_of(g, a), mass_a, inertia_a, n, n->cross_a, -change / k);
         }
     }
 }
 
-/* ---- contacts with what is static ---- */
+/* ---- contacts with static shapes ---- */
 
+/* Static sides are side a, and have slot 0. */
 static bool is_static_contact(const td_constraint *constraint, const td_lane *at) {
     return td_is_contact(constraint) && constraint->kind != TD_PAIR_SENSOR &&
            at->block->a[at->lane] == 0;
 }
 
-static direction normal_of(const td_lane *at, int k) {
+/* The row of a contact's point. */
+static row_direction contact_normal(const td_lane *at, int k) {
     const td_point *p = &at->block->point[k];
-    return (direction){(double)at->block->nx[at->lane], (double)at->block->ny[at->lane],
-                       (double)p->cross_a[at->lane], (double)p->cross_b[at->lane]};
+    return (row_direction){(double)at->block->nx[at->lane], (double)at->block->ny[at->lane],
+                           (double)p->cross_a[at->lane], (double)p->cross_b[at->lane]};
 }
 
-/* The separation that a point may have at least as the step ends, by a share of what is thinner. */
-static double least_of(const thud_world *w, const td_lane *at, int k, float share) {
+/* The least separation that a contact point may have at the end of the step, a length: -share times
+ * the extent; where the step began below that, what it began with plus the recovery of a step. */
+static double min_separation(const thud_world *w, const td_lane *at, int k, float share) {
     const td_block *block = at->block;
     float core = td_row(&w->reach, td_slot_of_side(block->b[at->lane]))[0];
     const td_shape *shape = td_shape_at(w, block->shape_a[at->lane]);
-    float thin = td_kind_is_line(shape->kind) ? core : td_half_thickness(shape);
-    double least = -(double)(share * td_min_float(core, thin));
-    double out = PUSH_SHARE * (double)(w->def.push_speed * w->unit) * w->def.time_step;
-    return td_min_double(least, (double)block->point[k].base[at->lane] + out);
+    float half_thickness = td_kind_is_line(shape->kind) ? core : td_half_thickness(shape);
+    double limit = -(double)(share * td_min_float(core, half_thickness));
+    double recovery = RECOVERY_SHARE * (double)(w->def.push_speed * w->unit) * w->def.time_step;
+    return td_min_double(limit, (double)block->point[k].base[at->lane] + recovery);
 }
 
-/* Whether a point has gone deeper in the step than it may. */
-static bool sinks(const thud_world *w, const td_lane *at, int k, float share) {
+/* Whether a contact point overlaps more than at the start of the step, and more than it may. */
+static bool sank_too_deep(const thud_world *w, const td_lane *at, int k, float share) {
     const td_point *p = &at->block->point[k];
     double now = (double)p->separation[at->lane];
     return p->normal_mass[at->lane] > 0.0f && now < (double)p->base[at->lane] &&
-           now < least_of(w, at, k, share);
+           now < min_separation(w, at, k, share);
 }
 
-static void mend_contact(const ring *r, const td_constraint *constraint) {
+/* Corrects the points of a contact with a static shape: motions to the least separation, velocities
+ * of points that touch to >= 0. */
+static void correct_contact(const tied_group *g, const td_constraint *constraint) {
     if (!td_is_contact(constraint)) {
         return;
     }
-    td_lane at = td_lane_of(r->w, constraint);
-    int points = td_form_points(r->w->kinds[constraint->kind]->form);
+    td_lane at = td_lane_of(g->w, constraint);
+    int points = td_form_points(g->w->kinds[constraint->kind]->form);
     for (int k = 0; k < points && is_static_contact(constraint, &at); k++) {
         td_point *p = &at.block->point[k];
-        direction n = normal_of(&at, k);
-        double speed = along(r, &at, &n);
+        row_direction n = contact_normal(&at, k);
+        double speed = row_value(g, &at, &n);
         if (p->normal_mass[at.lane] == 0.0f) {
             continue;
         }
-        if (!r->velocities) {
+        if (!g->on_velocities) {
             double now = (double)p->base[at.lane] + speed;
-            correct(r, &at, &n, td_max_double(least_of(r->w, &at, k, SINK_SHARE) - now, 0.0));
+            change_row_value(g, &at, &n,
+                             td_max_double(min_separation(g->w, &at, k, DEPTH_SHARE_MAX) - now,
+                                           0.0));
         } else if (p->separation[at.lane] <= 0.0f) {
-            correct(r, &at, &n, td_max_double(-speed, 0.0));
+            change_row_value(g, &at, &n, td_max_double(-speed, 0.0));
         }
     }
 }
 
-/* ---- what joints lock ---- */
+/* ---- locked directions ---- */
 
-/* A gap that was there as the step began may stay as far as it does not close at
- * TD_JOINT_CLOSING. */
-static double excess_of(const thud_world *w, double before, double now) {
+/* The part of a gap `now` (a length or an angle) that has to be closed, with its sign. A gap that
+ * was open `before` the step may stay as wide as TD_JOINT_CLOSING leaves it in a step. */
+static double excess_gap(const thud_world *w, double before, double now) {
     double left =
         td_max_double(td_abs(before) - (double)(TD_JOINT_CLOSING * w->unit) * w->def.time_step,
                       0.0);
     return now > left ? now - left : now < -left ? now + left : 0.0;
 }
 
-static void mend_row(const ring *r, const td_lane *at, const direction *n, double before,
-                     double now) {
-    correct(r, at, n, r->velocities ? -along(r, at, n) : -excess_of(r->w, before, now));
+/* Corrects a locked row with gaps `before` the step and `now`: its gap, or its speed to 0. */
+static void correct_row(const tied_group *g, const td_lane *at, const row_direction *n,
+                        double before, double now) {
+    change_row_value(g, at, n,
+                     g->on_velocities ? -row_value(g, at, n) : -excess_gap(g->w, before, now));
 }
 
-static void mend_rod(const ring *r, const td_lane *at) {
-    double a[3], b[3], wanted = (double)td_lock_rows_at(at->block)->turn_base[at->lane];
+/* A locked distance: one row along the line between the anchors as it is after the motion. */
+static void correct_rod(const tied_group *g, const td_lane *at) {
+    double a[3], b[3], target = (double)td_lock_rows_at(at->block)->turn_base[at->lane];
     double before = (double)at->block->point[0].base[at->lane];
-    td_joint_motion(r->w, at->block, at->lane, a, b);
-    td_joint_frame f = td_joint_line_after(at->block, at->lane, before + wanted, 0.0, a, b);
-    mend_row(r, at, &(direction){f.x, f.y, f.a_u, f.b_u}, before, f.gap_u - wanted);
+    td_joint_motion(g->w, at->block, at->lane, a, b);
+    td_joint_frame f = td_joint_line_after(at->block, at->lane, before + target, 0.0, a, b);
+    correct_row(g, at, &(row_direction){f.x, f.y, f.a_u, f.b_u}, before, f.gap_u - target);
 }
 
-static td_joint_frame frame_of(const ring *r, const td_lane *at) {
+/* The frame of a lock lane after the motion of the step, as it is now. */
+static td_joint_frame frame_of(const tied_group *g, const td_lane *at) {
     double a[3], b[3];
     const td_point *p = at->block->point;
-    td_joint_motion(r->w, at->block, at->lane, a, b);
+    td_joint_motion(g->w, at->block, at->lane, a, b);
     return td_joint_frame_after(at->block, at->lane, (double)p[0].base[at->lane],
                                 (double)p[1].base[at->lane],
                                 td_lock_rows_at(at->block)->frame[at->lane] > 0.0f, a, b);
 }
 
-static void mend_hold(const ring *r, const td_lane *at) {
+/* The locked directions of a lane: turn, along, across. Each sees the motion that the one before
+ * has corrected. */
+static void correct_lock(const tied_group *g, const td_lane *at) {
     const td_block *block = at->block;
     const td_point *p = block->point;
     const td_lock_rows *rows = td_lock_rows_at(block);
     if (block->tangent_mass[at->lane] > 0.0f) {
         double a[3], b[3], sign = (double)rows->turn_sign[at->lane];
         double before = (double)rows->turn_base[at->lane];
-        td_joint_motion(r->w, block, at->lane, a, b);
-        mend_row(r, at, &(direction){0.0, 0.0, sign, sign}, before, before + sign * (b[2] - a[2]));
+        td_joint_motion(g->w, block, at->lane, a, b);
+        correct_row(g, at, &(row_direction){0.0, 0.0, sign, sign}, before,
+                    before + sign * (b[2] - a[2]));
     }
     if (p[0].normal_mass[at->lane] > 0.0f) {
-        td_joint_frame f = frame_of(r, at);
-        mend_row(r, at, &(direction){f.x, f.y, f.a_u, f.b_u}, (double)p[0].base[at->lane], f.gap_u);
+        td_joint_frame f = frame_of(g, at);
+        correct_row(g, at, &(row_direction){f.x, f.y, f.a_u, f.b_u}, (double)p[0].base[at->lane],
+                    f.gap_u);
     }
     if (p[1].normal_mass[at->lane] > 0.0f) {
-        td_joint_frame f = frame_of(r, at);
-        mend_row(r, at, &(direction){-f.y, f.x, f.a_v, f.b_v}, (double)p[1].base[at->lane],
-                 f.gap_v);
+        td_joint_frame f = frame_of(g, at);
+        correct_row(g, at, &(row_direction){-f.y, f.x, f.a_v, f.b_v}, (double)p[1].base[at->lane],
+                    f.gap_v);
     }
 }
 
-static void mend_lock(const ring *r, const td_constraint *constraint) {
+static void correct_lock_or_rod(const tied_group *g, const td_constraint *constraint) {
     if (constraint->kind == TD_CONSTRAINT_ROD || constraint->kind == TD_CONSTRAINT_LOCK) {
-        td_lane at = td_lane_of(r->w, constraint);
+        td_lane at = td_lane_of(g->w, constraint);
         if (constraint->kind == TD_CONSTRAINT_ROD) {
-            mend_rod(r, &at);
+            correct_rod(g, &at);
         } else {
-            mend_hold(r, &at);
+            correct_lock(g, &at);
         }
     }
 }
 
-/* ---- what drives ---- */
+/* ---- motors ---- */
 
 static bool is_drive(int kind) {
     return kind >= TD_CONSTRAINT_DRIVE_LINE && kind <= TD_CONSTRAINT_DRIVE_TURN;
 }
 
-/* As it was at the start of the step. */
-static direction drive_of(const td_lane *at, int kind) {
+/* The row of a drive's direction, as it was at the start of the step. An axis turns with body a,
+ * whose lever arm ends at b's anchor then. */
+static row_direction drive_direction(const td_lane *at, int kind) {
     const td_block *block = at->block;
     const td_point *p = &block->point[0];
     const td_drive_rows *rows = td_drive_rows_at(block);
     double sign = (double)rows->turn_sign[at->lane];
     if (kind == TD_CONSTRAINT_DRIVE_TURN) {
-        return (direction){0.0, 0.0, sign, sign};
+        return (row_direction){0.0, 0.0, sign, sign};
     }
     double lever = kind == TD_CONSTRAINT_DRIVE_AXIS ? (double)rows->gap_v[at->lane] : 0.0;
-    return (direction){(double)block->nx[at->lane], (double)block->ny[at->lane],
-                       (double)p->cross_a[at->lane] - lever, (double)p->cross_b[at->lane]};
+    return (row_direction){(double)block->nx[at->lane], (double)block->ny[at->lane],
+                           (double)p->cross_a[at->lane] - lever, (double)p->cross_b[at->lane]};
 }
 
-/* Of a motor, by what it gave in the last substep. */
-static bool has_force_left(const thud_world *w, const td_lane *at) {
-    float most = td_drive_rows_at(at->block)->motor_most[at->lane];
-    return td_joint_size(at->block->tangent_impulse[at->lane]) <
-           most * (float)(w->def.time_step / w->substeps);
+/* Whether a motor's impulse in the last substep was below its maximum force. False for drives
+ * without a motor. */
+static bool motor_below_max_force(const thud_world *w, const td_lane *at) {
+    float max_force = td_drive_rows_at(at->block)->motor_most[at->lane];
+    return td_joint_abs(at->block->tangent_impulse[at->lane]) <
+           max_force * (float)(w->def.time_step / w->substeps);
 }
 
-/* A motor that has force left lets nothing go back against it, but for what locks and contacts ask
- * of a motion. */
-static void mend_drive(const ring *r, const td_constraint *constraint) {
+/* A motor below its maximum force keeps its direction from moving against its target speed: such a
+ * motion or velocity becomes 0. Locks and contacts, which are corrected after it, may still move it
+ * back. */
+static void correct_motor(const tied_group *g, const td_constraint *constraint) {
     if (!is_drive(constraint->kind)) {
         return;
     }
-    td_lane at = td_lane_of(r->w, constraint);
-    direction n = drive_of(&at, constraint->kind);
-    double wanted = (double)td_drive_rows_at(at.block)->motor_speed[at.lane];
-    double speed = along(r, &at, &n);
-    if (has_force_left(r->w, &at) && speed * wanted <= 0.0) {
-        correct(r, &at, &n, -speed);
+    td_lane at = td_lane_of(g->w, constraint);
+    row_direction n = drive_direction(&at, constraint->kind);
+    double target = (double)td_drive_rows_at(at.block)->motor_speed[at.lane];
+    double speed = row_value(g, &at, &n);
+    if (motor_below_max_force(g->w, &at) && speed * target <= 0.0) {
+        change_row_value(g, &at, &n, -speed);
     }
 }
 
-/* ---- after the step ---- */
+/* ---- impulses and separations ---- */
 
-static void note_contact(const ring *r, const td_constraint *constraint) {
-    td_lane at = td_lane_of(r->w, constraint);
-    int points = td_form_points(r->w->kinds[constraint->kind]->form);
+/* Recomputes the separations of a static contact for the corrected motion. */
+static void update_separations(const tied_group *g, const td_constraint *constraint) {
+    td_lane at = td_lane_of(g->w, constraint);
+    int points = td_form_points(g->w->kinds[constraint->kind]->form);
     for (int k = 0; k < points && is_static_contact(constraint, &at); k++) {
-        direction n = normal_of(&at, k);
+        row_direction n = contact_normal(&at, k);
         at.block->point[k].separation[at.lane] =
-            at.block->point[k].base[at.lane] + (float)along(r, &at, &n);
+            at.block->point[k].base[at.lane] + (float)row_value(g, &at, &n);
     }
 }
 
-static void forget_impulses(const thud_world *w, const td_constraint *constraint) {
+static void clear_impulses(const thud_world *w, const td_constraint *constraint) {
     td_lane at = td_lane_of(w, constraint);
     int points = td_form_points(w->kinds[constraint->kind]->form);
     for (int k = 0; k < points; k++) {
@@ -295,35 +351,39 @@ static void forget_impulses(const thud_world *w, const td_constraint *constraint
     at.block->tangent_impulse[at.lane] = 0.0f;
 }
 
-/* The impulses stay for whoever asks for them after the step, and for joints that break. */
-static void note_loss(const ring *r, const td_constraint *constraint) {
+/* Marks the lane of a joint's constraint as yielded. Its impulses are kept until the next step, for
+ * reports of forces and for joints that break. */
+static void mark_yielded(const tied_group *g, const td_constraint *constraint) {
     if (!td_is_contact(constraint)) {
-        td_lane at = td_lane_of(r->w, constraint);
+        td_lane at = td_lane_of(g->w, constraint);
         at.block->mark[at.lane].rule = TD_LANE_LOST;
     }
 }
 
-static void forget_body(const thud_world *w, td_body_index body) {
+/* Sets the impulses of a body's contacts with static shapes to 0. */
+static void clear_static_contacts(const thud_world *w, td_body_index body) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, e / 2);
         if (constraint->state == TD_TOUCHING && td_is_contact(constraint)) {
             td_lane at = td_lane_of(w, constraint);
             if (is_static_contact(constraint, &at)) {
-                forget_impulses(w, constraint);
+                clear_impulses(w, constraint);
             }
         }
     }
 }
 
-static void forget_block(const thud_world *w, td_block *block) {
+/* Clears the impulses of the lanes that yielded in the last step, and ages the marks: yielded in
+ * the last solve (TD_LANE_LOST) becomes yielded in the one before (TD_LANE_WAS_LOST). */
+static void clear_yielded_lanes(const thud_world *w, td_block *block) {
     for (int lane = 0; lane < block->used; lane++) {
-        bool lost = block->mark[lane].rule & TD_LANE_LOST;
-        block->mark[lane].rule = lost ? TD_LANE_WAS_LOST : 0;
-        if (lost) {
+        bool yielded = block->mark[lane].rule & TD_LANE_LOST;
+        block->mark[lane].rule = yielded ? TD_LANE_WAS_LOST : 0;
+        if (yielded) {
             const td_constraint *constraint = td_constraint_at(w, block->constraint[lane]);
-            forget_impulses(w, constraint);
-            forget_body(w, constraint->body[0]);
-            forget_body(w, constraint->body[1]);
+            clear_impulses(w, constraint);
+            clear_static_contacts(w, constraint->body[0]);
+            clear_static_contacts(w, constraint->body[1]);
         }
     }
 }
@@ -336,138 +396,148 @@ void td_joints_forget(thud_world *w) {
             td_block *block = *TD_AT(td_block *, &w->scratch.blocks, run->first + k);
             if (td_any_lane_marked(block,
                                    (td_lane_marks){.rule = TD_LANE_LOST | TD_LANE_WAS_LOST})) {
-                forget_block(w, block);
+                clear_yielded_lanes(w, block);
             }
         }
     }
 }
 
-static void mend_records(const ring *r) {
-    for (int pass = 0; pass < PASSES; pass++) {
-        if (r->velocities || pass < PASSES / 2) {
-            walk(r, mend_drive);
+/* All passes over a group, for the motions or for the velocities. Motions follow motors in the
+ * first half only, so that locks close again in the second. */
+static void run_passes(const tied_group *g) {
+    for (int pass = 0; pass < GROUP_PASSES; pass++) {
+        if (g->on_velocities || pass < GROUP_PASSES / 2) {
+            for_each_constraint(g, correct_motor);
         }
-        walk(r, mend_lock);
-        walk(r, mend_contact);
+        for_each_constraint(g, correct_lock_or_rod);
+        for_each_constraint(g, correct_contact);
     }
-    for (int pass = 0; pass < LAST; pass++) {
-        walk(r, mend_contact);
+    for (int pass = 0; pass < CONTACT_PASSES; pass++) {
+        for_each_constraint(g, correct_contact);
     }
 }
 
-/* Twice the kinetic energy of a body, at a velocity and `more` on top of its parts. */
-static double energy_of(const thud_world *w, td_awake_slot slot, const float *velocity,
-                        const float *more, float times) {
+/* Twice the kinetic energy of a body at speeds |velocity| + |gain times|, component by component:
+ * an upper bound for a body at `velocity` that also gains gain * times. */
+static double twice_energy(const thud_world *w, td_awake_slot slot, const float *velocity,
+                           const float *gain, float times) {
     const td_body *body = td_body_at(w, td_body_of(w, slot));
     double v[3];
     for (int k = 0; k < 3; k++) {
-        v[k] = td_abs((double)velocity[k]) + td_abs((double)(more[k] * times));
+        v[k] = td_abs((double)velocity[k]) + td_abs((double)(gain[k] * times));
     }
     double turning = body->inv_inertia > 0.0f ? v[2] * v[2] / (double)body->inv_inertia : 0.0;
     return (v[0] * v[0] + v[1] * v[1]) / (double)body->inv_mass + turning;
 }
 
-/* What lost has not gained speed by pulling: rows that are nearly opposite to each other leave much
- * of the speed at which they close. Gravity and forces may have given some. */
-static void calm(const ring *r) {
-    const thud_world *w = r->w;
+/* Scales the group's velocities down to the kinetic energy that it had before the step plus what
+ * gravity and forces may have added. Rows that nearly oppose each other do not converge within the
+ * passes, and leave much of the speed with which they approach. */
+static void limit_energy(const tied_group *g) {
+    const thud_world *w = g->w;
     double before = 0.0, after = 0.0;
-    td_awake_slot slot = r->first;
+    td_awake_slot slot = g->first;
     do {
         const float *push = td_row(&w->push, slot);
-        before += energy_of(w, slot, td_row(&w->scratch.before, slot), push, (float)w->substeps);
-        after += energy_of(w, slot, td_row(&w->velocity, slot), push, 0.0f);
+        before += twice_energy(w, slot, td_row(&w->scratch.before, slot), push, (float)w->substeps);
+        after += twice_energy(w, slot, td_row(&w->velocity, slot), push, 0.0f);
         slot = td_next_tied(w, slot);
-    } while (slot.at != r->first.at);
-    float share = after > before ? (float)__builtin_sqrt(before / after) : 1.0f;
+    } while (slot.at != g->first.at);
+    float scale = after > before ? (float)__builtin_sqrt(before / after) : 1.0f;
     do {
         float *velocity = td_row(&w->velocity, slot);
         for (int k = 0; k < 3; k++) {
-            velocity[k] *= share;
+            velocity[k] *= scale;
         }
         slot = td_next_tied(w, slot);
-    } while (slot.at != r->first.at);
+    } while (slot.at != g->first.at);
 }
 
-/* Long arms may have made motions that positions cannot follow. */
-static void clamp_motions(const ring *r) {
-    td_awake_slot slot = r->first;
+/* Limits the group's motions to what poses can represent (td_motion_held): corrections at long
+ * lever arms may exceed it. */
+static void clamp_motions(const tied_group *g) {
+    td_awake_slot slot = g->first;
     do {
-        float *delta = td_row(&r->w->delta, slot);
+        float *delta = td_row(&g->w->delta, slot);
         for (int k = 0; k < 3; k++) {
-            delta[k] = (float)td_motion_held(r->w, k, (double)delta[k]);
+            delta[k] = (float)td_motion_held(g->w, k, (double)delta[k]);
         }
-        slot = td_next_tied(r->w, slot);
-    } while (slot.at != r->first.at);
+        slot = td_next_tied(g->w, slot);
+    } while (slot.at != g->first.at);
 }
 
-static void mend(thud_world *w, td_awake_slot slot) {
-    ring r = {.w = w, .first = slot};
-    mend_records(&r);
-    clamp_motions(&r);
-    walk(&r, note_contact);
-    r.velocities = true;
-    mend_records(&r);
-    calm(&r);
-    walk(&r, note_loss);
+/* Corrects the motions and velocities of the group of `slot`, and marks its joints as yielded. */
+static void put_group_back(thud_world *w, td_awake_slot slot) {
+    tied_group g = {.w = w, .first = slot};
+    run_passes(&g);
+    clamp_motions(&g);
+    for_each_constraint(&g, update_separations);
+    g.on_velocities = true;
+    run_passes(&g);
+    limit_energy(&g);
+    for_each_constraint(&g, mark_yielded);
 }
 
-/* ---- which ---- */
+/* ---- which groups yield ---- */
 
-/* Of a slot in scratch.parents. */
+/* Bits that mark a body, in scratch.parents by awake slot. */
 enum {
-    PRESSED = 1, /* a contact of it with what is static sinks */
-    DRIVEN = 2   /* a motor of it has force left, and does not reach its speed */
+    MARK_PRESSED = 1, /* a contact with a static shape is too deep, and a joint acts on the body */
+    MARK_STALLED = 2  /* a motor misses its target speed, below its maximum force */
 };
 
-static void mark(thud_world *w, td_awake_slot slot, int as) {
+/* Adds bits to the mark of a body; slot 0, which stands for static sides, keeps none. */
+static void mark_body(thud_world *w, td_awake_slot slot, int mark) {
     td_awake_slot *marks = w->scratch.parents.data;
-    marks[slot.at].at |= slot.at > 0 ? as : 0;
+    marks[slot.at].at |= slot.at > 0 ? mark : 0;
 }
 
-/* Whether joints act on a body; and whether one of them lost in the step before. */
-static bool has_joints(const thud_world *w, td_awake_slot slot, bool *lost) {
+/* Whether a joint acts on a body. *yielded: whether one of them yielded in the step before. */
+static bool has_joints(const thud_world *w, td_awake_slot slot, bool *yielded) {
     bool any = false;
-    *lost = false;
+    *yielded = false;
     int e = td_body_at(w, td_body_of(w, slot))->first_constraint;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, e / 2);
         if (constraint->state == TD_TOUCHING && !td_is_contact(constraint)) {
             td_lane at = td_lane_of(w, constraint);
             any = true;
-            *lost |= (at.block->mark[at.lane].rule & TD_LANE_WAS_LOST) != 0;
+            *yielded |= (at.block->mark[at.lane].rule & TD_LANE_WAS_LOST) != 0;
         }
     }
     return any;
 }
 
-/* Motors that miss their speed by no more than this share of it are taken to have reached it. */
-#define SHORT 0.05f
+/* A motor that misses its target speed by no more than this share of it has reached it. Chosen;
+ * half and double change no test of yielding joints. */
+#define STALL_SHARE 0.05f
 
-static bool stalls(const thud_world *w, const td_lane *at, int kind) {
-    const ring r = {.w = (thud_world *)w, .velocities = true};
-    direction n = drive_of(at, kind);
-    float wanted = td_drive_rows_at(at->block)->motor_speed[at->lane];
-    return has_force_left(w, at) &&
-           td_joint_size((float)along(&r, at, &n) - wanted) > SHORT * td_joint_size(wanted);
+/* Whether a drive lane has a motor that misses its target speed below its maximum force. */
+static bool motor_stalls(const thud_world *w, const td_lane *at, int kind) {
+    const tied_group g = {.w = (thud_world *)w, .on_velocities = true};
+    row_direction n = drive_direction(at, kind);
+    float target = td_drive_rows_at(at->block)->motor_speed[at->lane];
+    return motor_below_max_force(w, at) &&
+           td_joint_abs((float)row_value(&g, at, &n) - target) > STALL_SHARE * td_joint_abs(target);
 }
 
-/* What a lane of a drive or of a contact with something static says of its bodies. */
-static int judge(const thud_world *w, const td_lane *at, const td_run *run) {
+/* The MARK_ bit that a lane gives its bodies, or 0. The lane is a drive, or a contact with a static
+ * shape. */
+static int lane_mark(const thud_world *w, const td_lane *at, const td_run *run) {
     if (run->kind >= TD_PAIR_COUNT) {
-        return stalls(w, at, run->kind) ? DRIVEN : 0;
+        return motor_stalls(w, at, run->kind) ? MARK_STALLED : 0;
     }
-    bool any = false, far = false, lost = false;
+    bool deep = false, far = false, yielded = false;
     for (int k = 0; k < td_form_points(w->kinds[run->kind]->form); k++) {
-        any |= sinks(w, at, k, SINK_SHARE);
-        far |= sinks(w, at, k, LOST_SHARE);
+        deep |= sank_too_deep(w, at, k, DEPTH_SHARE_MAX);
+        far |= sank_too_deep(w, at, k, DEPTH_SHARE_DETECT);
     }
-    any = any && has_joints(w, td_slot_of_side(at->block->b[at->lane]), &lost);
-    return any && (far || lost) ? PRESSED : 0;
+    deep = deep && has_joints(w, td_slot_of_side(at->block->b[at->lane]), &yielded);
+    return deep && (far || yielded) ? MARK_PRESSED : 0;
 }
 
-/* Marks bodies by their lanes; false where there are none to be marked. */
-static bool look(thud_world *w) {
+/* Sets the marks of all bodies. False where no body is marked; marks are not initialised then. */
+static bool mark_bodies(thud_world *w) {
     bool any = false;
     for (int i = 0; i < w->scratch.runs.count; i++) {
         const td_run *run = TD_AT(td_run, &w->scratch.runs, i);
@@ -475,75 +545,82 @@ static bool look(thud_world *w) {
         for (int k = 0; k < run->count * TD_LANES && (contacts || is_drive(run->kind)); k++) {
             td_block *block = *TD_AT(td_block *, &w->scratch.blocks, run->first + k / TD_LANES);
             td_lane at = {block, k % TD_LANES};
-            int as = at.lane < block->used ? judge(w, &at, run) : 0;
-            if (as && !any) {
+            int mark = at.lane < block->used ? lane_mark(w, &at, run) : 0;
+            if (mark && !any) {
                 any = true;
                 td_joints_tie(w);
                 memset(w->scratch.parents.data, 0,
                        (size_t)w->body_of.count * sizeof(td_awake_slot));
             }
-            if (as) {
-                mark(w, td_slot_of_side(block->a[at.lane]), as);
-                mark(w, td_slot_of_side(block->b[at.lane]), as);
+            if (mark) {
+                mark_body(w, td_slot_of_side(block->a[at.lane]), mark);
+                mark_body(w, td_slot_of_side(block->b[at.lane]), mark);
             }
         }
     }
     return any;
 }
 
-/* Of a ring: something of it touches what is static, and is deep in it; a lock of it is open by
- * more than a share of its bodies' smallest half extent, and than as the step began. */
+/* What the constraints of a group show:
+ * touches_static: a contact with a static shape has an impulse or overlaps;
+ * locks_open: a lock's gap is wider than depth_share of the group's smallest half extent, and wider
+ *     than at the start of the step;
+ * deep: a contact with a static shape is below its least separation. */
 typedef struct finding {
-    bool touches, opened, deep;
+    bool touches_static, locks_open, deep;
 } finding;
 
-static bool is_wider(float now, float before, float most) {
-    return td_joint_size(now) > td_max_float(most, td_joint_size(before));
+/* Whether a gap is wider than `tolerance`, and than before. */
+static bool opened_wider(float now, float before, float tolerance) {
+    return td_joint_abs(now) > td_max_float(tolerance, td_joint_abs(before));
 }
 
-static void find(const ring *r, const td_constraint *constraint) {
-    finding *found = r->found;
-    td_lane at = td_lane_of(r->w, constraint);
+/* Adds what one constraint shows to the group's finding. */
+static void inspect_constraint(const tied_group *g, const td_constraint *constraint) {
+    finding *found = g->found;
+    td_lane at = td_lane_of(g->w, constraint);
     const td_block *block = at.block;
-    int lane = at.lane, points = td_form_points(r->w->kinds[constraint->kind]->form);
-    bool fixed = is_static_contact(constraint, &at);
+    int lane = at.lane, points = td_form_points(g->w->kinds[constraint->kind]->form);
+    bool on_static = is_static_contact(constraint, &at);
     bool locks = constraint->kind == TD_CONSTRAINT_ROD || constraint->kind == TD_CONSTRAINT_LOCK;
-    for (int k = 0; k < points && fixed; k++) {
+    for (int k = 0; k < points && on_static; k++) {
         const td_point *p = &block->point[k];
-        found->touches |= p->normal_mass[lane] > 0.0f &&
-                          (p->normal_impulse[lane] > 0.0f || p->separation[lane] < 0.0f);
+        found->touches_static |= p->normal_mass[lane] > 0.0f &&
+                                 (p->normal_impulse[lane] > 0.0f || p->separation[lane] < 0.0f);
         found->deep |= p->normal_mass[lane] > 0.0f &&
-                       (double)p->separation[lane] < least_of(r->w, &at, k, r->share);
+                       (double)p->separation[lane] < min_separation(g->w, &at, k, g->depth_share);
     }
     for (int k = 0; k < points && locks; k++) {
         const td_point *p = &block->point[k];
-        found->opened |= p->normal_mass[lane] > 0.0f &&
-                         is_wider(p->separation[lane], p->base[lane], r->share * r->core);
+        found->locks_open |=
+            p->normal_mass[lane] > 0.0f &&
+            opened_wider(p->separation[lane], p->base[lane], g->depth_share * g->core);
     }
 }
 
-/* Whether a marked body's ring is to be mended. */
-static bool yields(thud_world *w, td_awake_slot slot) {
+/* Whether the group of a marked body is to be corrected: see the head of the file. */
+static bool group_must_yield(thud_world *w, td_awake_slot slot) {
     const td_awake_slot *marks = w->scratch.parents.data;
     finding found = {false, false, false};
-    ring r = {.w = w, .first = slot, .found = &found, .core = 3e38f, .share = LOST_SHARE};
-    int as = 0;
+    tied_group g = {
+        .w = w, .first = slot, .found = &found, .core = 3e38f, .depth_share = DEPTH_SHARE_DETECT};
+    int mark = 0;
     td_awake_slot i = slot;
     do {
-        bool lost;
-        as |= marks[i.at].at;
-        r.core = td_min_float(r.core, td_row(&w->reach, i)[0]);
-        r.share = has_joints(w, i, &lost) && lost ? SINK_SHARE : r.share;
+        bool yielded;
+        mark |= marks[i.at].at;
+        g.core = td_min_float(g.core, td_row(&w->reach, i)[0]);
+        g.depth_share = has_joints(w, i, &yielded) && yielded ? DEPTH_SHARE_MAX : g.depth_share;
         i = td_next_tied(w, i);
     } while (i.at != slot.at);
-    if (!(as & PRESSED)) {
-        walk(&r, find);
+    if (!(mark & MARK_PRESSED)) {
+        for_each_constraint(&g, inspect_constraint);
     }
-    return as & PRESSED || (found.touches && (found.opened || found.deep));
+    return mark & MARK_PRESSED || (found.touches_static && (found.locks_open || found.deep));
 }
 
 void td_joints_yield(thud_world *w) {
-    if (!look(w)) {
+    if (!mark_bodies(w)) {
         return;
     }
     td_awake_slot *marks = w->scratch.parents.data;
@@ -552,9 +629,9 @@ void td_joints_yield(thud_world *w) {
         if (!marks[slot.at].at) {
             continue;
         }
-        if (yields(w, slot)) {
+        if (group_must_yield(w, slot)) {
             any = true;
-            mend(w, slot);
+            put_group_back(w, slot);
         }
         td_awake_slot i = slot;
         do {

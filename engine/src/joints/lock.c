@@ -1,23 +1,26 @@
-/* lock.c: the lanes of what joints lock. */
+/* lock.c: the operations of the constraint kind of locked directions. */
 #include "joints/joint.h"
 
 TD_DECLARE_WIDE(const td_solve_ops, td_solve_lock);
 
+/* td_lane_ops.load: the impulses of a substep over the lighter side's mass, a speed. *off: the gap,
+ * a length. Angles become lengths by `size`. */
 static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
     const td_point *p = block->point;
     const td_lock_rows *rows = td_lock_rows_at(block);
     float turn = td_max_float(block->inv_inertia_a[lane], block->inv_inertia_b[lane]);
     float linear =
-        td_joint_size(p[0].normal_impulse[lane]) + td_joint_size(p[1].normal_impulse[lane]);
-    float gap = td_joint_size(p[0].separation[lane]) + td_joint_size(p[1].separation[lane]);
+        td_joint_abs(p[0].normal_impulse[lane]) + td_joint_abs(p[1].normal_impulse[lane]);
+    float gap = td_joint_abs(p[0].separation[lane]) + td_joint_abs(p[1].separation[lane]);
     float apart =
-        block->tangent_mass[lane] > 0.0f ? td_joint_size(rows->turn_apart[lane]) * size : 0.0f;
+        block->tangent_mass[lane] > 0.0f ? td_joint_abs(rows->turn_apart[lane]) * size : 0.0f;
     *off = td_max_float(gap, apart);
-    return linear * td_joint_lighter(w, block, lane) +
-           td_joint_size(block->tangent_impulse[lane]) * turn * size;
+    return linear * td_joint_max_inverse_mass(w, block, lane) +
+           td_joint_abs(block->tangent_impulse[lane]) * turn * size;
 }
 
-/* What is locked misses what it wants by its speed, either way. */
+/* td_lane_ops.count: the residual of a locked direction is its speed, in lengths/s; turn is not
+ * counted. */
 static void count(thud_world *w, const td_block *block) {
     const td_lock_rows *rows = td_lock_rows_at(block);
     const td_point *p = block->point;
@@ -32,7 +35,7 @@ static void count(thud_world *w, const td_block *block) {
                           td_joint_speed(w, block, lane, 0.0, 0.0, sign, sign)};
         bool locked[] = {p[0].normal_mass[lane] > 0.0f, p[1].normal_mass[lane] > 0.0f, false};
         for (int k = 0; k < 3; k++) {
-            float speed = locked[k] ? td_joint_size(missed[k]) : 0.0f;
+            float speed = locked[k] ? td_joint_abs(missed[k]) : 0.0f;
             w->errors.residual = td_max_float(speed, w->errors.residual);
         }
     }

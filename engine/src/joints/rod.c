@@ -1,16 +1,19 @@
-/* rod.c: the lanes of distances that are locked. */
+/* rod.c: the operations of the constraint kind of locked distances. */
 #include "joints/joint.h"
 
 TD_DECLARE_WIDE(const td_solve_ops, td_solve_rod);
 
+/* td_lane_ops.load: the impulse of a substep over the lighter side's mass, a speed. *off: the gap,
+ * a length. */
 static float load(const thud_world *w, const td_block *block, int lane, float size, float *off) {
     const td_point *p = &block->point[0];
-    float mass = td_joint_lighter(w, block, lane);
+    float mass = td_joint_max_inverse_mass(w, block, lane);
     (void)size;
-    *off = td_joint_size(p->separation[lane]);
-    return td_joint_size(p->normal_impulse[lane]) * mass;
+    *off = td_joint_abs(p->separation[lane]);
+    return td_joint_abs(p->normal_impulse[lane]) * mass;
 }
 
+/* td_lane_ops.count: the residual is the speed along the line between the anchors. */
 static void count(thud_world *w, const td_block *block) {
     const td_point *p = &block->point[0];
     for (int lane = 0; lane < block->used; lane++) {
@@ -19,7 +22,7 @@ static void count(thud_world *w, const td_block *block) {
         td_joint_motion(w, block, lane, a, b);
         td_joint_frame f = td_joint_line_after(block, lane, length, 0.0, a, b);
         float speed = td_joint_speed(w, block, lane, f.x, f.y, f.a_u, f.b_u);
-        w->errors.residual = td_max_float(td_joint_size(speed), w->errors.residual);
+        w->errors.residual = td_max_float(td_joint_abs(speed), w->errors.residual);
     }
 }
 

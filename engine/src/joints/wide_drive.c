@@ -1,17 +1,24 @@
-/* wide_drive.c: solver passes for driven directions of joints: a spring, a motor and limits, which
- * all push along the same direction, one after the other. */
+/* wide_drive.c: solver passes for driven directions of joints. A direction has up to three rows
+ * with the same Jacobian, which are solved one after the other (Gauss-Seidel):
+ *     spring: a soft constraint of its own frequency and damping ratio (E. Catto, "Soft
+ *             Constraints", 2011); impulse: point[1]
+ *     motor:  speed = motor_speed, within its maximum force; impulse: tangent
+ *     limits: lower <= value <= upper, as a unilateral row for the limit that is nearer by the end
+ *             of the substep (choose_limit); impulse: point[0] */
 #include "joints/wide_joint.h"
 
-typedef enum way { LINE, AXIS, TURN } way;
+/* TD_CONSTRAINT_DRIVE_LINE, _AXIS, _TURN: along the line between the anchors, along an axis of the
+ * frame, or the rotation. */
+typedef enum drive_kind { LINE, AXIS, TURN } drive_kind;
 
-/* A direction as it stands now, and where b is along it. */
+/* The driven direction in the present substep, its crosses, and its coordinate (length or rad). */
 typedef struct direction8 {
     f8 x, y, cross_a, cross_b, value;
-    f8 k, mass; /* speed that a unit of impulse gives; its inverse */
+    f8 k, mass; /* J M^-1 J', the speed that a unit of impulse brings; and its inverse */
 } direction8;
 
 TD_INLINE direction8 direction_now(const td_block *block, const td_drive_rows *r,
-                                   const td_solve_context *c, bool fixed, way which,
+                                   const td_solve_context *c, bool fixed, drive_kind which,
                                    const sides *v) {
     f8 zero = f8_all(0.0f), one = f8_all(1.0f);
     sides d = read_sides(c->delta, block, fixed);
@@ -25,65 +32,73 @@ TD_INLINE direction8 direction_now(const td_block *block, const td_drive_rows *r
         now = (direction8){f.x, f.y, f.a_u, f.b_u, now.value, zero, zero};
     }
     f8 linear = which == TURN ? zero : one;
-    now.k = yield(block, v, fixed, linear, now.cross_a, now.cross_b, now.cross_a, now.cross_b);
+    now.k = inverse_mass_entry(block, v, fixed, linear, now.cross_a, now.cross_b, now.cross_a,
+                               now.cross_b);
     now.mass = inverse_or_zero(now.k);
     return now;
 }
 
+/* The coordinate's rate of change. */
 TD_INLINE f8 speed_along(const direction8 *n, const sides *v, bool fixed) {
     return speed_now(v, fixed, n->x, n->y, n->cross_a, n->cross_b);
 }
 
-TD_INLINE void push_along(td_block *block, const direction8 *n, bool fixed, sides *v, f8 change) {
-    give(block, fixed, v, &td_drive_rows_of(block)->applied, n->x * change, n->y * change,
-         n->cross_a * change, n->cross_b * change);
+/* Applies an impulse along the direction. */
+TD_INLINE void apply_along(td_block *block, const direction8 *n, bool fixed, sides *v, f8 change) {
+    apply_impulse(block, fixed, v, &td_drive_rows_of(block)->applied, n->x * change, n->y * change,
+                  n->cross_a * change, n->cross_b * change);
 }
 
-/* Impulses of the substep before, along the direction as it is now. */
-TD_INLINE void push_again(td_block *block, const direction8 *n, bool fixed, sides *v) {
+/* Applies the sum of the impulses of the last substep along the direction as it is now, in place of
+ * what was applied then. */
+TD_INLINE void replace_along(td_block *block, const direction8 *n, bool fixed, sides *v) {
     td_drive_rows *r = td_drive_rows_of(block);
     f8 all = block->point[1].normal_impulse + block->tangent_impulse +
              r->limit_side * block->point[0].normal_impulse;
-    give_anew(block, fixed, v, &r->applied, n->x * all, n->y * all, n->cross_a * all,
-              n->cross_b * all);
+    replace_impulse(block, fixed, v, &r->applied, n->x * all, n->y * all, n->cross_a * all,
+                    n->cross_b * all);
 }
 
-/* Catto's "Soft Constraints" (2011), as contacts have it, with a frequency for each lane. */
-TD_INLINE void spring(td_block *block, const td_drive_rows *r, const td_solve_context *c,
-                      const direction8 *n, bool fixed, sides *v) {
+/* Solves springs. With a1 = 2 damping + h omega, a2 = h omega a1, a3 = 1 / (1 + a2):
+ *     impulse = old - a2 a3 m (speed + omega / a1 x) - a3 old,
+ * within the spring's maximum force times h. omega is limited to TD_SPRING_PHASE / h. */
+TD_INLINE void solve_spring(td_block *block, const td_drive_rows *r, const td_solve_context *c,
+                            const direction8 *n, bool fixed, sides *v) {
     td_point *q = &block->point[1];
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), h = one / f8_all(c->inv_h);
-    i8 some = r->frequency > zero;
-    q->separation = f8_keep(some, n->value - r->target);
-    if (!i8_bits(some)) {
+    i8 acts = r->frequency > zero;
+    q->separation = f8_keep(acts, n->value - r->target);
+    if (!i8_bits(acts)) {
         return;
     }
     f8 omega =
         f8_min(f8_all(2.0f * (float)TD_PI) * r->frequency, f8_all(TD_SPRING_PHASE * c->inv_h));
     f8 a1 = f8_all(2.0f) * r->damping + h * omega, a2 = h * omega * a1, a3 = one / (one + a2);
     f8 speed =
-        speed_along(n, v, fixed) + q->separation * f8_keep(some, omega / f8_pick(some, a1, one));
-    f8 old = q->normal_impulse, most = r->spring_most * h;
-    f8 now = f8_clamp(old - a2 * a3 * n->mass * speed - a3 * old, -most, most);
-    now = f8_keep(some, now);
+        speed_along(n, v, fixed) + q->separation * f8_keep(acts, omega / f8_pick(acts, a1, one));
+    f8 old = q->normal_impulse, max = r->spring_most * h;
+    f8 now = f8_clamp(old - a2 * a3 * n->mass * speed - a3 * old, -max, max);
+    now = f8_keep(acts, now);
     q->normal_impulse = now;
-    push_along(block, n, fixed, v, now - old);
+    apply_along(block, n, fixed, v, now - old);
 }
 
-TD_INLINE void motor(td_block *block, const td_drive_rows *r, const td_solve_context *c,
-                     const direction8 *n, bool fixed, sides *v) {
-    f8 most = r->motor_most / f8_all(c->inv_h);
-    if (!i8_bits(most > f8_all(0.0f))) {
+/* Solves motors. */
+TD_INLINE void solve_motor(td_block *block, const td_drive_rows *r, const td_solve_context *c,
+                           const direction8 *n, bool fixed, sides *v) {
+    f8 max = r->motor_most / f8_all(c->inv_h);
+    if (!i8_bits(max > f8_all(0.0f))) {
         return;
     }
     f8 old = block->tangent_impulse;
-    f8 now = f8_clamp(old - n->mass * (speed_along(n, v, fixed) - r->motor_speed), -most, most);
+    f8 now = f8_clamp(old - n->mass * (speed_along(n, v, fixed) - r->motor_speed), -max, max);
     block->tangent_impulse = now;
-    push_along(block, n, fixed, v, now - old);
+    apply_along(block, n, fixed, v, now - old);
 }
 
-/* The limit that comes first at the speed as it is, and by the end of the substep; of the impulse
- * of the other one, which the solver may take back, the sign changes. */
+/* Chooses the limit that is nearer at the end of the substep; `ahead` is the displacement until
+ * then at the present speed. Where the limit changes, the impulse of the old one becomes a negative
+ * one of the new, which the solver then takes back. Sets limit, limit_side, base and separation. */
 TD_INLINE void choose_limit(td_block *block, td_drive_rows *r, const direction8 *n, f8 ahead) {
     td_point *p = &block->point[0];
     f8 one = f8_all(1.0f), value = n->value + ahead;
@@ -96,89 +111,93 @@ TD_INLINE void choose_limit(td_block *block, td_drive_rows *r, const direction8 
     p->separation = side * (n->value - r->limit);
 }
 
-/* What keeps a direction from a limit: a contact with it, or, where both limits are the same, a
- * lock. */
-TD_INLINE void stop(td_block *block, td_drive_rows *r, const td_solve_context *c,
-                    const direction8 *n, bool fixed, bool soft, f8 most, sides *v) {
+/* Solves limits: as a contact, speculative where it is open (the gap may close by the end of the
+ * substep), soft where it is exceeded; or, where both limits are the same, as a lock. `soft`: solve
+ * pass, false: relax pass. `max`: limit of the bias, a speed. */
+TD_INLINE void solve_limit(td_block *block, td_drive_rows *r, const td_solve_context *c,
+                           const direction8 *n, bool fixed, bool soft, f8 max, sides *v) {
     td_point *p = &block->point[0];
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), inv_h = f8_all(c->inv_h);
-    i8 locked = r->locked > zero, some = r->limited;
-    if (!i8_bits(some)) {
+    i8 locked = r->locked > zero, acts = r->limited;
+    if (!i8_bits(acts)) {
         return;
     }
     f8 along = speed_along(n, v, fixed);
     choose_limit(block, r, n, along / inv_h);
     f8 gap = p->separation;
     i8 apart = (gap > zero) & ~locked;
-    f8 bias = zero, scale = one, keep = zero;
+    f8 bias = zero, scale = one, impulse_share = zero;
     if (soft) {
-        bias = f8_clamp(gap * f8_all(PULL * c->inv_h), -most, most);
-        scale = f8_pick(apart, one, f8_all(1.0f - LOST));
-        keep = f8_keep(~apart, f8_all(LOST));
+        bias = f8_clamp(gap * f8_all(GAP_SHARE * c->inv_h), -max, max);
+        scale = f8_pick(apart, one, f8_all(1.0f - IMPULSE_SCALE));
+        impulse_share = f8_keep(~apart, f8_all(IMPULSE_SCALE));
     }
     bias = f8_pick(apart, gap * inv_h, bias);
     f8 old = p->normal_impulse;
     f8 speed = r->limit_side * along + bias;
-    f8 now = old - scale * n->mass * speed - keep * old;
-    now = f8_keep(some, f8_pick(locked, now, f8_max(now, zero)));
+    f8 now = old - scale * n->mass * speed - impulse_share * old;
+    now = f8_keep(acts, f8_pick(locked, now, f8_max(now, zero)));
     p->normal_impulse = now;
-    push_along(block, n, fixed, v, r->limit_side * (now - old));
+    apply_along(block, n, fixed, v, r->limit_side * (now - old));
 }
 
-TD_INLINE void drive(td_block *const *blocks, int count, const td_solve_context *c, bool fixed,
-                     way which, bool soft) {
+/* A solve pass (`soft`) or relax pass over blocks of drives. */
+TD_INLINE void solve_drive(td_block *const *blocks, int count, const td_solve_context *c,
+                           bool fixed, drive_kind which, bool soft) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         td_drive_rows *r = td_drive_rows_of(block);
         sides v = read_sides(c->velocity, block, fixed);
         direction8 n = direction_now(block, r, c, fixed, which, &v);
         if (soft && !c->first) {
-            push_again(block, &n, fixed, &v);
+            replace_along(block, &n, fixed, &v);
         }
-        spring(block, r, c, &n, fixed, &v);
-        motor(block, r, c, &n, fixed, &v);
-        f8 most = f8_all(TD_JOINT_HASTE * TD_JOINT_CLOSING);
-        if (which != TURN) { /* turns are no more than a few radians */
-            most = most_of_bias(c->joint_closing, n.k, block->point[0].normal_impulse);
+        solve_spring(block, r, c, &n, fixed, &v);
+        solve_motor(block, r, c, &n, fixed, &v);
+        f8 max = f8_all(TD_JOINT_HASTE * TD_JOINT_CLOSING);
+        if (which != TURN) { /* angles are within a few radians: the constant is enough */
+            max = max_bias(c->joint_closing, n.k, block->point[0].normal_impulse);
         }
-        stop(block, r, c, &n, fixed, soft, most, &v);
+        solve_limit(block, r, c, &n, fixed, soft, max, &v);
         write_sides(c, block, fixed, &v);
     }
 }
 
+/* Applies the impulses of the last step. */
 TD_INLINE void warm_start(td_block *const *blocks, int count, const td_solve_context *c, bool fixed,
-                          way which) {
+                          drive_kind which) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         td_drive_rows *r = td_drive_rows_of(block);
         sides v = read_sides(c->velocity, block, fixed);
         direction8 n = direction_now(block, r, c, fixed, which, &v);
-        forget_applied(&r->applied);
-        push_again(block, &n, fixed, &v);
+        clear_applied(&r->applied);
+        replace_along(block, &n, fixed, &v);
         write_sides(c, block, fixed, &v);
     }
 }
 
-/* Nothing bounces off a joint. */
-static void rest(td_block *const *blocks, int count, const td_solve_context *c) {
+/* The restitution pass: joints have none. */
+static void no_bounce(td_block *const *blocks, int count, const td_solve_context *c) {
     (void)blocks, (void)count, (void)c;
 }
 
-#define WAY(name, which)                                                        \
+/* Makes the passes td_solve_drive_NAME of a kind of drive. */
+#define DRIVE_PASSES(name, which)                                               \
     TD_PASS(warm_start_##name, warm_start, false, which)                        \
     TD_PASS(warm_start_fixed_##name, warm_start, true, which)                   \
-    TD_PASS(solve_##name, drive, false, which, true)                            \
-    TD_PASS(solve_fixed_##name, drive, true, which, true)                       \
-    TD_PASS(relax_##name, drive, false, which, false)                           \
-    TD_PASS(relax_fixed_##name, drive, true, which, false)                      \
+    TD_PASS(solve_##name, solve_drive, false, which, true)                      \
+    TD_PASS(solve_fixed_##name, solve_drive, true, which, true)                 \
+    TD_PASS(relax_##name, solve_drive, false, which, false)                     \
+    TD_PASS(relax_fixed_##name, solve_drive, true, which, false)                \
     extern const td_solve_ops TD_WIDE(td_solve_drive_##name);                   \
     const td_solve_ops TD_WIDE(                                                 \
         td_solve_drive_##name) = {{warm_start_##name, warm_start_fixed_##name}, \
                                   {solve_##name, solve_fixed_##name},           \
                                   {relax_##name, relax_fixed_##name},           \
-                                  rest,                                         \
+                                  no_bounce,                                    \
                                   {NULL, NULL}};
 
-WAY(line, LINE)
-WAY(axis, AXIS)
-WAY(turn, TURN)
+DRIVE_PASSES(line, LINE)
+DRIVE_PASSES(axis, AXIS)
+DRIVE_PASSES(turn, TURN)

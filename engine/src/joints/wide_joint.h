@@ -1,78 +1,98 @@
-/* wide_joint.h: where eight joints are in a substep, and how they push. The arms and axes of a
- * joint turn with its bodies in each substep: a hinge that swings would open by the square of its
- * turn in a step otherwise. */
+/* wide_joint.h: what the solver passes of joints share: the frames of eight joints in a substep,
+ * their softness, and how they apply impulses.
+ *
+ * Soft constraints with substeps as for contacts (solver/wide_solve.h; E. Catto, "Soft
+ * Constraints", 2011, and Box2D's joints): a solve pass with bias, positions, a relax pass without
+ * bias. Lever arms and axes are rotated with their bodies in each substep; with those of the start
+ * of the step a hinge that swings would open by the square of its rotation. Impulses of the last
+ * substep are part of the velocities already (motion.h), along the directions of then: a pass takes
+ * them back and applies them along those of now (replace_impulse).
+ *
+ * A row with effective mass m, gap C and speed v changes its impulse p in a solve pass by
+ *     -mass_scale m (v + bias) - impulse_scale p,  bias = clamp(GAP_SHARE C / h),
+ * and in a relax pass by -m v. */
 #ifndef TD_WIDE_JOINT_H
 #define TD_WIDE_JOINT_H
 
 #include "base/rotation.h"
 #include "solver/wide_solve.h"
 
+/* The scales of a soft constraint that goes on by the angle TD_JOINT_ANGLE = omega h in a substep,
+ * at damping ratio 1 (block.h): the share GAP_SHARE = 1/2 of a gap closes in a substep, and an
+ * impulse loses the share IMPULSE_SCALE = 1/9; the mass scale is 1 - IMPULSE_SCALE. */
 #define ANGLE TD_JOINT_ANGLE
-#define PULL TD_JOINT_PULL
-#define LOST                                                                             \
-    (1.0f / (1.0f + ANGLE * (2.0f + ANGLE))) /* part of its impulse that it loses in one \
-                                              */
+#define GAP_SHARE TD_JOINT_PULL
+#define IMPULSE_SCALE (1.0f / (1.0f + ANGLE * (2.0f + ANGLE)))
 
-/* In a ring that would add energy, no more than this: what many rows share of which each moves
- * little swings, and grows, unless LOST (1 + s) > s PULL with s = 1 - LOST, which takes the part of
- * an impulse that both passes of a substep correct over what a gap adds to it. */
-#define PULL_TORN (0.95f * LOST * (2.0f - LOST) / (1.0f - LOST))
+/* The share of a gap that closes in groups that would add energy (haste <= 1, joint_brace.c). A
+ * slow mode of many rows, of which each moves little, oscillates with growing amplitude unless
+ *     IMPULSE_SCALE (1 + s) > s g
+ * for the mass scale s = 1 - IMPULSE_SCALE and the share g: what both passes of a substep take from
+ * an impulse must exceed what its gap adds. The g of equality, less 5 %: 0.22. */
+#define GAP_SHARE_TORN (0.95f * IMPULSE_SCALE * (2.0f - IMPULSE_SCALE) / (1.0f - IMPULSE_SCALE))
 
-TD_INLINE f8 pull_of(f8 haste) {
-    return f8_pick(haste > f8_all(1.0f), f8_all(PULL), f8_all(PULL_TORN));
+/* The share of a gap that closes in a substep. */
+TD_INLINE f8 gap_share(f8 haste) {
+    return f8_pick(haste > f8_all(1.0f), f8_all(GAP_SHARE), f8_all(GAP_SHARE_TORN));
 }
 
-/* A limit or a gear bears a load L at rest by a bias of LOST / (1 - LOST) K L, where K is 1 / the
- * mass that the row feels. Its bias may be twice that on top of what gaps close at. */
-#define LOAD (LOST / (1.0f - LOST))
+/* A soft row bears a load of impulse L a substep at rest by a bias of LOAD_BIAS K L, where K is the
+ * inverse of its effective mass: the gap then restores what the impulse loses. */
+#define LOAD_BIAS (IMPULSE_SCALE / (1.0f - IMPULSE_SCALE))
 
-TD_INLINE f8 most_of_bias(float closing, f8 k, f8 impulse) {
-    return f8_all(TD_JOINT_HASTE * closing) + f8_all(LOAD) * k * f8_abs(impulse);
+/* Limit of the bias of a joint's limit or a gear, a speed: that of its present impulse, on top of
+ * TD_JOINT_HASTE times `closing`, so that no load is too great for it. */
+TD_INLINE f8 max_bias(float closing, f8 k, f8 impulse) {
+    return f8_all(TD_JOINT_HASTE * closing) + f8_all(LOAD_BIAS) * k * f8_abs(impulse);
 }
 
-/* Adding and taking away 1.5 * 2^23 rounds to whole numbers. */
-#define WHOLE 12582912.0f
-#define WILD 1e5f /* rad in a step: whoever turns so much is anywhere */
+/* Adding and then subtracting 1.5 * 2^23 rounds a float to a whole number. */
+#define ROUNDING 12582912.0f
+/* Rotations in a step are clamped to this, rad: a float has errors of 0.004 rad there, and rounding
+ * to whole turns still works. */
+#define TURN_MAX 1e5f
 
-/* Cosine and sine of a turn within a step; good to the last bits up to a radian or so, and never
- * far from 1 at most. */
+/* Cosine and sine of a rotation within a step, by their Taylor polynomials of degree 8 and 9:
+ * errors are below 3e-7 up to a radian, 0.024 and 0.007 at half a turn. */
 TD_INLINE void cosine_and_sine(f8 x, f8 *c, f8 *s) {
-    f8 turns = f8_clamp(x, f8_all(-WILD), f8_all(WILD));
-    f8 whole = turns * f8_all((float)(0.5 / TD_PI)) + f8_all(WHOLE) - f8_all(WHOLE);
+    f8 turns = f8_clamp(x, f8_all(-TURN_MAX), f8_all(TURN_MAX));
+    f8 whole = turns * f8_all((float)(0.5 / TD_PI)) + f8_all(ROUNDING) - f8_all(ROUNDING);
     x = turns - whole * f8_all((float)(2.0 * TD_PI));
     f8 xx = x * x;
     *s = x + x * xx * (TD_SIN3 + xx * (TD_SIN5 + xx * (TD_SIN7 + xx * TD_SIN9)));
     *c = f8_all(1.0f) + xx * (TD_COS2 + xx * (TD_COS4 + xx * (TD_COS6 + xx * TD_COS8)));
 }
 
-/* A joint's frame u, v = (-u.y, u.x), as it stands now. */
+/* The frames u, v = (-u.y, u.x) of eight joints in the present substep. */
 typedef struct frame8 {
     f8 x, y;               /* u */
-    f8 a_u, a_v, b_u, b_v; /* arms x u, arms x v, so that arm . u = a_v and arm . v = -a_u */
-    f8 gap_u, gap_v;       /* from a's anchor to b's */
+    f8 a_u, a_v, b_u, b_v; /* lever arms of a and b crossed with u and v: arm . u = a_v, and
+                              arm . v = -a_u */
+    f8 gap_u, gap_v;       /* from a's anchor to b's, along u and v */
 } frame8;
 
-/* Arms that turned with their body, against a frame that did not: *u, *v are the arms' crosses. */
-TD_INLINE void turn_arms(f8 angle, f8 *u, f8 *v) {
+/* Rotates arms against a frame that stays: *u, *v are their crosses with u and v. */
+TD_INLINE void rotate_arms(f8 angle, f8 *u, f8 *v) {
     f8 c, s, x = *u, y = *v;
     cosine_and_sine(angle, &c, &s);
     *u = c * x - s * y;
     *v = c * y + s * x;
 }
 
-/* From the frame at the start of the step and the motion since. Where `turns` is 1, the frame turns
- * with a, whose arm then ends at b's anchor. */
+/* The frames now, from those at the start of the step (block->nx, ny and the crosses of its points;
+ * gap_u, gap_v) and the motions d since. Where `turns` is 1, the frame turns with a, whose arm then
+ * ends at b's anchor; where 0, u and v stay. `fixed`: side a is static. */
 TD_INLINE frame8 frame_now(const td_block *block, const sides *d, bool fixed, f8 gap_u, f8 gap_v,
                            f8 turns) {
     const td_point *p = &block->point[0], *q = &block->point[1];
     frame8 f = {block->nx, block->ny, p->cross_a, q->cross_a, p->cross_b, q->cross_b, gap_u, gap_v};
-    turn_arms(d->b.z, &f.b_u, &f.b_v);
+    rotate_arms(d->b.z, &f.b_u, &f.b_v);
     f.gap_u += centres_along(d, fixed, f.x, f.y) + (f.b_v - q->cross_b);
     f.gap_v += centres_along(d, fixed, -f.y, f.x) - (f.b_u - p->cross_b);
     if (fixed) {
         return f;
     }
-    turn_arms(d->a.z, &f.a_u, &f.a_v);
+    rotate_arms(d->a.z, &f.a_u, &f.a_v);
     f.gap_u -= f.a_v - q->cross_a;
     f.gap_v += f.a_u - p->cross_a;
     /* a x u = -(a . v), a x v = a . u */
@@ -93,13 +113,14 @@ TD_INLINE frame8 frame_now(const td_block *block, const sides *d, bool fixed, f8
     return f;
 }
 
-/* The same with u along the gap, whose length *length gets. */
+/* The same with u along the gap. *length: that of the gap. gap_u, gap_v and the crosses with v are
+ * not set. */
 TD_INLINE frame8 line_now(const td_block *block, const sides *d, bool fixed, f8 gap_u, f8 gap_v,
                           f8 *length) {
     f8 zero = f8_all(0.0f), one = f8_all(1.0f);
     frame8 f = frame_now(block, d, fixed, gap_u, gap_v, zero);
     *length = f8_sqrt(f.gap_u * f.gap_u + f.gap_v * f.gap_v);
-    /* Where both ends meet any direction will do. */
+    /* Where the anchors coincide, u stays as it is: any direction will do. */
     i8 apart = *length > zero;
     f8 divisor = f8_pick(apart, *length, one);
     f8 c = f8_pick(apart, f.gap_u / divisor, one), s = f8_keep(apart, f.gap_v / divisor);
@@ -111,22 +132,23 @@ TD_INLINE frame8 line_now(const td_block *block, const sides *d, bool fixed, f8 
     return f;
 }
 
-/* Speed of b past a in a direction. */
+/* Speed of b's anchor relative to a's along (x, y). */
 TD_INLINE f8 speed_now(const sides *v, bool fixed, f8 x, f8 y, f8 cross_a, f8 cross_b) {
     return at_arms(centres_along(v, fixed, x, y), v, fixed, cross_a, cross_b);
 }
 
-/* What one unit of impulse along one direction of a frame gives in another one's speed; `linear`
- * is the product of both directions. */
-TD_INLINE f8 yield(const td_block *block, const sides *v, bool fixed, f8 linear, f8 from_a,
-                   f8 from_b, f8 to_a, f8 to_b) {
+/* An entry of K = J M^-1 J': the speed along one direction that a unit of impulse along another one
+ * brings. `linear`: the scalar product of both directions. */
+TD_INLINE f8 inverse_mass_entry(const td_block *block, const sides *v, bool fixed, f8 linear,
+                                f8 from_a, f8 from_b, f8 to_a, f8 to_b) {
     f8 mass = fixed ? v->b.w : v->a.w + v->b.w;
     return mass * linear + coupling(block, fixed, from_a, from_b, to_a, to_b);
 }
 
-/* Gives both sides an impulse, and its moments. */
-TD_INLINE void give(const td_block *block, bool fixed, sides *v, td_applied_impulse *applied, f8 x,
-                    f8 y, f8 moment_a, f8 moment_b) {
+/* Applies an impulse (x, y) and its moments to the velocities of both sides, and adds it to what
+ * the joint applied in this substep. */
+TD_INLINE void apply_impulse(const td_block *block, bool fixed, sides *v,
+                             td_applied_impulse *applied, f8 x, f8 y, f8 moment_a, f8 moment_b) {
     applied->x += x;
     applied->y += y;
     applied->moment_a += moment_a;
@@ -141,13 +163,15 @@ TD_INLINE void give(const td_block *block, bool fixed, sides *v, td_applied_impu
     v->b.z += block->inv_inertia_b * moment_b;
 }
 
-/* Gives both sides these instead of what they were given. */
-TD_INLINE void give_anew(const td_block *block, bool fixed, sides *v, td_applied_impulse *applied,
-                         f8 x, f8 y, f8 moment_a, f8 moment_b) {
-    give(block, fixed, v, applied, x - applied->x, y - applied->y, moment_a - applied->moment_a,
-         moment_b - applied->moment_b);
+/* Applies the difference to what the joint applied in this substep, so that this impulse takes its
+ * place. */
+TD_INLINE void replace_impulse(const td_block *block, bool fixed, sides *v,
+                               td_applied_impulse *applied, f8 x, f8 y, f8 moment_a, f8 moment_b) {
+    apply_impulse(block, fixed, v, applied, x - applied->x, y - applied->y,
+                  moment_a - applied->moment_a, moment_b - applied->moment_b);
 }
 
+/* Writes the velocities of both sides back. */
 TD_INLINE void write_sides(const td_solve_context *c, const td_block *block, bool fixed,
                            const sides *v) {
     if (!fixed) {
@@ -156,20 +180,21 @@ TD_INLINE void write_sides(const td_solve_context *c, const td_block *block, boo
     td_scatter(c->velocity, block->b, v->b);
 }
 
-TD_INLINE void forget_applied(td_applied_impulse *applied) {
+TD_INLINE void clear_applied(td_applied_impulse *applied) {
     f8 zero = f8_all(0.0f);
     *applied = (td_applied_impulse){zero, zero, zero, zero};
 }
 
-/* wide_rod.c: a pass of bracing over what lanes of any kind were given. Where it measures, the
- * totals of their points get the power before and after; the first one has the share that is kept.
- */
+/* wide_rod.c: a stage of bracing (joint_brace.c) on what the lanes of a rod's or lock's block
+ * applied, by c->brace: measures p.u or p.u' into td_point_history.total, takes the impulses back,
+ * or applies the share to keep. */
 typedef void td_brace_fn(td_block *block, const td_solve_context *c, bool fixed);
-td_brace_fn TD_WIDE(td_brace_given);
+td_brace_fn TD_WIDE(td_brace_applied);
 
-/* Tells whether gaps at the start of the step are beyond what a bias may close. */
-TD_INLINE void look_for_tears(const td_solve_context *c, f8 gap, f8 turn) {
-    f8 rate = f8_all(PULL * c->inv_h);
+/* Sets c->torn where a gap (lengths) or an angle (rad) at the start of the step is wider than
+ * TD_JOINT_CLOSING closes in a substep, so that the step braces its joints. */
+TD_INLINE void flag_torn(const td_solve_context *c, f8 gap, f8 turn) {
+    f8 rate = f8_all(GAP_SHARE * c->inv_h);
     i8 torn = (f8_abs(gap) * rate > f8_all(c->joint_closing)) |
               (f8_abs(turn) * rate > f8_all(TD_JOINT_CLOSING));
     if (i8_bits(torn)) {
@@ -177,10 +202,10 @@ TD_INLINE void look_for_tears(const td_solve_context *c, f8 gap, f8 turn) {
     }
 }
 
-/* 1 / x, and 0 for 0. */
+/* 1 / x; 0 where x <= 0. */
 TD_INLINE f8 inverse_or_zero(f8 x) {
-    i8 some = x > f8_all(0.0f);
-    return f8_keep(some, f8_all(1.0f) / f8_pick(some, x, f8_all(1.0f)));
+    i8 acts = x > f8_all(0.0f);
+    return f8_keep(acts, f8_all(1.0f) / f8_pick(acts, x, f8_all(1.0f)));
 }
 
 #endif

@@ -1,13 +1,17 @@
-/* wide_lock.c: solver passes for the locked directions of joints, all three together. */
+/* wide_lock.c: solver passes for the locked directions of a joint (along u, across v, turn), of
+ * which up to three are solved at once as a block (lock_matrix_of). Impulses are those of point[0],
+ * of point[1], and of the tangent. */
 #include "joints/wide_joint.h"
 
-/* What a pass does with the gaps. */
+/* The scales of a pass (wide_joint.h): those of a soft constraint in a solve pass; no bias, and a
+ * mass scale of 1, in a relax pass. inv_h: substeps per second. closing: TD_JOINT_CLOSING in
+ * lengths/s. */
 typedef struct softness {
     f8 inv_h, mass_scale, impulse_scale, closing;
 } softness;
 
 TD_INLINE softness soft_of(const td_solve_context *c) {
-    return (softness){f8_all(c->inv_h), f8_all(1.0f - LOST), f8_all(LOST),
+    return (softness){f8_all(c->inv_h), f8_all(1.0f - IMPULSE_SCALE), f8_all(IMPULSE_SCALE),
                       f8_all(c->joint_closing)};
 }
 
@@ -16,29 +20,33 @@ TD_INLINE softness rigid(void) {
     return (softness){zero, f8_all(1.0f), zero, zero};
 }
 
-TD_INLINE f8 bias_of(f8 gap, f8 rate, f8 most) {
-    return f8_clamp(gap * rate, -most, most);
+/* The speed at which a gap is closed. */
+TD_INLINE f8 bias_of(f8 gap, f8 rate, f8 max) {
+    return f8_clamp(gap * rate, -max, max);
 }
 
-/* K = J M^-1 J' of a lane's rows, by which impulses change their speeds, with turn eliminated. */
-typedef struct lock8 {
-    i8 has_u, has_v, has_turn;
-    f8 turn, lever_u, lever_v; /* K of turn; of u or v with turn, over that */
-    f8 uu, uv, vv, det;        /* of u and v where turn answers as well */
-} lock8;
+/* K = J M^-1 J' of a lane's rows u, v and turn (t), with t eliminated (Schur complement). */
+typedef struct lock_matrix {
+    i8 has_u, has_v, has_turn; /* masks: which rows the lane has */
+    f8 turn, lever_u, lever_v; /* K_tt; K_ut / K_tt, K_vt / K_tt */
+    f8 uu, uv, vv, det;        /* K_uu - K_ut^2 / K_tt and so on, and their determinant */
+} lock_matrix;
 
-/* All rows of a lane are solved at once: one after the other they would take forever where arms are
- * long, that is, m arm^2 is large beside the inertia. With i = 1/I of either side, a and b the arms
- * and d = b - a, turn is eliminated by hand, since single precision would cancel all that counts:
- *     K_uu - K_ut^2 / K_tt = m + i_a i_b / (i_a + i_b) d_u^2
- *     det = m^2 + m i_a i_b / (i_a + i_b) |d|^2, and where turn is free
- *     det = m^2 + m (i_a |a|^2 + i_b |b|^2) + i_a i_b (a x b)^2
- * Rows that are not there are decoupled, and have 1 on the diagonal. */
-TD_INLINE lock8 lock_of(const td_block *block, const sides *v, bool fixed, const frame8 *f) {
+/* All rows of a lane are solved at once: Gauss-Seidel over them converges slowly where arms are
+ * long, that is, where mass times arm^2 is large beside the moment of inertia. With i = 1 / I of
+ * either side, m the sum of inverse masses, a and b the lever arms, d = b - a, and d_u = d x u as
+ * arms are crossed with directions, these formulas give the Schur complement without differences,
+ * which would cancel in single precision:
+ *     turn locked:  K_uu - K_ut^2 / K_tt = m + i_a i_b / (i_a + i_b) d_u^2
+ *                   det = m^2 + m i_a i_b / (i_a + i_b) |d|^2
+ *     turn free:    det = m^2 + m (i_a |a|^2 + i_b |b|^2) + i_a i_b (a x b)^2
+ * Rows that a lane does not have are decoupled, with 1 on the diagonal. */
+TD_INLINE lock_matrix lock_matrix_of(const td_block *block, const sides *v, bool fixed,
+                                     const frame8 *f) {
     f8 zero = f8_all(0.0f), one = f8_all(1.0f);
-    lock8 k = {.has_u = block->point[0].normal_mass > zero,
-               .has_v = block->point[1].normal_mass > zero,
-               .has_turn = block->tangent_mass > zero};
+    lock_matrix k = {.has_u = block->point[0].normal_mass > zero,
+                     .has_v = block->point[1].normal_mass > zero,
+                     .has_turn = block->tangent_mass > zero};
     f8 m = fixed ? v->b.w : v->a.w + v->b.w, i_b = block->inv_inertia_b;
     f8 i_a = fixed ? zero : block->inv_inertia_a;
     k.turn = f8_pick(k.has_turn, i_a + i_b, one);
@@ -59,37 +67,41 @@ TD_INLINE lock8 lock_of(const td_block *block, const sides *v, bool fixed, const
     return k;
 }
 
-TD_INLINE void lock_block(td_block *block, const softness *s, const td_solve_context *c, bool fixed,
-                          bool anew) {
+/* Solves K x = -(speeds + bias) for a block, and applies the change of the impulses:
+ *     x_u, x_v by Cramer's rule, x_t = -turn / K_tt - lever_u x_u - lever_v x_v.
+ * `replace`: first applies the old impulses along the present directions. In the last relax pass
+ * the greatest speeds go to the tally, with a minus sign. */
+TD_INLINE void solve_lock(td_block *block, const softness *s, const td_solve_context *c, bool fixed,
+                          bool replace) {
     td_point *p = &block->point[0], *q = &block->point[1];
     td_lock_rows *h = td_lock_rows_of(block);
     sides v = read_sides(c->velocity, block, fixed), d = read_sides(c->delta, block, fixed);
     frame8 f = frame_now(block, &d, fixed, p->base, q->base, h->frame);
-    lock8 k = lock_of(block, &v, fixed, &f);
+    lock_matrix k = lock_matrix_of(block, &v, fixed, &f);
     h->turn_apart = h->turn_base + h->turn_sign * (fixed ? d.b.z : d.b.z - d.a.z);
     p->separation = f8_keep(k.has_u, f.gap_u);
     q->separation = f8_keep(k.has_v, f.gap_v);
     f8 old_u = p->normal_impulse, old_v = q->normal_impulse;
     f8 old_turn = h->turn_sign * block->tangent_impulse;
 
-    if (anew) {
-        give_anew(block, fixed, &v, &h->applied, f.x * old_u - f.y * old_v,
-                  f.y * old_u + f.x * old_v, old_turn + f.a_u * old_u + f.a_v * old_v,
-                  old_turn + f.b_u * old_u + f.b_v * old_v);
+    if (replace) {
+        replace_impulse(block, fixed, &v, &h->applied, f.x * old_u - f.y * old_v,
+                        f.y * old_u + f.x * old_v, old_turn + f.a_u * old_u + f.a_v * old_v,
+                        old_turn + f.b_u * old_u + f.b_v * old_v);
     }
     f8 speed_u = speed_now(&v, fixed, f.x, f.y, f.a_u, f.b_u);
     f8 speed_v = speed_now(&v, fixed, -f.y, f.x, f.a_v, f.b_v);
     f8 spin = fixed ? v.b.z : v.b.z - v.a.z;
-    f8 rate = pull_of(h->haste) * s->inv_h;
-    f8 most = h->haste * s->closing, turn_most = h->haste * f8_all(TD_JOINT_CLOSING);
-    f8 turn = f8_keep(k.has_turn, spin + h->turn_sign * bias_of(h->turn_apart, rate, turn_most));
-    f8 want_u = speed_u + bias_of(p->separation, rate, most) - k.lever_u * turn;
-    f8 want_v = speed_v + bias_of(q->separation, rate, most) - k.lever_v * turn;
-    want_u = f8_keep(k.has_u, want_u);
-    want_v = f8_keep(k.has_v, want_v);
+    f8 rate = gap_share(h->haste) * s->inv_h;
+    f8 max = h->haste * s->closing, turn_max = h->haste * f8_all(TD_JOINT_CLOSING);
+    f8 turn = f8_keep(k.has_turn, spin + h->turn_sign * bias_of(h->turn_apart, rate, turn_max));
+    f8 rhs_u = speed_u + bias_of(p->separation, rate, max) - k.lever_u * turn;
+    f8 rhs_v = speed_v + bias_of(q->separation, rate, max) - k.lever_v * turn;
+    rhs_u = f8_keep(k.has_u, rhs_u);
+    rhs_v = f8_keep(k.has_v, rhs_v);
     f8 per_det = inverse_or_zero(k.det);
-    f8 x_u = per_det * (k.uv * want_v - k.vv * want_u);
-    f8 x_v = per_det * (k.uv * want_u - k.uu * want_v);
+    f8 x_u = per_det * (k.uv * rhs_v - k.vv * rhs_u);
+    f8 x_v = per_det * (k.uv * rhs_u - k.uu * rhs_v);
     f8 x_turn = f8_keep(k.has_turn, -turn / k.turn - k.lever_u * x_u - k.lever_v * x_v);
     f8 change_u = s->mass_scale * x_u - s->impulse_scale * old_u;
     f8 change_v = s->mass_scale * x_v - s->impulse_scale * old_v;
@@ -97,9 +109,10 @@ TD_INLINE void lock_block(td_block *block, const softness *s, const td_solve_con
     p->normal_impulse = old_u + change_u;
     q->normal_impulse = old_v + change_v;
     block->tangent_impulse = h->turn_sign * (old_turn + change_turn);
-    give(block, fixed, &v, &h->applied, f.x * change_u - f.y * change_v,
-         f.y * change_u + f.x * change_v, change_turn + f.a_u * change_u + f.a_v * change_v,
-         change_turn + f.b_u * change_u + f.b_v * change_v);
+    apply_impulse(block, fixed, &v, &h->applied, f.x * change_u - f.y * change_v,
+                  f.y * change_u + f.x * change_v,
+                  change_turn + f.a_u * change_u + f.a_v * change_v,
+                  change_turn + f.b_u * change_u + f.b_v * change_v);
     write_sides(c, block, fixed, &v);
     if (c->last) {
         f8 slowest = f8_min(f8_keep(k.has_u, -f8_abs(speed_u)), f8_keep(k.has_v, -f8_abs(speed_v)));
@@ -107,6 +120,7 @@ TD_INLINE void lock_block(td_block *block, const softness *s, const td_solve_con
     }
 }
 
+/* Applies the impulses of the last step, and looks for gaps that make the step brace its joints. */
 TD_INLINE void warm_start(td_block *const *blocks, int count, const td_solve_context *c,
                           bool fixed) {
     for (int i = 0; i < count; i++) {
@@ -114,40 +128,41 @@ TD_INLINE void warm_start(td_block *const *blocks, int count, const td_solve_con
         const td_point *p = &block->point[0], *q = &block->point[1];
         f8 u = p->normal_impulse, v = q->normal_impulse, x = block->nx, y = block->ny;
         f8 moment = td_lock_rows_of(block)->turn_sign * block->tangent_impulse;
-        /* The lever of a frame that turns with a ends at b's anchor. */
+        /* In a frame that turns with a, a's arm ends at b's anchor: a_u - gap_v, a_v + gap_u. */
         f8 turns = td_lock_rows_of(block)->frame;
         td_applied_impulse *applied = &td_lock_rows_of(block)->applied;
         f8 a_u = p->cross_a - turns * q->base, a_v = q->cross_a + turns * p->base;
         sides s = read_sides(c->velocity, block, fixed);
         f8 gap = f8_max(f8_abs(p->separation), f8_abs(q->separation)), zero = f8_all(0.0f);
-        look_for_tears(c, gap,
-                       f8_keep(block->tangent_mass > zero, td_lock_rows_of(block)->turn_base));
-        forget_applied(applied);
-        give(block, fixed, &s, applied, x * u - y * v, y * u + x * v, moment + a_u * u + a_v * v,
-             moment + p->cross_b * u + q->cross_b * v);
+        flag_torn(c, gap, f8_keep(block->tangent_mass > zero, td_lock_rows_of(block)->turn_base));
+        clear_applied(applied);
+        apply_impulse(block, fixed, &s, applied, x * u - y * v, y * u + x * v,
+                      moment + a_u * u + a_v * v, moment + p->cross_b * u + q->cross_b * v);
         write_sides(c, block, fixed, &s);
     }
 }
 
-TD_INLINE void pull(td_block *const *blocks, int count, const td_solve_context *c, bool fixed) {
+TD_INLINE void solve(td_block *const *blocks, int count, const td_solve_context *c, bool fixed) {
     softness s = soft_of(c);
     for (int i = 0; i < count; i++) {
-        lock_block(blocks[i], &s, c, fixed, !c->first);
+        solve_lock(blocks[i], &s, c, fixed, !c->first);
     }
 }
 
-TD_INLINE void ease(td_block *const *blocks, int count, const td_solve_context *c, bool fixed) {
+TD_INLINE void relax(td_block *const *blocks, int count, const td_solve_context *c, bool fixed) {
     softness s = rigid();
     for (int i = 0; i < count; i++) {
-        lock_block(blocks[i], &s, c, fixed, false);
+        solve_lock(blocks[i], &s, c, fixed, false);
     }
 }
 
+/* A stage of bracing, joint_brace.c. TD_BRACE_GIVE applies the warm start along the directions of
+ * the present substep. */
 TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context *c, bool fixed) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         if (c->brace != TD_BRACE_GIVE) {
-            TD_WIDE(td_brace_given)(block, c, fixed);
+            TD_WIDE(td_brace_applied)(block, c, fixed);
             continue;
         }
         td_point *p = &block->point[0], *q = &block->point[1];
@@ -156,29 +171,29 @@ TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context 
         frame8 f = frame_now(block, &d, fixed, p->base, q->base, h->frame);
         f8 u = p->normal_impulse, w = q->normal_impulse;
         f8 turn = h->turn_sign * block->tangent_impulse;
-        give_anew(block, fixed, &v, &h->applied, f.x * u - f.y * w, f.y * u + f.x * w,
-                  turn + f.a_u * u + f.a_v * w, turn + f.b_u * u + f.b_v * w);
+        replace_impulse(block, fixed, &v, &h->applied, f.x * u - f.y * w, f.y * u + f.x * w,
+                        turn + f.a_u * u + f.a_v * w, turn + f.b_u * u + f.b_v * w);
         write_sides(c, block, fixed, &v);
     }
 }
 
-/* Nothing bounces off a joint. */
-static void rest(td_block *const *blocks, int count, const td_solve_context *c) {
+/* The restitution pass: joints have none. */
+static void no_bounce(td_block *const *blocks, int count, const td_solve_context *c) {
     (void)blocks, (void)count, (void)c;
 }
 
 TD_PASS(warm_start_moving, warm_start, false)
 TD_PASS(warm_start_fixed, warm_start, true)
-TD_PASS(pull_moving, pull, false)
-TD_PASS(pull_fixed, pull, true)
-TD_PASS(ease_moving, ease, false)
-TD_PASS(ease_fixed, ease, true)
+TD_PASS(solve_moving, solve, false)
+TD_PASS(solve_fixed, solve, true)
+TD_PASS(relax_moving, relax, false)
+TD_PASS(relax_fixed, relax, true)
 TD_PASS(brace_moving, brace, false)
 TD_PASS(brace_fixed, brace, true)
 
 extern const td_solve_ops TD_WIDE(td_solve_lock);
 const td_solve_ops TD_WIDE(td_solve_lock) = {{warm_start_moving, warm_start_fixed},
-                                             {pull_moving, pull_fixed},
-                                             {ease_moving, ease_fixed},
-                                             rest,
+                                             {solve_moving, solve_fixed},
+                                             {relax_moving, relax_fixed},
+                                             no_bounce,
                                              {brace_moving, brace_fixed}};

@@ -1,5 +1,6 @@
-/* wide_place.c: where eight joints are at the start of a step, and the rows that follow from it:
- * what td_joint_place_of has for one of them, by the same operations. */
+/* wide_place.c: the rows of eight joints at the start of a step: frames, crosses of lever arms,
+ * gaps and effective masses from the present poses. td_joint_place_of (joint.c) computes the same
+ * for one joint, by the same operations, so that both give the same bits. */
 #include "joints/joint.h"
 #include "joints/wide_joint.h"
 
@@ -7,29 +8,34 @@
 
 #include <stddef.h>
 
+/* Eight td_joint_place. */
 typedef struct place8 {
-    f8 ax, ay, bx, by; /* arms */
+    f8 ax, ay, bx, by; /* lever arms of a and b */
     f8 x, y;           /* from a's anchor to b's */
+    /* turn: the bits of an int32, a relative angle of which 2^32 is a full turn; the axis is the
+     * direction `along`. */
     f8 turn, axis_x, axis_y;
 } place8;
 
-/* The nearest doubles, whatever the size: the upper halves times 2^32, and the lower ones. */
+/* Converts 64-bit integers to the nearest doubles: the halves of each become the mantissas of
+ * doubles with exponents of 2^84 and 2^52, whose sum, less those powers, is the value. */
 TD_INLINE d4 doubles_of(l4 x) {
     l4 upper = (l4)((v4)x >> 32) ^ 0x4530000080000000;
     l4 lower = (x & 0xffffffffll) | 0x4330000000000000;
     return ((d4)upper - (0x1p84 + 0x1p63 + 0x1p52)) + (d4)lower;
 }
 
-/* Between the centres of two lanes' bodies: x, y, x, y. */
-TD_INLINE f4 between(const td_pose *const *a, const td_pose *const *b, int i, double to_fixed) {
+/* From a's centre of mass to b's, in lanes i and i + 4: x, y, x, y. */
+TD_INLINE f4 centre_offset(const td_pose *const *a, const td_pose *const *b, int i,
+                           double to_fixed) {
     int j = i + 4;
     l4 apart = {b[i]->center.x - a[i]->center.x, b[i]->center.y - a[i]->center.y,
                 b[j]->center.x - a[j]->center.x, b[j]->center.y - a[j]->center.y};
     return __builtin_convertvector(doubles_of(apart) / to_fixed, f4);
 }
 
-/* Angle, cosine and sine. */
-TD_INLINE td_rows turns_of(const td_pose *const *pose) {
+/* Rotations of eight poses: x angle (bits of an int32), y cosine, z sine. */
+TD_INLINE td_rows rotations_of(const td_pose *const *pose) {
     const float *r[TD_LANES];
     for (int i = 0; i < TD_LANES; i++) {
         r[i] = (const float *)((const char *)pose[i] + offsetof(td_pose, angle));
@@ -37,7 +43,7 @@ TD_INLINE td_rows turns_of(const td_pose *const *pose) {
     return td_turn(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]), f8_two(r[3], r[7]));
 }
 
-/* As td_angle_radians has them. */
+/* td_angle_radians of eight angles: radians in (-pi, pi]. */
 TD_INLINE f8 radians_of(i8 angle) {
     i4 low = __builtin_shufflevector(angle, angle, 0, 1, 2, 3);
     i4 high = __builtin_shufflevector(angle, angle, 4, 5, 6, 7);
@@ -47,7 +53,7 @@ TD_INLINE f8 radians_of(i8 angle) {
     return f8_flip(radians, angle == i8_all(INT32_MIN));
 }
 
-/* Empty lanes get zeros. */
+/* The places of a block's joints; zeros in lanes that are not `used`. */
 TD_INLINE place8 place_of(const thud_world *w, const td_anchor_rows *r, i8 used) {
     const td_pose *a[TD_LANES], *b[TD_LANES];
     f4 apart[4];
@@ -57,11 +63,11 @@ TD_INLINE place8 place_of(const thud_world *w, const td_anchor_rows *r, i8 used)
         b[i] = (const td_pose *)w->pose.data + r->body_b[i];
     }
     for (int i = 0; i < 4; i++) {
-        apart[i] = between(a, b, i, w->to_fixed);
+        apart[i] = centre_offset(a, b, i, w->to_fixed);
     }
     f8 r01 = __builtin_shufflevector(apart[0], apart[1], 0, 4, 1, 5, 2, 6, 3, 7);
     f8 r23 = __builtin_shufflevector(apart[2], apart[3], 0, 4, 1, 5, 2, 6, 3, 7);
-    td_rows ta = turns_of(a), tb = turns_of(b);
+    td_rows ta = rotations_of(a), tb = rotations_of(b);
     p.ax = f8_keep(used, ta.y * r->a_x - ta.z * r->a_y);
     p.ay = f8_keep(used, ta.z * r->a_x + ta.y * r->a_y);
     p.bx = f8_keep(used, tb.y * r->b_x - tb.z * r->b_y);
@@ -76,13 +82,13 @@ TD_INLINE place8 place_of(const thud_world *w, const td_anchor_rows *r, i8 used)
     return p;
 }
 
-/* By how much b is turned against a, as the caller has it. */
+/* The coordinate of turn, rad, for the caller's order of sides: negated where turn_sign is -1. */
 TD_INLINE f8 turn_of(const place8 *p, f8 turn_sign) {
     i8 swapped = turn_sign < f8_all(0.0f), turn = (i8)p->turn;
     return radians_of(i8_wrap_sub(turn ^ swapped, swapped));
 }
 
-/* As td_joint_line_of has it. */
+/* td_joint_line of eight joints; (0, 0) in empty lanes. */
 TD_INLINE f8 line_of(const place8 *p, i8 used, f8 *x, f8 *y) {
     f8 one = f8_all(1.0f), length = f8_sqrt(p->x * p->x + p->y * p->y);
     i8 apart = length > f8_all(0.0f);
@@ -92,7 +98,7 @@ TD_INLINE f8 line_of(const place8 *p, i8 used, f8 *x, f8 *y) {
     return length;
 }
 
-/* Both points get the crosses of the arms with a frame of u = (x, y). */
+/* Sets u = (x, y), and the crosses of the arms: with u in point[0], with v in point[1]. */
 TD_INLINE void set_frame(td_block *block, const place8 *p, f8 x, f8 y) {
     td_point *u = &block->point[0], *v = &block->point[1];
     block->nx = x;
@@ -103,57 +109,64 @@ TD_INLINE void set_frame(td_block *block, const place8 *p, f8 x, f8 y) {
     v->cross_b = p->bx * x + p->by * y;
 }
 
-/* 1 / the mass that a row feels. */
+/* J M^-1 J' of a row, the inverse of its effective mass. `linear`: inverse masses of both sides, or
+ * 0 for a row of turn. */
 TD_INLINE f8 inverse_mass(const td_block *block, f8 linear, f8 cross_a, f8 cross_b) {
     return linear + block->inv_inertia_a * cross_a * cross_a +
            block->inv_inertia_b * cross_b * cross_b;
 }
 
-TD_INLINE f8 masses_of(const thud_world *w, const td_block *block) {
+/* Sums of the inverse masses of both sides. */
+TD_INLINE f8 inverse_masses(const thud_world *w, const td_block *block) {
     const float(*velocity)[4] = w->velocity.data;
     return td_gather(velocity, block->a).w + td_gather(velocity, block->b).w;
 }
 
-TD_INLINE i8 lanes_of(td_block *block) {
+/* The mask of the lanes in use. All of them are marked as touching. */
+TD_INLINE i8 used_lanes(td_block *block) {
     block->touching = (1u << block->used) - 1u;
     return (i8){0, 1, 2, 3, 4, 5, 6, 7} < i8_all(block->used);
 }
 
-TD_INLINE i8 holds(i8 locked, int direction) {
+/* Whether a bit of td_joint.locked is set. */
+TD_INLINE i8 is_locked(i8 locked, int direction) {
     return (locked & i8_all(1 << direction)) != i8_all(0);
 }
 
+/* The rows of locked directions. Where both along and across are locked, the frame is that of the
+ * world, so that impulses that carry a weight keep their direction from step to step. */
 TD_INLINE void place_lock(const thud_world *w, td_block *block) {
     td_lock_rows *rows = td_lock_rows_of(block);
-    f8 zero = f8_all(0.0f), one = f8_all(1.0f), mass = masses_of(w, block);
+    f8 zero = f8_all(0.0f), one = f8_all(1.0f), mass = inverse_masses(w, block);
     rows->haste = f8_all(TD_JOINT_HASTE);
-    place8 p = place_of(w, &rows->anchor, lanes_of(block));
-    i8 stays = holds(rows->locked, THUD_ALONG) & holds(rows->locked, THUD_ACROSS);
+    place8 p = place_of(w, &rows->anchor, used_lanes(block));
+    i8 stays = is_locked(rows->locked, THUD_ALONG) & is_locked(rows->locked, THUD_ACROSS);
     f8 x = f8_pick(stays, one, p.axis_x), y = f8_pick(stays, zero, p.axis_y);
     set_frame(block, &p, x, y);
     f8 gap[2] = {p.x * x + p.y * y, p.y * x - p.x * y};
     for (int k = 0; k < 2; k++) {
         td_point *q = &block->point[k];
-        i8 here = holds(rows->locked, k);
+        i8 here = is_locked(rows->locked, k);
         q->base = gap[k];
         q->separation = f8_keep(here, gap[k]);
         q->normal_mass =
             f8_keep(here, inverse_or_zero(inverse_mass(block, mass, q->cross_a, q->cross_b)));
         q->normal_impulse = f8_keep(here, q->normal_impulse);
     }
-    i8 here = holds(rows->locked, THUD_TURN);
+    i8 here = is_locked(rows->locked, THUD_TURN);
     f8 sign = rows->turn_sign;
     rows->turn_base = rows->turn_apart = turn_of(&p, sign);
     block->tangent_mass = f8_keep(here, inverse_or_zero(inverse_mass(block, zero, sign, sign)));
     block->tangent_impulse = f8_keep(here, block->tangent_impulse);
 }
 
+/* The row of a locked distance; rows->turn_base is its length. */
 TD_INLINE void place_rod(const thud_world *w, td_block *block) {
     td_lock_rows *rows = td_lock_rows_of(block);
     td_point *q = &block->point[0];
     rows->haste = f8_all(TD_JOINT_HASTE);
-    f8 x, y, mass = masses_of(w, block);
-    i8 used = lanes_of(block);
+    f8 x, y, mass = inverse_masses(w, block);
+    i8 used = used_lanes(block);
     place8 p = place_of(w, &rows->anchor, used);
     f8 length = line_of(&p, used, &x, &y);
     set_frame(block, &p, x, y);
@@ -161,8 +174,9 @@ TD_INLINE void place_rod(const thud_world *w, td_block *block) {
     q->base = q->separation = length - rows->turn_base;
 }
 
-/* The nearer limit, for now; impulses of the other one mean nothing to it. What neither springs nor
- * is driven has no impulses of them. */
+/* The rows of a driven direction with coordinate `value`: the limit that is nearer, which the
+ * passes may change later, the spring and the motor. Impulses of another limit than last, and of
+ * springs and motors that do not act, become 0. */
 TD_INLINE void set_values(td_block *block, td_drive_rows *rows, f8 value) {
     td_point *p = &block->point[0], *q = &block->point[1];
     f8 zero = f8_all(0.0f), one = f8_all(1.0f);
@@ -178,9 +192,10 @@ TD_INLINE void set_values(td_block *block, td_drive_rows *rows, f8 value) {
     block->tangent_impulse = f8_keep(rows->motor_most > zero, block->tangent_impulse);
 }
 
+/* The rows of a driven direction. */
 TD_INLINE void place_drive(const thud_world *w, td_block *block, int kind) {
     td_drive_rows *rows = td_drive_rows_of(block);
-    i8 used = lanes_of(block);
+    i8 used = used_lanes(block);
     place8 p = place_of(w, &rows->anchor, used);
     f8 x = f8_pick(rows->across, -p.axis_y, p.axis_x);
     f8 y = f8_pick(rows->across, p.axis_x, p.axis_y);
@@ -200,7 +215,7 @@ void TD_WIDE(td_place_joints)(thud_world *w, td_block *const *blocks, int count,
     int kind = td_constraint_at(w, blocks[0]->constraint[0])->kind;
     for (int i = 0; i < count; i++) {
         if (blocks[i]->armed) {
-            td_joint_look_up(w, blocks[i]);
+            td_joint_update_anchors(w, blocks[i]);
         }
         if (kind == TD_CONSTRAINT_LOCK) {
             place_lock(w, blocks[i]);

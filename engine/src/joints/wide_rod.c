@@ -1,39 +1,45 @@
-/* wide_rod.c: solver passes for distances that are locked: one row that pulls as well as it pushes,
- * along the line between both anchors as it turns. */
+/* wide_rod.c: solver passes for locked distances: one equality row along the line between the
+ * anchors as it is in the substep, with gap = distance - length; and the bracing of rods and locks.
+ */
 #include "joints/wide_joint.h"
 
-TD_INLINE void pull_block(td_block *block, const td_solve_context *c, bool fixed, bool soft) {
+/* A solve pass (`soft`) or relax pass over a block. The last relax pass notes the greatest speed as
+ * the residual, with a minus sign. */
+TD_INLINE void solve_rod(td_block *block, const td_solve_context *c, bool fixed, bool soft) {
     td_point *p = &block->point[0];
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), length;
-    f8 wanted = td_lock_rows_of(block)->turn_base;
+    f8 rest_length = td_lock_rows_of(block)->turn_base;
     sides v = read_sides(c->velocity, block, fixed), d = read_sides(c->delta, block, fixed);
-    frame8 f = line_now(block, &d, fixed, p->base + wanted, zero, &length);
-    p->separation = f8_keep(p->normal_mass > zero, length - wanted);
+    frame8 f = line_now(block, &d, fixed, p->base + rest_length, zero, &length);
+    p->separation = f8_keep(p->normal_mass > zero, length - rest_length);
     td_applied_impulse *applied = &td_lock_rows_of(block)->applied;
     if (soft && !c->first) {
         f8 old = p->normal_impulse;
-        give_anew(block, fixed, &v, applied, f.x * old, f.y * old, f.a_u * old, f.b_u * old);
+        replace_impulse(block, fixed, &v, applied, f.x * old, f.y * old, f.a_u * old, f.b_u * old);
     }
-    f8 mass = inverse_or_zero(yield(block, &v, fixed, one, f.a_u, f.b_u, f.a_u, f.b_u));
-    f8 bias = zero, scale = one, keep = zero;
+    f8 mass =
+        inverse_or_zero(inverse_mass_entry(block, &v, fixed, one, f.a_u, f.b_u, f.a_u, f.b_u));
+    f8 bias = zero, scale = one, impulse_share = zero;
     if (soft) {
-        f8 most = td_lock_rows_of(block)->haste * f8_all(c->joint_closing);
-        bias = f8_clamp(p->separation * pull_of(td_lock_rows_of(block)->haste) * f8_all(c->inv_h),
-                        -most, most);
-        scale = f8_all(1.0f - LOST);
-        keep = f8_all(LOST);
+        f8 max = td_lock_rows_of(block)->haste * f8_all(c->joint_closing);
+        bias = f8_clamp(p->separation * gap_share(td_lock_rows_of(block)->haste) * f8_all(c->inv_h),
+                        -max, max);
+        scale = f8_all(1.0f - IMPULSE_SCALE);
+        impulse_share = f8_all(IMPULSE_SCALE);
     }
     f8 speed = speed_now(&v, fixed, f.x, f.y, f.a_u, f.b_u), old = p->normal_impulse;
-    f8 now = old - scale * mass * (speed + bias) - keep * old;
+    f8 now = old - scale * mass * (speed + bias) - impulse_share * old;
     p->normal_impulse = now;
     f8 change = now - old;
-    give(block, fixed, &v, applied, f.x * change, f.y * change, f.a_u * change, f.b_u * change);
+    apply_impulse(block, fixed, &v, applied, f.x * change, f.y * change, f.a_u * change,
+                  f.b_u * change);
     write_sides(c, block, fixed, &v);
     if (c->last) {
         c->tally->slowest = f8_min(f8_keep(mass > zero, -f8_abs(speed)), c->tally->slowest);
     }
 }
 
+/* Applies the impulses of the last step, and looks for gaps that make the step brace its joints. */
 TD_INLINE void warm_start(td_block *const *blocks, int count, const td_solve_context *c,
                           bool fixed) {
     for (int i = 0; i < count; i++) {
@@ -42,22 +48,25 @@ TD_INLINE void warm_start(td_block *const *blocks, int count, const td_solve_con
         f8 impulse = p->normal_impulse;
         td_applied_impulse *applied = &td_lock_rows_of(block)->applied;
         sides v = read_sides(c->velocity, block, fixed);
-        look_for_tears(c, p->separation, f8_all(0.0f));
-        forget_applied(applied);
-        give(block, fixed, &v, applied, block->nx * impulse, block->ny * impulse,
-             p->cross_a * impulse, p->cross_b * impulse);
+        flag_torn(c, p->separation, f8_all(0.0f));
+        clear_applied(applied);
+        apply_impulse(block, fixed, &v, applied, block->nx * impulse, block->ny * impulse,
+                      p->cross_a * impulse, p->cross_b * impulse);
         write_sides(c, block, fixed, &v);
     }
 }
 
-TD_INLINE void pull(td_block *const *blocks, int count, const td_solve_context *c, bool fixed,
-                    bool soft) {
+TD_INLINE void solve(td_block *const *blocks, int count, const td_solve_context *c, bool fixed,
+                     bool soft) {
     for (int i = 0; i < count; i++) {
-        pull_block(blocks[i], c, fixed, soft);
+        solve_rod(blocks[i], c, fixed, soft);
     }
 }
 
-void TD_WIDE(td_brace_given)(td_block *block, const td_solve_context *c, bool fixed) {
+/* See wide_joint.h. The "powers" are products of the impulses that a lane applied in this substep
+ * and the speeds along them, p.u and p.u'. TD_BRACE_KEEP scales both the lane's impulses and the
+ * record of what it applied. */
+void TD_WIDE(td_brace_applied)(td_block *block, const td_solve_context *c, bool fixed) {
     td_applied_impulse *g = &td_lock_rows_of(block)->applied;
     td_point_history *powers = td_history_of(block, 2);
     sides v = read_sides(c->velocity, block, fixed);
@@ -69,27 +78,29 @@ void TD_WIDE(td_brace_given)(td_block *block, const td_solve_context *c, bool fi
         powers[c->brace == TD_BRACE_AFTER].total = power;
         return;
     }
-    td_applied_impulse none;
-    forget_applied(&none);
+    td_applied_impulse sum;
+    clear_applied(&sum);
     if (c->brace == TD_BRACE_TAKE) {
-        give(block, fixed, &v, &none, -g->x, -g->y, -g->moment_a, -g->moment_b);
+        apply_impulse(block, fixed, &v, &sum, -g->x, -g->y, -g->moment_a, -g->moment_b);
     } else {
         f8 kept = powers[0].total;
         block->point[0].normal_impulse *= kept;
         block->point[1].normal_impulse *= kept;
         block->tangent_impulse *= kept;
-        give(block, fixed, &v, &none, kept * g->x, kept * g->y, kept * g->moment_a,
-             kept * g->moment_b);
-        *g = none;
+        apply_impulse(block, fixed, &v, &sum, kept * g->x, kept * g->y, kept * g->moment_a,
+                      kept * g->moment_b);
+        *g = sum;
     }
     write_sides(c, block, fixed, &v);
 }
 
+/* A stage of bracing, joint_brace.c. TD_BRACE_GIVE applies the warm start along the lines of the
+ * present substep. */
 TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context *c, bool fixed) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         if (c->brace != TD_BRACE_GIVE) {
-            TD_WIDE(td_brace_given)(block, c, fixed);
+            TD_WIDE(td_brace_applied)(block, c, fixed);
             continue;
         }
         td_lock_rows *h = td_lock_rows_of(block);
@@ -97,28 +108,28 @@ TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context 
         sides v = read_sides(c->velocity, block, fixed), d = read_sides(c->delta, block, fixed);
         frame8 f =
             line_now(block, &d, fixed, block->point[0].base + h->turn_base, f8_all(0.0f), &length);
-        give_anew(block, fixed, &v, &h->applied, f.x * u, f.y * u, f.a_u * u, f.b_u * u);
+        replace_impulse(block, fixed, &v, &h->applied, f.x * u, f.y * u, f.a_u * u, f.b_u * u);
         write_sides(c, block, fixed, &v);
     }
 }
 
-/* Nothing bounces off a joint. */
-static void rest(td_block *const *blocks, int count, const td_solve_context *c) {
+/* The restitution pass: joints have none. */
+static void no_bounce(td_block *const *blocks, int count, const td_solve_context *c) {
     (void)blocks, (void)count, (void)c;
 }
 
 TD_PASS(warm_start_moving, warm_start, false)
 TD_PASS(warm_start_fixed, warm_start, true)
-TD_PASS(pull_moving, pull, false, true)
-TD_PASS(pull_fixed, pull, true, true)
-TD_PASS(ease_moving, pull, false, false)
-TD_PASS(ease_fixed, pull, true, false)
+TD_PASS(solve_moving, solve, false, true)
+TD_PASS(solve_fixed, solve, true, true)
+TD_PASS(relax_moving, solve, false, false)
+TD_PASS(relax_fixed, solve, true, false)
 TD_PASS(brace_moving, brace, false)
 TD_PASS(brace_fixed, brace, true)
 
 extern const td_solve_ops TD_WIDE(td_solve_rod);
 const td_solve_ops TD_WIDE(td_solve_rod) = {{warm_start_moving, warm_start_fixed},
-                                            {pull_moving, pull_fixed},
-                                            {ease_moving, ease_fixed},
-                                            rest,
+                                            {solve_moving, solve_fixed},
+                                            {relax_moving, relax_fixed},
+                                            no_bounce,
                                             {brace_moving, brace_fixed}};
