@@ -129,7 +129,7 @@ async function assemble(app: App, stage: Stage, hud: Hud): Promise<void> {
   byId("scenes").addEventListener("open", loadGallery);
   addControls(app, stage, dock);
   describeScene(app);
-  listenToScenes(app, { dock, hud, figures, hinted: addHint(app) });
+  listenToScenes(app, { dock, hud, figures, hinted: addHint(app), change });
   app.listen({
     run({ keys }) {
       pad.show(keys);
@@ -243,11 +243,16 @@ function toFirst(app: App): WayOn {
   return { label: "Go to the first scene", go: () => void app.open(FIRST_SCENE) };
 }
 
-/** What is told of scenes: what to look at, how to play, what is wrong. `hinted`: a hint is shown. */
+/**
+ * What is told of scenes: what to look at, how to play, what is wrong. `hinted`: a hint is shown;
+ * `change` lays the page out anew.
+ */
 function listenToScenes(
   app: App,
-  { dock, hud, figures, hinted }: { dock: Dock; hud: Hud; figures: Figures; hinted: boolean },
+  parts: { dock: Dock; hud: Hud; figures: Figures; hinted: boolean; change(): void },
 ): void {
+  const { dock, hud, figures, change } = parts;
+  let { hinted } = parts;
   let announced = "";
   /** A scene has begun of which nothing is told yet; its first frame is there; it speaks itself;
    * its buttons do. */
@@ -299,7 +304,7 @@ function listenToScenes(
       void leftOut?.then(({ showNotes }) => showNotes(notes));
     },
     frame({ paint }) {
-      figures.show(paint);
+      if (figures.show(paint)) change();
       framed = true;
       // A scene that has a message of its own says by itself what to do.
       speaks = Boolean(paint?.message);

@@ -14,15 +14,16 @@ import { root, thud } from "../support/package.mjs";
 /** Kilobytes (1000 bytes) of the gzipped module: what is reached, and what is aimed at. */
 const PROGRAMS = [
   // Sensors that report what passes them take 2 kB of each: a shape's def says only when the program runs
-  // whether it is a sensor, so that no linker can leave them out.
-  { name: "circles", bound: 46.2, aim: 12 },
-  { name: "boxes", bound: 55.8, aim: 18 },
-  { name: "islands", bound: 58.2, aim: 18 },
+  // whether it is a sensor, so that no linker can leave them out. Numbers in the reasons of refusals take
+  // 0.7 to 0.9 kB of each.
+  { name: "circles", bound: 46.9, aim: 12 },
+  { name: "boxes", bound: 56.7, aim: 18 },
+  { name: "islands", bound: 59.1, aim: 18 },
   // Queries that leave edits waiting and reasons of refusals take 2 kB.
-  { name: "everything", bound: 92.8, aim: 40 },
-  // Rows solved together, both limits and the bracing of torn joints take 5 kB; the cap of both directions
-  // together 0.6 kB.
-  { name: "joints", bound: 88.4, aim: 40 },
+  { name: "everything", bound: 91.1, aim: 40 },
+  // Rows solved together, both limits and the bracing of torn joints take 5 kB, joints that yield to static
+  // shapes 3 kB, and the cap of both directions together 0.6 kB.
+  { name: "joints", bound: 89.8, aim: 40 },
 ];
 
 const sources = readdirSync(`${root}engine/src`, { recursive: true })

@@ -103,6 +103,36 @@ for (const scene of ["brick_wall", "artillery", "bridge_builder"])
     await close();
   });
 
+/** Inks of both tanks, in the dark theme and in the light one (web/src/draw/palette.ts). */
+const TANKS = [[255, 157, 92], [108, 196, 255], [181, 72, 12], [31, 99, 184]];
+
+/** In CSS pixels from the top: how low one of the colours is drawn over the bodies. */
+function lowestOf(colours) {
+  const canvas = document.getElementById("overlay");
+  const { width, height } = canvas;
+  const copy = Object.assign(document.createElement("canvas"), { width, height });
+  const context = copy.getContext("2d", { willReadFrequently: true });
+  context.drawImage(canvas, 0, 0);
+  const { data } = context.getImageData(0, 0, width, height);
+  for (let i = data.length - 4; i > 0; i -= 4)
+    if (colours.some((colour) => colour.every((value, k) => data[i + k] === value)))
+      return (Math.floor(i / 4 / width) * innerHeight) / height;
+  return 0;
+}
+
+test("how_artillery_is_played_is_told_below_both_tanks_where_a_window_is_low", async () => {
+  for (const seed of [1, 3, 5]) {
+    const small = { viewport: { width: 640, height: 400 } };
+    const { page, close } = await visitor.open(`?scene=artillery&seed=${seed}&paused=1`, small);
+    await stepBy(page, 1);
+    await page.waitForSelector("#notice:not([hidden])");
+    const { y } = await page.locator("#notice").boundingBox();
+    const low = () => page.evaluate(lowestOf, TANKS);
+    await until(low, (tanks) => tanks > 200 && tanks <= y, `tanks above ${y}`);
+    await close();
+  }
+});
+
 test("nothing_moves_when_the_engine_comes", async () => {
   let release;
   const held = new Promise((resolve) => (release = resolve));
@@ -146,9 +176,15 @@ test("hint_is_shown_once_and_goes_for_good_when_a_body_is_dragged", async () => 
   await close();
 });
 
-for (const [size, options] of [["desktop", DESKTOP], ["phone", PHONE]])
-  test(`hint_covers_nothing_of_the_scene_on_${size}`, async () => {
-    const { page, close } = await visitor.open("?scene=tall_stack&paused=1", options);
+/** The cradles' figures come with the first picture, and push the hint down on a phone. */
+const HINTED = [
+  ["tall_stack", "desktop", DESKTOP],
+  ["tall_stack", "phone", PHONE],
+  ["newtons_cradle", "phone", PHONE],
+];
+for (const [scene, size, options] of HINTED)
+  test(`hint_covers_nothing_of_${scene}_on_a_${size}`, async () => {
+    const { page, close } = await visitor.open(`?scene=${scene}&paused=1`, options);
     await stepBy(page, 1);
     await untilStill(page);
     const hint = await page.locator("#hint").boundingBox();
@@ -163,7 +199,9 @@ for (const [size, options] of [["desktop", DESKTOP], ["phone", PHONE]])
         const first = data.findIndex((value, i) => i % 4 === 3 && value >= 128);
         return Math.floor(first / 4 / width) * (innerHeight / height);
       });
-    await until(highest, (y) => y >= hint.y + hint.height, `below ${hint.y + hint.height}`);
+    // The view begins 8 below it.
+    const top = hint.y + hint.height + 8;
+    await until(highest, (y) => y >= top, `below ${top}`);
     await close();
   });
 

@@ -2,7 +2,14 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { linkOf, openCode, run, troubleOf, type, untilStatus } from "../support/code.mjs";
-import { failureText, figure, impatiently, openVisitor, untilRunning, untilTold } from "../support/page.mjs";
+import {
+  failureText,
+  figure,
+  impatiently,
+  openVisitor,
+  untilRunning,
+  untilTold,
+} from "../support/page.mjs";
 import { until } from "../support/wait.mjs";
 
 let visitor;

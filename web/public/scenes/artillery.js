@@ -19,6 +19,7 @@ const SAFE_FALL = 5; // metres a second; faster landings hurt
 const FALL_HURTS = 5; // health points for each metre a second more
 const LONGEST_SETTLING = 300; // steps from a hit to the next turn
 const STEP = 1 / 60;
+const CHOICE = "Left: play the computer. Right: two players.";
 
 export default async function ({ createWorld, readText, random, seed }) {
   const stretch = await chooseGround(readText, random(seed + 1)(0, 1));
@@ -63,7 +64,7 @@ export default async function ({ createWorld, readText, random, seed }) {
       velocity: [0, 0], // of the shell, if nothing meets it in the next step
       trail: [],
       effects: [], // rings and figures that fade
-      message: "",
+      message: CHOICE,
       before: {}, // keys held in the last step
       pointerDown: false,
       holds: { left: 0, right: 0, up: 0, down: 0 },
@@ -93,7 +94,6 @@ export default async function ({ createWorld, readText, random, seed }) {
   }
 
   function choose(game, input, pressed, tapped) {
-    game.message = "Left: play the computer. Right: two players.";
     const forOne = pressed("left") || pressed("fire") || (tapped && input.pointer.x < 0);
     const forTwo = pressed("right") || (tapped && input.pointer.x >= 0);
     if (!forOne && !forTwo) return;

@@ -13,11 +13,13 @@ export class Figures {
     this.#shown = "";
   }
 
-  show(paint: Paint | null): void {
+  /** True where the figures came or went: what stands under them has moved. */
+  show(paint: Paint | null): boolean {
     const { figures = [], message = "" } = paint ?? {};
+    const moved = this.#root.hidden !== (figures.length === 0);
     this.#root.hidden = figures.length === 0;
     const text = JSON.stringify([figures, message]);
-    if (text === this.#shown) return;
+    if (text === this.#shown) return moved;
     this.#shown = text;
     this.#root.replaceChildren(
       ...figures.map(({ label, value }) =>
@@ -29,5 +31,6 @@ export class Figures {
       this.#line.textContent = message;
       if (message) say(message);
     }
+    return moved;
   }
 }

@@ -8,7 +8,8 @@ import { notice } from "./messages";
 
 const KEY = "thud-hint-seen";
 const FIRST =
-  "A physics engine in which you choose between speed and accuracy, and see both measured beside Box2D. Drag anything, and throw it.";
+  "A physics engine in which you choose between speed and accuracy, and see both measured beside " +
+  "Box2D. Drag anything, and throw it.";
 const NEXT =
   "Let go to throw it. Next, open Trade to set how accurate it is, or Versus to see it in Box2D.";
 

@@ -27,9 +27,11 @@ export function checkScene(scene: Scene): void {
   for (const name of LISTS)
     if (scene[name] !== undefined && !Array.isArray(scene[name]))
       wrong(`A scene's ${name} is a list: ${name}: […]`);
-  for (const { x, y, height, width = 1 } of [view, view?.tall].filter((one) => one !== undefined))
+  for (const one of [view, view?.tall]) {
+    const { x, y, height, width = 1 } = one ?? { x: 0, y: 0, height: 1 };
     if (![x, y, height, width].every(Number.isFinite) || height <= 0 || width <= 0)
       wrong("A scene's view has finite numbers: view: { x: 0, y: 5, height: 20 }");
+  }
   if (spawn !== undefined && !isPlace(spawn)) wrong("A scene's spawn is a place: spawn: [0, 10]");
   if (typeof keys !== "object" || !Object.values(keys).every((word) => typeof word === "string"))
     wrong('A scene\'s keys is a list, or tells what each does: keys: { left: "walk" }');

@@ -97,14 +97,15 @@ function paintSmoke(marks, x, y, clock) {
   }
 }
 
+/** Above the tanks, and in a low window below the figures. */
 function paintChoice(marks, view) {
-  const y = view.y + 5;
+  const y = view.y + 2.5;
   const choices = [
     [-10.5, "player", "← One player"],
     [10.5, "rival", "Two players →"],
   ];
   for (const [x, ink, text] of choices) {
-    const button = { halfWidth: 9, halfHeight: 3.3, round: 1 };
+    const button = { halfWidth: 9, halfHeight: 2.6, round: 1 };
     marks.push({ kind: "box", x, y, ...button, ink, opacity: 0.2, filled: true });
     marks.push({ kind: "box", x, y, ...button, ink });
     marks.push({ kind: "text", x, y, text, ink: "ink", size: 16 });
