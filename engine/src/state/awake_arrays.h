@@ -27,7 +27,7 @@ enum {
     X(idle, float, TD_STATE)           /* time at rest, s */                                      \
     X(direct_steps, uint8_t, TD_STATE) /* steps for which its island is still direct */           \
     X(slow_steps, uint16_t, TD_STATE)  /* steps that took its island's solver long */             \
-    X(reach, float[2], TD_STATE)       /* td_body.core and .rim */                                \
+    X(reach, float[2], TD_STATE)       /* td_body.min_extent and .max_extent */                   \
     X(mass, float, TD_STATE)                                                                      \
     X(inertia, float, TD_STATE)                                                                   \
     X(weight, float, TD_STATE)          /* mass times gravity scale */                            \
