@@ -45,7 +45,12 @@ export class Overlay {
   }
 
   async #bringLate(): Promise<void> {
-    late = await import("./late");
+    try {
+      late = await import("./late");
+    } catch {
+      // The page is being left, or the network is gone: the next picture asks again.
+      return;
+    }
     this.redraw();
   }
 
