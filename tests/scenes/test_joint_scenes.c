@@ -153,7 +153,7 @@ static void trebuchet_hits_the_tower(void **state) {
             hit += moved(&t, i) > 0.5;
         assert_int_equal(broken, 1);
         /* How many bricks move depends on the step in which the sling breaks, more than on anything
-         * that an engine gets right or wrong: at half the time step the stone misses the tower. */
+         * that an engine gets right or wrong: at a quarter of the time step no brick moves. */
         assert_true(hit > (good[q] == &thud_quality_exact ? 0 : 5));
         close_stage(&t);
     }
