@@ -150,7 +150,8 @@ static void moved_bodies_are_those_elsewhere(trial *t) {
     }
 }
 
-/* What a sensor overlaps is what it told of as begun, and not as ended. */
+/* What a sensor overlaps is what it told of as begun, and not as ended. Each event turns a pair
+ * from one to the other, also where a step tells of both for a pair (thud_events.h). */
 static void sensors_list_what_they_told(trial *t) {
     bool open[SLOTS][SLOTS] = {{false}};
     thud_shape_id all[SLOTS], list[SLOTS];
@@ -164,7 +165,7 @@ static void sensors_list_what_they_told(trial *t) {
             bool ends = i < e.sensor_end_count;
             const thud_contact_event *at =
                 ends ? &e.sensor_end[i] : &e.sensor_begin[i - e.sensor_end_count];
-            open[at->shape_a.index1 - 1][at->shape_b.index1 - 1] = !ends;
+            open[at->shape_a.index1 - 1][at->shape_b.index1 - 1] ^= true;
         }
         DO(t, thud_world_shapes(y.world, all, SLOTS, &count));
         for (int i = 0; i < count && !trial_failed(t); i++) {

@@ -193,7 +193,8 @@ uint64_t thud_world_hash(const thud_world *w) {
     uint64_t hash = 0xcbf29ce484222325ull;
     for (td_body_index i = {0}; w && i.at < w->bodies.count; i.at++) {
         const td_body *body = td_body_at(w, i);
-        if (!(body->flags & TD_BODY_LIVE)) {
+        /* Anchors of locks are no bodies of the caller's, and go in the step after their lock. */
+        if ((body->flags & (TD_BODY_LIVE | TD_BODY_ANCHOR)) != TD_BODY_LIVE) {
             continue;
         }
         const td_pose *pose = td_pose_at(w, i);

@@ -24,7 +24,11 @@
  * too long, and a motor stalls. The velocities are scaled down where they have more kinetic energy
  * than gravity and forces explain (limit_energy).
  *
- * The next step begins without the impulses of the joints that yielded and of their static contacts
+ * A group with a limit of length that was exceeded far as the step began, as that of a rope which
+ * is much too short, may gain no energy by closing it (limit_closing_energy).
+ *
+ * The next step begins without the impulses of the joints that yielded, of such limits where the
+ * group is pressed against a static shape, and of the static contacts of either
  * (td_joints_forget); kept, they would grow without bound. step.c calls td_joints_forget before the
  * solver and td_joints_yield after it.
  *
@@ -45,10 +49,10 @@
  * floor_bears_what_is_reeled_in (test_distances.c) and
  * motor_stalls_at_a_wall_and_its_hinge_stays_closed (test_joints_held.c) hold bodies to it. */
 #define DEPTH_SHARE_MAX 0.1f
-/* Share beyond which a joint is found to yield; while its group yielded in the last step,
- * DEPTH_SHARE_MAX is used instead. It is greater because impacts press limbs of ragdolls in further
- * than DEPTH_SHARE_MAX for a few steps, and their joints must not yield. Chosen; thud_joint.h
- * states it, and floor_bears_what_is_reeled_in fails at twice this. */
+/* Share beyond which a joint is found to yield; while its group yielded in the last step, or has a
+ * limit that is far exceeded, DEPTH_SHARE_MAX is used instead. It is greater because impacts press
+ * limbs of ragdolls in further than DEPTH_SHARE_MAX for a few steps, and their joints must not
+ * yield. Chosen; thud_joint.h states it, and floor_bears_what_is_reeled_in fails at twice this. */
 #define DEPTH_SHARE_DETECT 0.4f
 /* A contact that overlaps by more than the limit as a step begins, as that of a body created inside
  * of a shape, has to separate at this share of the world's push_speed. Measured: at half and at
@@ -75,8 +79,7 @@ typedef struct tied_group {
     bool on_velocities;    /* rows act on velocities; false: on the motions of the step */
     struct finding *found; /* out: what inspect_constraint found */
     float core;            /* smallest half extent of its bodies, a length */
-    float depth_share;     /* DEPTH_SHARE_DETECT, or DEPTH_SHARE_MAX after a step in which one of
-                              its joints yielded */
+    float depth_share;     /* DEPTH_SHARE_DETECT, or DEPTH_SHARE_MAX where has_joints says so */
 } tied_group;
 
 /* Calls `visit` once for each acting constraint of the group's bodies. One with a dynamic body
@@ -430,12 +433,12 @@ static double twice_energy(const thud_world *w, td_awake_slot slot, const float 
     return (v[0] * v[0] + v[1] * v[1]) / (double)body->inv_mass + turning;
 }
 
-/* Scales the group's velocities down to the kinetic energy that it had before the step plus what
- * gravity and forces may have added. Rows that nearly oppose each other do not converge within the
- * passes, and leave much of the speed with which they approach. */
-static void limit_energy(const tied_group *g) {
+/* Scales the group's velocities down to the kinetic energy that it had before the step, plus what
+ * gravity and forces may have added, plus `more`. Rows that nearly oppose each other do not
+ * converge within the passes, and leave much of the speed with which they approach. */
+static void limit_energy(const tied_group *g, double more) {
     const thud_world *w = g->w;
-    double before = 0.0, after = 0.0;
+    double before = more, after = 0.0;
     td_awake_slot slot = g->first;
     do {
         const float *push = td_row(&w->push, slot);
@@ -474,7 +477,7 @@ static void put_group_back(thud_world *w, td_awake_slot slot) {
     for_each_constraint(&g, update_separations);
     g.on_velocities = true;
     run_passes(&g);
-    limit_energy(&g);
+    limit_energy(&g, 0.0);
     for_each_constraint(&g, mark_yielded);
 }
 
@@ -483,7 +486,8 @@ static void put_group_back(thud_world *w, td_awake_slot slot) {
 /* Bits that mark a body, in scratch.parents by awake slot. */
 enum {
     MARK_PRESSED = 1, /* a contact with a static shape is too deep, and a joint acts on the body */
-    MARK_STALLED = 2  /* a motor misses its target speed, below its maximum force */
+    MARK_STALLED = 2, /* a motor misses its target speed, below its maximum force */
+    MARK_EXCEEDED = 4 /* a limit was far exceeded as the step began */
 };
 
 /* Adds bits to the mark of a body; slot 0, which stands for static sides, keeps none. */
@@ -492,17 +496,29 @@ static void mark_body(thud_world *w, td_awake_slot slot, int mark) {
     marks[slot.at].at |= slot.at > 0 ? mark : 0;
 }
 
-/* Whether a joint acts on a body. *yielded: whether one of them yielded in the step before. */
-static bool has_joints(const thud_world *w, td_awake_slot slot, bool *yielded) {
+/* Whether a drive has a limit of length that was exceeded, as the step began, by more than
+ * TD_JOINT_CLOSING takes back in a substep, as that of a rope which is much too short. */
+static bool limit_far_exceeded(const thud_world *w, const td_lane *at, int kind) {
+    double substep = w->def.time_step / w->substeps;
+    double far = (double)(TD_JOINT_CLOSING / TD_JOINT_PULL * w->unit) * substep;
+    return (kind == TD_CONSTRAINT_DRIVE_LINE || kind == TD_CONSTRAINT_DRIVE_AXIS) &&
+           td_drive_rows_at(at->block)->limited[at->lane] != 0 &&
+           (double)at->block->point[0].base[at->lane] < -far;
+}
+
+/* Whether a joint acts on a body. *yields: whether one of them yielded in the step before, or has a
+ * limit that is far exceeded, so that it would yield sooner or later. */
+static bool has_joints(const thud_world *w, td_awake_slot slot, bool *yields) {
     bool any = false;
-    *yielded = false;
+    *yields = false;
     int e = td_body_at(w, td_body_of(w, slot))->first_constraint;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, e / 2);
         if (constraint->state == TD_TOUCHING && !td_is_contact(constraint)) {
             td_lane at = td_lane_of(w, constraint);
             any = true;
-            *yielded |= (at.block->mark[at.lane].rule & TD_LANE_WAS_LOST) != 0;
+            *yields |= (at.block->mark[at.lane].rule & TD_LANE_WAS_LOST) ||
+                       limit_far_exceeded(w, &at, constraint->kind);
         }
     }
     return any;
@@ -525,15 +541,16 @@ static bool motor_stalls(const thud_world *w, const td_lane *at, int kind) {
  * shape. */
 static int lane_mark(const thud_world *w, const td_lane *at, const td_run *run) {
     if (run->kind >= TD_PAIR_COUNT) {
-        return motor_stalls(w, at, run->kind) ? MARK_STALLED : 0;
+        return (motor_stalls(w, at, run->kind) ? MARK_STALLED : 0) |
+               (limit_far_exceeded(w, at, run->kind) ? MARK_EXCEEDED : 0);
     }
-    bool deep = false, far = false, yielded = false;
+    bool deep = false, far = false, yields = false;
     for (int k = 0; k < td_form_points(w->kinds[run->kind]->form); k++) {
         deep |= sank_too_deep(w, at, k, DEPTH_SHARE_MAX);
         far |= sank_too_deep(w, at, k, DEPTH_SHARE_DETECT);
     }
-    deep = deep && has_joints(w, td_slot_of_side(at->block->b[at->lane]), &yielded);
-    return deep && (far || yielded) ? MARK_PRESSED : 0;
+    deep = deep && has_joints(w, td_slot_of_side(at->block->b[at->lane]), &yields);
+    return deep && (far || yields) ? MARK_PRESSED : 0;
 }
 
 /* Sets the marks of all bodies. False where no body is marked; marks are not initialised then. */
@@ -598,6 +615,55 @@ static void inspect_constraint(const tied_group *g, const td_constraint *constra
     }
 }
 
+/* Adds to *twice_before twice the kinetic energy that the other body of an edge had before the
+ * step. Returns false where that body is kinematic, or the edge is a motor or a spring: these may
+ * give a group more energy than there was. */
+static bool add_energy_beside(const thud_world *w, int edge, double *twice_before) {
+    const td_constraint *constraint = td_constraint_at(w, edge / 2);
+    const td_body *other = td_body_at(w, td_other_body(w, edge));
+    if (constraint->state != TD_TOUCHING) {
+        return true;
+    }
+    if (is_drive(constraint->kind)) {
+        td_lane at = td_lane_of(w, constraint);
+        const td_drive_rows *rows = td_drive_rows_at(at.block);
+        if (rows->motor_most[at.lane] > 0.0f || rows->frequency[at.lane] > 0.0f) {
+            return false;
+        }
+    }
+    if (other->kind == THUD_DYNAMIC && other->awake.at > 0) {
+        *twice_before += twice_energy(w, other->awake, td_row(&w->scratch.before, other->awake),
+                                      td_row(&w->push, other->awake), (float)w->substeps);
+    }
+    return other->kind != THUD_KINEMATIC;
+}
+
+/* Closing an exceeded limit takes energy out, or none. In the soft solver, contacts in its way turn
+ * a part of the speed of closing into another direction, and the relax passes leave it there. So
+ * the group gets no more kinetic energy than it and the bodies beside it had before the step. Where
+ * it is pressed against a static shape, its joints count as yielded. Nothing is done where the
+ * group may be driven (add_energy_beside). */
+static void limit_closing_energy(thud_world *w, td_awake_slot first) {
+    finding found = {false, false, false};
+    tied_group g = {.w = w, .first = first, .found = &found};
+    double beside = 0.0;
+    td_awake_slot slot = first;
+    do {
+        int e = td_body_at(w, td_body_of(w, slot))->first_constraint;
+        for (; e != TD_NONE; e = td_next_edge(w, e)) {
+            if (!add_energy_beside(w, e, &beside)) {
+                return;
+            }
+        }
+        slot = td_next_tied(w, slot);
+    } while (slot.at != first.at);
+    limit_energy(&g, beside);
+    for_each_constraint(&g, inspect_constraint);
+    if (found.touches_static) {
+        for_each_constraint(&g, mark_yielded);
+    }
+}
+
 /* Whether the group of a marked body is to be corrected: see the head of the file. */
 static bool group_must_yield(thud_world *w, td_awake_slot slot) {
     const td_awake_slot *marks = w->scratch.parents.data;
@@ -607,10 +673,10 @@ static bool group_must_yield(thud_world *w, td_awake_slot slot) {
     int mark = 0;
     td_awake_slot i = slot;
     do {
-        bool yielded;
+        bool yields;
         mark |= marks[i.at].at;
         g.core = td_min_float(g.core, td_row(&w->reach, i)[0]);
-        g.depth_share = has_joints(w, i, &yielded) && yielded ? DEPTH_SHARE_MAX : g.depth_share;
+        g.depth_share = has_joints(w, i, &yields) && yields ? DEPTH_SHARE_MAX : g.depth_share;
         i = td_next_tied(w, i);
     } while (i.at != slot.at);
     if (!(mark & MARK_PRESSED)) {
@@ -634,10 +700,15 @@ void td_joints_yield(thud_world *w) {
             put_group_back(w, slot);
         }
         td_awake_slot i = slot;
+        int mark = 0;
         do {
+            mark |= marks[i.at].at;
             marks[i.at].at = 0;
             i = td_next_tied(w, i);
         } while (i.at != slot.at);
+        if (mark & MARK_EXCEEDED) {
+            limit_closing_energy(w, slot);
+        }
     }
     if (any) {
         td_error_recount(w);

@@ -111,11 +111,24 @@ TD_INLINE void choose_limit(td_block *block, td_drive_rows *r, const direction8 
     p->separation = side * (n->value - r->limit);
 }
 
+/* The maximum of a limit's bias, a speed: TD_JOINT_HASTE times `closing`, TD_JOINT_CLOSING in
+ * length/s or rad/s, and what the load takes (LOAD_BIAS); angles are within a few radians, so that
+ * they need no more than the former. A limit that is exceeded, as a step begins, by more than
+ * `closing` takes back in a substep (a rope that is much too short) closes at `closing` alone: a
+ * contact in its way turns a part of that speed into another direction, in which it stays when the
+ * gap has closed. */
+TD_INLINE f8 max_limit_bias(const td_point *p, const td_solve_context *c, f8 k, drive_kind which) {
+    f8 closing = f8_all(which == TURN ? TD_JOINT_CLOSING : c->joint_closing);
+    i8 far = p->base * f8_all(which == TURN ? 0.0f : -GAP_SHARE * c->inv_h) > closing;
+    f8 load = which == TURN ? f8_all(0.0f) : f8_all(LOAD_BIAS) * k * f8_abs(p->normal_impulse);
+    return closing * f8_pick(far, f8_all(1.0f), f8_all(TD_JOINT_HASTE)) + load;
+}
+
 /* Solves limits: as a contact, speculative where it is open (the gap may close by the end of the
  * substep), soft where it is exceeded; or, where both limits are the same, as a lock. `soft`: solve
- * pass, false: relax pass. `max`: limit of the bias, a speed. */
+ * pass, false: relax pass. */
 TD_INLINE void solve_limit(td_block *block, td_drive_rows *r, const td_solve_context *c,
-                           const direction8 *n, bool fixed, bool soft, f8 max, sides *v) {
+                           const direction8 *n, bool fixed, drive_kind which, bool soft, sides *v) {
     td_point *p = &block->point[0];
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), inv_h = f8_all(c->inv_h);
     i8 locked = r->locked > zero, acts = r->limited;
@@ -128,6 +141,7 @@ TD_INLINE void solve_limit(td_block *block, td_drive_rows *r, const td_solve_con
     i8 apart = (gap > zero) & ~locked;
     f8 bias = zero, scale = one, impulse_share = zero;
     if (soft) {
+        f8 max = max_limit_bias(p, c, n->k, which);
         bias = f8_clamp(gap * f8_all(GAP_SHARE * c->inv_h), -max, max);
         scale = f8_pick(apart, one, f8_all(1.0f - IMPULSE_SCALE));
         impulse_share = f8_keep(~apart, f8_all(IMPULSE_SCALE));
@@ -154,11 +168,7 @@ TD_INLINE void solve_drive(td_block *const *blocks, int count, const td_solve_co
         }
         solve_spring(block, r, c, &n, fixed, &v);
         solve_motor(block, r, c, &n, fixed, &v);
-        f8 max = f8_all(TD_JOINT_HASTE * TD_JOINT_CLOSING);
-        if (which != TURN) { /* angles are within a few radians: the constant is enough */
-            max = max_bias(c->joint_closing, n.k, block->point[0].normal_impulse);
-        }
-        solve_limit(block, r, c, &n, fixed, soft, max, &v);
+        solve_limit(block, r, c, &n, fixed, which, soft, &v);
         write_sides(c, block, fixed, &v);
     }
 }

@@ -418,6 +418,53 @@ static void floor_bears_what_is_reeled_in(void **state) {
     }
 }
 
+/* A ball before a wall, below a loose box, at the end of a rope to a hook beyond the wall. The rope
+ * is reeled in at 3 a second, but is never shorter than the way to the hook by more than 0.1. As
+ * the ball has come up to the height of the hook, the rope only presses it against the wall. */
+static double speed_of_reeled_in(const thud_world_def *def) {
+    thud_world *world = make_world(*def);
+    thud_body_id hook = add_body(world, THUD_STATIC, 12, 4, 0);
+    thud_body_id wall = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_shape_def solid = thud_default_shape_def();
+    OK(thud_shape_create_aabb(world, wall, &solid, (thud_vec2){7, 5}, (thud_vec2){2, 8}, NULL));
+    OK(thud_shape_create_aabb(world, wall, &solid, (thud_vec2){0, -1}, (thud_vec2){9, 1}, NULL));
+    thud_body_id ball = add_ball(world, 4.5, 0.5, 0.4f), box = add_box(world, 4.5, 1.4, 0.4f, 0.3f);
+    thud_joint_def rope = rod_of(hook, ball, middle, middle, 1);
+    rope.drive[THUD_ALONG].limited = true;
+    rope.drive[THUD_ALONG].upper = (float)hypot(7.5, 3.5);
+    thud_joint_id id = make(world, rope);
+    thud_drive drive = rope.drive[THUD_ALONG];
+    double worst = 0;
+    for (double time = 0; time < 4; time += def->time_step) {
+        float taut = (float)joint_of(world, id).value[THUD_ALONG] - 0.1f;
+        drive.upper = fmaxf(drive.upper - 3 * (float)def->time_step, taut);
+        OK(thud_joint_set_drive(world, id, THUD_ALONG, &drive));
+        run(world, 1);
+        for (int k = 0; k < 2; k++) {
+            thud_body_state s = state_of(world, k ? box : ball);
+            worst = fmax(worst, hypot((double)s.velocity.x, (double)s.velocity.y));
+        }
+    }
+    thud_world_destroy(world);
+    return worst;
+}
+
+/* Where rope and wall are nearly at right angles, the ball has to move much faster than the rope.
+ * At 25 length scales a second it is stopped by what it moves towards at any detection. */
+static void rope_that_is_much_too_short_throws_nothing(void **state) {
+    (void)state;
+    for (int i = 0; i < 2 * 4 * QUALITIES; i++) {
+        thud_world_def def = def_of(qualities[i % QUALITIES]);
+        static const thud_detection *const detections[] = {&thud_detection_overlap,
+                                                           &thud_detection_continuous,
+                                                           &thud_detection_bisect,
+                                                           &thud_detection_swept};
+        def.detection = detections[i / QUALITIES % 4];
+        def.time_step = i / QUALITIES / 4 ? 1.0 / 240 : 1.0 / 60;
+        assert_true(speed_of_reeled_in(&def) < 25);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pendulum_keeps_its_length_and_passes_its_lowest_place),
@@ -435,6 +482,7 @@ int main(void) {
         cmocka_unit_test(error_report_has_the_speed_that_a_rod_misses),
         cmocka_unit_test(wrong_rods_are_refused),
         cmocka_unit_test(floor_bears_what_is_reeled_in),
+        cmocka_unit_test(rope_that_is_much_too_short_throws_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
