@@ -17,9 +17,9 @@ bool td_joint_frame_valid(const thud_world *w, td_reason *why, const thud_joint_
  * nothing. */
 static const char *undrivable_error(int direction, const thud_drive *d) {
     static const char *const none[TD_JOINT_DIRECTIONS] = {
-        "joint drive: a joint of this kind has none along: no limits, spring or motor",
-        "joint drive: a joint of this kind has none across: no limits, spring or motor",
-        "joint drive: a joint of this kind has none of turn: no limits, spring or motor"};
+        "joint drive: this kind of joint has no drive along",
+        "joint drive: this kind of joint has no drive across",
+        "joint drive: this kind of joint has no drive of turn"};
     bool acts = d->limited || d->frequency != 0.0f || d->motor_force != 0.0f;
     return acts ? none[direction] : NULL;
 }
@@ -76,10 +76,10 @@ const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_
         return why->text;
     }
     if (td_same_body(a, b) || (!is_dynamic(w, a) && !is_dynamic(w, b))) {
-        return "joint create: needs two bodies, one of them dynamic";
+        return "joint create: needs two bodies, one dynamic";
     }
     if ((d->kind == THUD_WHEEL || d->kind == THUD_TARGET) && !is_dynamic(w, b)) {
-        return "joint create: body b of a wheel or a target must be dynamic";
+        return "joint create: body b of a wheel or target must be dynamic";
     }
     if (!td_joint_frame_valid(w, why, &d->frame_a) || !td_joint_frame_valid(w, why, &d->frame_b) ||
         (d->kind == THUD_DISTANCE && !td_above_0(why, "joint create: length", (double)d->length,

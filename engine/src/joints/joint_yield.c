@@ -10,7 +10,10 @@
  * - where a contact of one of its bodies with a static shape overlaps more than before the step and
  *   more than DEPTH_SHARE_DETECT allows, and a joint acts on that body; or
  * - where one of its motors misses its target speed although its force is below its maximum, a
- *   contact with a static shape touches, and a lock has opened or such a contact is too deep.
+ *   contact with a static shape touches, and a lock has opened or such a contact is too deep; or
+ * - where a limit of length was far exceeded as the step began (a rope that is much too short), and
+ *   a contact with a static shape touches. Solved soft, such a contact turns a part of the speed at
+ *   which the rope closes into another direction, and the relax passes leave it there.
  *
  * A row's value is J x, where J is its Jacobian and x first the motions of the group's bodies in
  * this step (thud_world.delta), then their velocities. Where the value has to change by c, with the
@@ -24,11 +27,7 @@
  * too long, and a motor stalls. The velocities are scaled down where they have more kinetic energy
  * than gravity and forces explain (limit_energy).
  *
- * A group with a limit of length that was exceeded far as the step began, as that of a rope which
- * is much too short, may gain no energy by closing it (limit_closing_energy).
- *
- * The next step begins without the impulses of the joints that yielded, of such limits where the
- * group is pressed against a static shape, and of the static contacts of either
+ * The next step begins without the impulses of the joints that yielded and of their static contacts
  * (td_joints_forget); kept, they would grow without bound. step.c calls td_joints_forget before the
  * solver and td_joints_yield after it.
  *
@@ -49,10 +48,10 @@
  * floor_bears_what_is_reeled_in (test_distances.c) and
  * motor_stalls_at_a_wall_and_its_hinge_stays_closed (test_joints_held.c) hold bodies to it. */
 #define DEPTH_SHARE_MAX 0.1f
-/* Share beyond which a joint is found to yield; while its group yielded in the last step, or has a
- * limit that is far exceeded, DEPTH_SHARE_MAX is used instead. It is greater because impacts press
- * limbs of ragdolls in further than DEPTH_SHARE_MAX for a few steps, and their joints must not
- * yield. Chosen; thud_joint.h states it, and floor_bears_what_is_reeled_in fails at twice this. */
+/* Share beyond which a joint is found to yield; while its group yielded in the last step,
+ * DEPTH_SHARE_MAX is used instead. It is greater because impacts press limbs of ragdolls in further
+ * than DEPTH_SHARE_MAX for a few steps, and their joints must not yield. Chosen; thud_joint.h
+ * states it, and floor_bears_what_is_reeled_in fails at twice this. */
 #define DEPTH_SHARE_DETECT 0.4f
 /* A contact that overlaps by more than the limit as a step begins, as that of a body created inside
  * of a shape, has to separate at this share of the world's push_speed. Measured: at half and at
@@ -79,7 +78,8 @@ typedef struct tied_group {
     bool on_velocities;    /* rows act on velocities; false: on the motions of the step */
     struct finding *found; /* out: what inspect_constraint found */
     float core;            /* smallest half extent of its bodies, a length */
-    float depth_share;     /* DEPTH_SHARE_DETECT, or DEPTH_SHARE_MAX where has_joints says so */
+    float depth_share;     /* DEPTH_SHARE_DETECT, or DEPTH_SHARE_MAX after a step in which one of
+                              its joints yielded */
 } tied_group;
 
 /* Calls `visit` once for each acting constraint of the group's bodies. One with a dynamic body
@@ -264,15 +264,13 @@ static void correct_lock(const tied_group *g, const td_lane *at) {
         correct_row(g, at, &(row_direction){0.0, 0.0, sign, sign}, before,
                     before + sign * (b[2] - a[2]));
     }
-    if (p[0].normal_mass[at->lane] > 0.0f) {
-        td_joint_frame f = frame_of(g, at);
-        correct_row(g, at, &(row_direction){f.x, f.y, f.a_u, f.b_u}, (double)p[0].base[at->lane],
-                    f.gap_u);
-    }
-    if (p[1].normal_mass[at->lane] > 0.0f) {
-        td_joint_frame f = frame_of(g, at);
-        correct_row(g, at, &(row_direction){-f.y, f.x, f.a_v, f.b_v}, (double)p[1].base[at->lane],
-                    f.gap_v);
+    for (int k = 0; k < 2; k++) {
+        if (p[k].normal_mass[at->lane] > 0.0f) {
+            td_joint_frame f = frame_of(g, at);
+            row_direction along = {f.x, f.y, f.a_u, f.b_u}, across = {-f.y, f.x, f.a_v, f.b_v};
+            correct_row(g, at, k ? &across : &along, (double)p[k].base[at->lane],
+                        k ? f.gap_v : f.gap_u);
+        }
     }
 }
 
@@ -433,12 +431,12 @@ static double twice_energy(const thud_world *w, td_awake_slot slot, const float 
     return (v[0] * v[0] + v[1] * v[1]) / (double)body->inv_mass + turning;
 }
 
-/* Scales the group's velocities down to the kinetic energy that it had before the step, plus what
- * gravity and forces may have added, plus `more`. Rows that nearly oppose each other do not
- * converge within the passes, and leave much of the speed with which they approach. */
-static void limit_energy(const tied_group *g, double more) {
+/* Scales the group's velocities down to the kinetic energy that it had before the step plus what
+ * gravity and forces may have added. Rows that nearly oppose each other do not converge within the
+ * passes, and leave much of the speed with which they approach. */
+static void limit_energy(const tied_group *g) {
     const thud_world *w = g->w;
-    double before = more, after = 0.0;
+    double before = 0.0, after = 0.0;
     td_awake_slot slot = g->first;
     do {
         const float *push = td_row(&w->push, slot);
@@ -477,7 +475,7 @@ static void put_group_back(thud_world *w, td_awake_slot slot) {
     for_each_constraint(&g, update_separations);
     g.on_velocities = true;
     run_passes(&g);
-    limit_energy(&g, 0.0);
+    limit_energy(&g);
     for_each_constraint(&g, mark_yielded);
 }
 
@@ -496,29 +494,28 @@ static void mark_body(thud_world *w, td_awake_slot slot, int mark) {
     marks[slot.at].at |= slot.at > 0 ? mark : 0;
 }
 
-/* Whether a drive has a limit of length that was exceeded, as the step began, by more than
- * TD_JOINT_CLOSING takes back in a substep, as that of a rope which is much too short. */
+/* Whether a drive has a limit of length, and no spring, and the limit was exceeded, as the step
+ * began, by more than TD_JOINT_CLOSING takes back in a substep: a rope that is much too short.
+ * Without limits the base of point 0 is 0. */
 static bool limit_far_exceeded(const thud_world *w, const td_lane *at, int kind) {
-    double substep = w->def.time_step / w->substeps;
-    double far = (double)(TD_JOINT_CLOSING / TD_JOINT_PULL * w->unit) * substep;
-    return (kind == TD_CONSTRAINT_DRIVE_LINE || kind == TD_CONSTRAINT_DRIVE_AXIS) &&
-           td_drive_rows_at(at->block)->limited[at->lane] != 0 &&
-           (double)at->block->point[0].base[at->lane] < -far;
+    const td_drive_rows *rows = td_drive_rows_at(at->block);
+    float far =
+        TD_JOINT_CLOSING / TD_JOINT_PULL * w->unit * (float)(w->def.time_step / w->substeps);
+    return kind != TD_CONSTRAINT_DRIVE_TURN && at->block->point[0].base[at->lane] < -far &&
+           rows->frequency[at->lane] == 0.0f;
 }
 
-/* Whether a joint acts on a body. *yields: whether one of them yielded in the step before, or has a
- * limit that is far exceeded, so that it would yield sooner or later. */
-static bool has_joints(const thud_world *w, td_awake_slot slot, bool *yields) {
+/* Whether a joint acts on a body. *yielded: whether one of them yielded in the step before. */
+static bool has_joints(const thud_world *w, td_awake_slot slot, bool *yielded) {
     bool any = false;
-    *yields = false;
+    *yielded = false;
     int e = td_body_at(w, td_body_of(w, slot))->first_constraint;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, e / 2);
         if (constraint->state == TD_TOUCHING && !td_is_contact(constraint)) {
             td_lane at = td_lane_of(w, constraint);
             any = true;
-            *yields |= (at.block->mark[at.lane].rule & TD_LANE_WAS_LOST) ||
-                       limit_far_exceeded(w, &at, constraint->kind);
+            *yielded |= (at.block->mark[at.lane].rule & TD_LANE_WAS_LOST) != 0;
         }
     }
     return any;
@@ -544,13 +541,13 @@ static int lane_mark(const thud_world *w, const td_lane *at, const td_run *run) 
         return (motor_stalls(w, at, run->kind) ? MARK_STALLED : 0) |
                (limit_far_exceeded(w, at, run->kind) ? MARK_EXCEEDED : 0);
     }
-    bool deep = false, far = false, yields = false;
+    bool deep = false, far = false, yielded = false;
     for (int k = 0; k < td_form_points(w->kinds[run->kind]->form); k++) {
         deep |= sank_too_deep(w, at, k, DEPTH_SHARE_MAX);
         far |= sank_too_deep(w, at, k, DEPTH_SHARE_DETECT);
     }
-    deep = deep && has_joints(w, td_slot_of_side(at->block->b[at->lane]), &yields);
-    return deep && (far || yields) ? MARK_PRESSED : 0;
+    deep = deep && has_joints(w, td_slot_of_side(at->block->b[at->lane]), &yielded);
+    return deep && (far || yielded) ? MARK_PRESSED : 0;
 }
 
 /* Sets the marks of all bodies. False where no body is marked; marks are not initialised then. */
@@ -615,55 +612,6 @@ static void inspect_constraint(const tied_group *g, const td_constraint *constra
     }
 }
 
-/* Adds to *twice_before twice the kinetic energy that the other body of an edge had before the
- * step. Returns false where that body is kinematic, or the edge is a motor or a spring: these may
- * give a group more energy than there was. */
-static bool add_energy_beside(const thud_world *w, int edge, double *twice_before) {
-    const td_constraint *constraint = td_constraint_at(w, edge / 2);
-    const td_body *other = td_body_at(w, td_other_body(w, edge));
-    if (constraint->state != TD_TOUCHING) {
-        return true;
-    }
-    if (is_drive(constraint->kind)) {
-        td_lane at = td_lane_of(w, constraint);
-        const td_drive_rows *rows = td_drive_rows_at(at.block);
-        if (rows->motor_most[at.lane] > 0.0f || rows->frequency[at.lane] > 0.0f) {
-            return false;
-        }
-    }
-    if (other->kind == THUD_DYNAMIC && other->awake.at > 0) {
-        *twice_before += twice_energy(w, other->awake, td_row(&w->scratch.before, other->awake),
-                                      td_row(&w->push, other->awake), (float)w->substeps);
-    }
-    return other->kind != THUD_KINEMATIC;
-}
-
-/* Closing an exceeded limit takes energy out, or none. In the soft solver, contacts in its way turn
- * a part of the speed of closing into another direction, and the relax passes leave it there. So
- * the group gets no more kinetic energy than it and the bodies beside it had before the step. Where
- * it is pressed against a static shape, its joints count as yielded. Nothing is done where the
- * group may be driven (add_energy_beside). */
-static void limit_closing_energy(thud_world *w, td_awake_slot first) {
-    finding found = {false, false, false};
-    tied_group g = {.w = w, .first = first, .found = &found};
-    double beside = 0.0;
-    td_awake_slot slot = first;
-    do {
-        int e = td_body_at(w, td_body_of(w, slot))->first_constraint;
-        for (; e != TD_NONE; e = td_next_edge(w, e)) {
-            if (!add_energy_beside(w, e, &beside)) {
-                return;
-            }
-        }
-        slot = td_next_tied(w, slot);
-    } while (slot.at != first.at);
-    limit_energy(&g, beside);
-    for_each_constraint(&g, inspect_constraint);
-    if (found.touches_static) {
-        for_each_constraint(&g, mark_yielded);
-    }
-}
-
 /* Whether the group of a marked body is to be corrected: see the head of the file. */
 static bool group_must_yield(thud_world *w, td_awake_slot slot) {
     const td_awake_slot *marks = w->scratch.parents.data;
@@ -673,16 +621,17 @@ static bool group_must_yield(thud_world *w, td_awake_slot slot) {
     int mark = 0;
     td_awake_slot i = slot;
     do {
-        bool yields;
+        bool yielded;
         mark |= marks[i.at].at;
         g.core = td_min_float(g.core, td_row(&w->reach, i)[0]);
-        g.depth_share = has_joints(w, i, &yields) && yields ? DEPTH_SHARE_MAX : g.depth_share;
+        g.depth_share = has_joints(w, i, &yielded) && yielded ? DEPTH_SHARE_MAX : g.depth_share;
         i = td_next_tied(w, i);
     } while (i.at != slot.at);
     if (!(mark & MARK_PRESSED)) {
         for_each_constraint(&g, inspect_constraint);
     }
-    return mark & MARK_PRESSED || (found.touches_static && (found.locks_open || found.deep));
+    return mark & MARK_PRESSED ||
+           (found.touches_static && (found.locks_open || found.deep || mark & MARK_EXCEEDED));
 }
 
 void td_joints_yield(thud_world *w) {
@@ -700,15 +649,10 @@ void td_joints_yield(thud_world *w) {
             put_group_back(w, slot);
         }
         td_awake_slot i = slot;
-        int mark = 0;
         do {
-            mark |= marks[i.at].at;
             marks[i.at].at = 0;
             i = td_next_tied(w, i);
         } while (i.at != slot.at);
-        if (mark & MARK_EXCEEDED) {
-            limit_closing_energy(w, slot);
-        }
     }
     if (any) {
         td_error_recount(w);

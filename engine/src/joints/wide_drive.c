@@ -111,17 +111,18 @@ TD_INLINE void choose_limit(td_block *block, td_drive_rows *r, const direction8 
     p->separation = side * (n->value - r->limit);
 }
 
-/* The maximum of a limit's bias, a speed: TD_JOINT_HASTE times `closing`, TD_JOINT_CLOSING in
- * length/s or rad/s, and what the load takes (LOAD_BIAS); angles are within a few radians, so that
- * they need no more than the former. A limit that is exceeded, as a step begins, by more than
- * `closing` takes back in a substep (a rope that is much too short) closes at `closing` alone: a
- * contact in its way turns a part of that speed into another direction, in which it stays when the
+/* The maximum of a limit's bias, a speed. Angles are within a few radians, so that a constant is
+ * enough. A limit of length that is exceeded, as a step begins, by more than TD_JOINT_CLOSING takes
+ * back in a substep (a rope that is much too short) closes at that speed and what its load takes: a
+ * contact in its way turns a part of the speed into another direction, in which it stays when the
  * gap has closed. */
 TD_INLINE f8 max_limit_bias(const td_point *p, const td_solve_context *c, f8 k, drive_kind which) {
-    f8 closing = f8_all(which == TURN ? TD_JOINT_CLOSING : c->joint_closing);
-    i8 far = p->base * f8_all(which == TURN ? 0.0f : -GAP_SHARE * c->inv_h) > closing;
-    f8 load = which == TURN ? f8_all(0.0f) : f8_all(LOAD_BIAS) * k * f8_abs(p->normal_impulse);
-    return closing * f8_pick(far, f8_all(1.0f), f8_all(TD_JOINT_HASTE)) + load;
+    if (which == TURN) {
+        return f8_all(TD_JOINT_HASTE * TD_JOINT_CLOSING);
+    }
+    i8 far = p->base * f8_all(-GAP_SHARE * c->inv_h) > f8_all(c->joint_closing);
+    return max_bias(c->joint_closing, k, p->normal_impulse) -
+           f8_keep(far, f8_all((TD_JOINT_HASTE - 1.0f) * c->joint_closing));
 }
 
 /* Solves limits: as a contact, speculative where it is open (the gap may close by the end of the

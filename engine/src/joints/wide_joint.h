@@ -40,7 +40,7 @@ TD_INLINE f8 gap_share(f8 haste) {
  * inverse of its effective mass: the gap then restores what the impulse loses. */
 #define LOAD_BIAS (IMPULSE_SCALE / (1.0f - IMPULSE_SCALE))
 
-/* Limit of the bias of a gear, a speed: that of its present impulse, on top of
+/* Limit of the bias of a joint's limit or a gear, a speed: that of its present impulse, on top of
  * TD_JOINT_HASTE times `closing`, so that no load is too great for it. */
 TD_INLINE f8 max_bias(float closing, f8 k, f8 impulse) {
     return f8_all(TD_JOINT_HASTE * closing) + f8_all(LOAD_BIAS) * k * f8_abs(impulse);

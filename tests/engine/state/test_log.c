@@ -120,9 +120,9 @@ static void drives_name_the_field(void **state) {
         {THUD_SLIDER, THUD_ALONG, {.motor_speed = NAN}, "motor_speed is NaN"},
         {THUD_HINGE, THUD_TURN, {.motor_force = -1}, "motor_force is -1"},
         /* In a direction that the kind does not have. */
-        {THUD_HINGE, THUD_ALONG, {.frequency = 2}, "none along"},
-        {THUD_SLIDER, THUD_TURN, {.motor_force = 2}, "none of turn"},
-        {THUD_FILTER, THUD_ACROSS, {.limited = true}, "none across"},
+        {THUD_HINGE, THUD_ALONG, {.frequency = 2}, "no drive along"},
+        {THUD_SLIDER, THUD_TURN, {.motor_force = 2}, "no drive of turn"},
+        {THUD_FILTER, THUD_ACROSS, {.limited = true}, "no drive across"},
     };
     heard h = {.count = 0};
     thud_world_def world_def = thud_default_world_def();
