@@ -40,6 +40,7 @@ interface Pair {
   nextComparison: number;
 }
 
+/** Implements the companion of a session; the interface says when each method is called. */
 export class Box2DCompanion implements Companion {
   #pair: Pair | null = null;
 

@@ -7,6 +7,7 @@ import type {
 } from "../../node_modules/box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe";
 import type { Common } from "./make";
 
+/** A body of the thud world, and its copy in Box2D. */
 export interface Entry {
   id: BodyId;
   body: b2BodyId;

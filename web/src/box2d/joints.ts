@@ -13,6 +13,7 @@ import type { Common } from "./make";
 import { heeding } from "./heeding";
 import { frameOfA, makeJoint, setFrame, type Tie } from "./make-joint";
 
+/** A joint that exists in Box2D, with the options that it was given last. */
 interface Made {
   tie: Tie;
   joint: b2JointId;
@@ -23,6 +24,7 @@ interface Made {
 /** A force or torque limit from which on a joint never breaks. */
 const UNBREAKABLE = 1e30;
 
+/** The joints of one Box2DWorld. */
 export class Joints {
   /** Box2D's joints, by index and generation of the thud joint. */
   readonly #made = new Map<string, Made>();
@@ -155,6 +157,7 @@ export class Joints {
   }
 }
 
+/** Both frames of the options; empty for a filter joint, which has none. */
 function framesOf(tie: Tie) {
   return tie.kind === "filter" ? [] : [tie.frameA, tie.frameB];
 }
@@ -164,6 +167,7 @@ function textOf(tie: Tie): string {
   return JSON.stringify({ ...tie, frameA: 0, frameB: 0, userData: 0 });
 }
 
+/** The key of a joint in the maps above. */
 function nameOf({ index, generation }: JointId): string {
   return `${index}:${generation}`;
 }

@@ -54,6 +54,7 @@ function isLimited({ lower = -Infinity, upper = Infinity }: Drive): boolean {
   return lower > -Infinity || upper < Infinity;
 }
 
+/** Creates a joint between two of Box2D's bodies. */
 export function makeJoint(
   common: Common,
   world: b2WorldId,
@@ -190,6 +191,7 @@ function restingFrame(
   return { position: [x + along * c - across * s, y + along * s + across * c], angle };
 }
 
+/** Writes a frame to Box2D's transform, in metres. */
 export function setFrame(
   { unit }: Common,
   transform: b2Transform,
@@ -200,6 +202,7 @@ export function setFrame(
   transform.q.s = Math.sin(angle);
 }
 
+/** Sets what all kinds of joints have in common. */
 function setBase(
   common: Common,
   base: b2JointDef,

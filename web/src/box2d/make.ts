@@ -161,6 +161,7 @@ export function setShape(common: Common, made: b2ShapeId, shape: SolidState): vo
   box2d.b2Shape_SetDensity(made, shape.density * unit * unit, true);
 }
 
+/** Creates a circle or box. */
 export function makeShape(common: Common, body: b2BodyId, shape: SolidState): b2ShapeId {
   const { box2d, unit, events } = common;
   const def: b2ShapeDef = box2d.b2DefaultShapeDef();
@@ -212,6 +213,7 @@ function withGeometry<T>(
   return result;
 }
 
+/** Creates the chain of a terrain. */
 export function makeChain(
   { box2d, unit, events }: Common,
   body: b2BodyId,

@@ -20,12 +20,14 @@ export interface Twin {
   removeBody(id: BodyId): void;
 }
 
+/** A body with shapes. */
 interface Member {
   id: BodyId;
   /** By index of the shape. */
   shapes: Map<number, ShapeId>;
 }
 
+/** A terrain, with its vertices at the last call. */
 interface Ground {
   body: BodyId;
   id: ShapeId;
@@ -176,6 +178,7 @@ function equal(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
   return true;
 }
 
+/** Whether two terrains have the same vertices. A flat terrain never changes. */
 function equalTerrains(a: Terrain, b: Terrain): boolean {
   if (a.kind === "uniform" && b.kind === "uniform") return equal(a.heights, b.heights);
   if (a.kind !== "irregular" || b.kind !== "irregular") return true;

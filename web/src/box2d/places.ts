@@ -28,6 +28,7 @@ export class Places {
     this.#origin = origin;
   }
 
+  /** A place in the thud world, in Box2D's coordinates. */
   toMetres([x, y]: Vec2): Vec2 {
     const [ox, oy] = this.#origin;
     return [(x - ox) / this.#unit, (y - oy) / this.#unit];
@@ -66,6 +67,7 @@ export class Places {
     this.#before.set(this.#now);
   }
 
+  /** Adds a body: its pose before the step is its present one. */
   add(slot: number, position: Vec2, angle: number): void {
     if (4 * slot >= this.#now.length) this.#grow(slot);
     this.put(slot, position, angle);
@@ -73,6 +75,7 @@ export class Places {
     this.#before.set(this.#now.subarray(end - 4, end), end - 4);
   }
 
+  /** Sets the present pose of a body. */
   put(slot: number, position: Vec2, angle: number): void {
     this.#now.set([...this.toMetres(position), Math.cos(angle), Math.sin(angle)], 4 * slot);
   }

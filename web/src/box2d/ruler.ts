@@ -29,6 +29,7 @@ import { Mirror, type Twin } from "./mirror";
  */
 const INSTANT = 1e-9;
 
+/** The copy of a body. */
 interface Copy {
   id: BodyId;
   shapes: Map<number, ShapeId>;
@@ -187,10 +188,12 @@ export class Ruler implements Twin {
     }
   };
 
+  /** The measured shape of a copied one. */
   #original(copy: ShapeId): ShapeId {
     return this.#originals.get(copy.index)!.id;
   }
 
+  /** Sets the pose of a copy. */
   #put(copy: Copy, x: number, y: number, cosine: number, sine: number): void {
     if (copy.x === x && copy.y === y && copy.cosine === cosine && copy.sine === sine) return;
     Object.assign(copy, { x, y, cosine, sine });

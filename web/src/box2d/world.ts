@@ -124,6 +124,7 @@ export class Box2DWorld implements Follower, Twin {
     this.#entries.clear();
   }
 
+  /** What the ruler may know of the calls. */
   get #known(): Pick<Known, "called"> | undefined {
     const { called } = this.#settings;
     return called && { called };
@@ -371,6 +372,7 @@ export class Box2DWorld implements Follower, Twin {
     this.#stale = true;
   }
 
+  /** To be called when a joint was created, changed or destroyed in the thud world. */
   touchJoint(joint: JointId): void {
     this.#joints.touch(joint);
   }
@@ -410,11 +412,13 @@ export class Box2DWorld implements Follower, Twin {
     return this.#box2d.b2Shape_IsSensor(shape);
   }
 
+  /** Calls `use` with a vector of thud lengths, scaled to metres. */
   #withMetres([x, y]: Vec2, use: (vector: b2Vec2) => void): void {
     const { unit } = this.#common;
     this.#withVector([x / unit, y / unit], use);
   }
 
+  /** Calls `use` with a place of the thud world, in Box2D's coordinates. */
   #withPlace(place: Vec2, use: (vector: b2Vec2) => void): void {
     this.#withVector(this.#places.toMetres(place), use);
   }
@@ -425,6 +429,7 @@ export class Box2DWorld implements Follower, Twin {
     vector.delete();
   }
 
+  /** Throws if the body is not copied. */
   #entry(body: BodyId): Entry {
     const entry = this.#entries.get(body.index);
     if (!entry || entry.id.generation !== body.generation)
@@ -452,6 +457,7 @@ export class Box2DWorld implements Follower, Twin {
     };
   }
 
+  /** The centre of mass in the thud world. */
   #centerOf(entry: Entry): Vec2 {
     const [x, y, c, s] = this.#places.pose(entry.id.index);
     const { center } = (entry.weight ??= weigh(this.#common, entry));
@@ -518,6 +524,7 @@ export class Box2DWorld implements Follower, Twin {
   }
 }
 
+/** Whether a body can rotate. */
 function turns({ kind, inertia }: BodyState): boolean {
   return kind !== "dynamic" || inertia > 0;
 }

@@ -13,6 +13,7 @@ import { WebglRenderer } from "./webgl";
 /** Called when another renderer has taken over. Its canvas has to be sized again. */
 export type RendererChange = (name: Renderer["name"]) => void;
 
+/** The bodies' canvas, with whichever renderer draws on it. */
 export class Bodies {
   #renderer: Renderer;
   #shapes: Shapes | null = null;
@@ -47,6 +48,7 @@ export class Bodies {
     this.#renderer.setColours(state, plain);
   }
 
+  /** Changes the renderer when the WebGL context is lost or restored. */
   #watch(canvas: HTMLCanvasElement): void {
     canvas.addEventListener("webglcontextlost", (event) => {
       // Without this the browser would never restore the context.

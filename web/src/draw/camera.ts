@@ -127,10 +127,12 @@ export class Camera {
     return x >= last.left && y >= last.top ? last : panes[0];
   }
 
+  /** From a place in the world to the canvas, in CSS pixels. */
   toScreen(x: number, y: number, pane: Pane = this.panes[0]): [x: number, y: number] {
     return [pane.middleX + (x - this.x) * this.scale, pane.middleY - (y - this.y) * this.scale];
   }
 
+  /** From a point of the canvas, in CSS pixels, to the world. */
   toWorld(x: number, y: number, pane: Pane = this.paneAt(x, y)): [x: number, y: number] {
     return [this.x + (x - pane.middleX) / this.scale, this.y - (y - pane.middleY) / this.scale];
   }

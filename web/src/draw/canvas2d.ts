@@ -113,6 +113,7 @@ export class CanvasRenderer implements Renderer {
     context.restore();
   }
 
+  /** Draws the rows of a batch: fill, rim and beads. */
   #fill(batch: Batch, shapes: Shapes, poses: Poses, pixels: number): void {
     const context = this.#context;
     const rims = pixels * (shapes.typicalSize || 1) > LEAST_RIM;

@@ -89,6 +89,7 @@ export function drawLists(
   drawPoints(context, points, scale, theme, on);
 }
 
+/** The points of the lists, as discs. */
 function drawPoints(
   context: CanvasRenderingContext2D,
   points: Float32Array,

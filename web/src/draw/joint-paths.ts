@@ -61,14 +61,17 @@ export class JointPaths {
     addCircle(paths.next(), radius, x, y);
   }
 
+  /** A disc with an edge (hinge). */
   pin(radius: number, x: number, y: number): void {
     addCircle(this.#pins.next(), radius, x, y);
   }
 
+  /** A path for one closed shape, which is drawn filled and with an edge. */
   plate(): Path2D {
     return this.#plates.next();
   }
 
+  /** A dashed line (gear). */
   dash(ax: number, ay: number, bx: number, by: number): void {
     const path = this.#dashes.next();
     path.moveTo(ax, ay);

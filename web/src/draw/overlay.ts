@@ -46,6 +46,7 @@ export class Overlay {
     this.#layer = new Layer(canvas);
   }
 
+  /** Imports `late.ts`, and then has the picture drawn again. */
   async #bringLate(): Promise<void> {
     try {
       late = await import("./late");

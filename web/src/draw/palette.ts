@@ -196,6 +196,7 @@ export function rampColour(t: number): Rgb {
   return mix(RAMP[i], RAMP[i + 1], at - i);
 }
 
+/** The linear interpolation from a (t = 0) to b (t = 1). */
 export function mix(a: Rgb, b: Rgb, t: number): Rgb {
   return [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t, a[2] + (b[2] - a[2]) * t];
 }

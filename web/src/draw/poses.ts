@@ -34,6 +34,7 @@ export function poseBetween(poses: Poses, slot: number, into: Float64Array): boo
   return true;
 }
 
+/** Whether there is a pose at an index: empty slots have NaN. */
 function isPose(poses: Float32Array, at: number): boolean {
   return at + 4 <= poses.length && poses[at] === poses[at];
 }

@@ -20,6 +20,7 @@ export function smoothFollow(before: Paint | null, now: Paint, part: number): Ve
   return before?.follow ? betweenPoints(before.follow, now.follow, part) : now.follow;
 }
 
+/** A mark between two marks of the same kind; `last` where they cannot be interpolated. */
 function between(first: Mark, last: Mark, part: number): Mark {
   if (last.kind === "line") {
     if (first.kind !== "line" || first.points.length !== last.points.length) return last;

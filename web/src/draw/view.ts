@@ -126,6 +126,7 @@ export class View {
     this.#bearings = frame.bearings ?? this.#bearings;
   }
 
+  /** Keeps the rows of joints, and imports the code that draws them when there are first any. */
   #setJoints(rows: Float32Array): void {
     if (!this.#jointRows && rows.length > 0 && !this.#joints)
       void import("./joints").then(({ Joints }) => {
@@ -228,6 +229,7 @@ function differs(old: ArrayLike<number> | null, fresh: ArrayLike<number> | undef
   return false;
 }
 
+/** The shapes of a scene that is not known yet. */
 const NOTHING: Shapes = {
   rows: new Float32Array(0),
   count: 0,

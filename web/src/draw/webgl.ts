@@ -10,6 +10,7 @@ import type { Poses } from "./poses";
 import type { Look, Renderer } from "./renderer";
 import { linkProgram, LOOKS, TEXTURE_WIDTH } from "./shaders";
 
+/** Names of the uniforms; shaders.ts says what they are. */
 const UNIFORMS = [
   "before", "now", "slots", "alpha", "offset", "scale", "shift", "pixels", "ratio", "look",
   "outlineColour",

@@ -106,6 +106,7 @@ export interface SceneSetting {
   thud: Engine;
 }
 
+/** What a scene's function returns: the world, and how it is shown, controlled and drawn. */
 export interface Scene {
   /**
    * The world that runs. Everything else may be left out.
@@ -230,6 +231,7 @@ export interface Input {
   pointer: { x: number; y: number; down: boolean } | null;
 }
 
+/** A view of the world about the place x, y. */
 export interface View {
   x: number;
   y: number;
@@ -258,6 +260,7 @@ export type Ink =
   | "player" // the first player, the character
   | "rival"; // the second player
 
+/** What a scene draws and shows besides the bodies. */
 export interface Paint {
   /**
    * The place that the view follows smoothly.

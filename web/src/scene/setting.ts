@@ -8,6 +8,7 @@ import type * as level from "thud/level";
 import { random } from "./random";
 import type { SceneModule, SceneSetting } from "./scene";
 
+/** What `createSetting` needs. */
 export interface SettingOptions {
   thud: Engine;
   /** The visitor's choices, which replace the scene's options. */

@@ -65,6 +65,7 @@ async function explain(error: unknown, code: string, file: URL): Promise<SceneEr
   return new SceneError(trouble);
 }
 
+/** An error at a place of the visitor's text. Acorn counts columns from 0, the page from 1. */
 function at({ line, column }: Position, message: string): SceneError {
   return new SceneError({ message, line, column: column + 1 });
 }

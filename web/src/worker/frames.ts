@@ -44,6 +44,7 @@ export async function readyFor({ world, scene }: Session): Promise<void> {
   if (scene.sums) await bringSums();
 }
 
+/** Makes the frames of one session, and remembers what the page has already got. */
 export class Frames {
   #shapeRevision = -1;
   #terrainRevision = -1;

@@ -11,6 +11,7 @@ export type Held = Pick<
   "kind" | "position" | "center" | "angle" | "velocity" | "angularVelocity" | "mass" | "inertia"
 >;
 
+/** What pushes and blasts need of an engine's world; as the methods of World. */
 export interface Hands {
   isValid(body: BodyId): boolean;
   bodyState(body: BodyId): Held;
@@ -18,6 +19,7 @@ export interface Hands {
   applyImpulse(body: BodyId, impulse: Vec2, point: Vec2): void;
 }
 
+/** A blast: a circle in the world, from whose middle bodies are thrown away. */
 export interface Blast {
   x: number;
   y: number;

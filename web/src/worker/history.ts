@@ -87,6 +87,7 @@ export class History {
     return found;
   }
 
+  /** Drops the moments after a step, and the commands from that step on. */
   #forgetAfter(step: number): void {
     while (this.#moments.length > 1 && this.#moments.at(-1)!.step > step) this.#moments.pop();
     for (const noted of this.#journal.keys()) if (noted >= step) this.#journal.delete(noted);

@@ -98,6 +98,10 @@ export function holds(world: World, { body, joint }: Pull): boolean {
   return world.isValid(joint) && canMove(world, body);
 }
 
+/**
+ * Whether a body exists, is dynamic and enabled, and is not quarantined (a body whose motion is not
+ * a number).
+ */
 function canMove(world: World, body: BodyId): boolean {
   if (!world.isValid(body)) return false;
   const { kind, enabled, quarantined } = world.bodyState(body);

@@ -10,6 +10,7 @@ export interface Box2DSetting {
   contactHertz?: number;
 }
 
+/** Settings of a thud world. */
 export interface ThudSetting {
   engine: "thud";
   quality: Quality;
@@ -19,6 +20,7 @@ export interface ThudSetting {
 
 export type SeriesSetting = ThudSetting | ({ engine: "box2d" } & Box2DSetting);
 
+/** thud's settings in "Measure". */
 export const THUD: readonly ThudSetting[] = [
   { engine: "thud", quality: "draft", substeps: 0 },
   { engine: "thud", quality: "default", substeps: 0 },

@@ -78,6 +78,7 @@ export class Trial {
     this.#session.close();
   }
 
+  /** Number of bodies of the thud world. */
   get bodies(): number {
     return this.#session.world.stats().bodies;
   }

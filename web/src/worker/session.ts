@@ -346,6 +346,7 @@ export class Session {
   }
 }
 
+/** The state of the pointer after a command. */
 function pointerOf({ x, y, down }: PointerCommand): NonNullable<Input["pointer"]> {
   return { x, y, down };
 }

@@ -26,6 +26,7 @@ export function optionsOf(choices: Choices): WorldOptions {
   };
 }
 
+/** Imports that tests replace; by default those of createSetting, and bringMover. */
 interface Loaders extends Pick<SettingOptions, "loadReader" | "loadGeometry"> {
   loadMover?(): Promise<typeof Mover | undefined>;
 }

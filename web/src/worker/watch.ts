@@ -105,12 +105,14 @@ export function watch(world: World, made: WorldOptions): Watched {
       hidden--;
     }
   };
+  /** Called after each recorded call. Throws if the engine holds too much memory. */
   const heed = (method: string, result: unknown, args: readonly unknown[]) => {
     if (world.engine.buffer.byteLength > MOST_BYTES) throw tooLarge();
     called.add(method);
     keep(method, result, args);
     follower?.heed(method, result, args);
   };
+  /** Keeps the options that a call gave to the world or to a body. */
   const keep = (method: string, result: unknown, [first, second, third]: readonly unknown[]) => {
     if (method === "createBody" || method === "spawn") {
       const body = bodyOf(result);

@@ -31,6 +31,7 @@ type Answers = {
   ) => Promise<Questions[Name]["answer"]> | Questions[Name]["answer"];
 };
 
+/** The functions that answer the page's questions; see `Questions` in protocol.ts. */
 const answers: Answers = {
   async load({ wasm, rest, page }) {
     base = page;
