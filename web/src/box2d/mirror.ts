@@ -1,6 +1,6 @@
 /**
  * Follows the bodies and shapes of a thud world, and tells a `Twin`, which keeps a copy of the
- * world, what was added, changed and removed since the last call.
+ * world, what was added, changed and removed since the last call of `sync`.
  */
 import type { BodyId, BodyState, ShapeId, ShapeState, Terrain, World } from "thud";
 import { BODY, bodyAt, ROW, shapeAt } from "../scene/shape-table";

@@ -175,9 +175,10 @@ export function addSpring(
 }
 
 /**
- * A rope of a given length from a to b. A slack rope is a parabola, with the sag 0.5 sqrt((length -
- * chord) (length + chord / 2)). This is the sag of the parabola of that length where it is nearly
- * taut, and half the length where both ends meet.
+ * A rope of a given length from a to b. A slack rope is a parabola with the sag
+ *   0.5 sqrt((length - chord) (length + chord / 2)),
+ * which is the sag of the parabola of that length where the rope is nearly taut, and half the
+ * length where both ends meet.
  */
 export function addRope(
   path: Path2D,

@@ -1,6 +1,6 @@
 /**
- * Makes the frames that the page draws: copies of the world's state. Shapes, terrains, joints and
- * sleep are in a frame only when they changed.
+ * Makes the frames that the page draws: copies of the world's state. Shapes, terrains and joints
+ * are in a frame only when they changed, and which bodies sleep every few steps.
  */
 import type { Stats, StepError, World } from "thud";
 import { settingsOf } from "../scene/controls";

@@ -1,9 +1,12 @@
 /**
  * The measurement "Heavier": the largest size of a scene at which an engine makes its steps in
- * time. The size is doubled until steps take too long; then the range between the largest size that
- * was held and the smallest that was missed is narrowed by its geometric mean. Other load of the
- * device can only slow a try, so a miss is tried a second time; and the largest size must be held
- * once more at the end, else the next smaller one that was held is tried.
+ * time. An engine "holds" a size if the median time of its steps stays within the budget in every
+ * second of the scene; else it "misses" the size.
+ *
+ * The size is doubled until it is missed; then the range between the largest size that was held and
+ * the smallest that was missed is narrowed, by trying the geometric mean of both. Other load of the
+ * device can only slow a try, so a size that was missed is tried a second time; and the largest
+ * size must be held once more at the end, else the next smaller one that was held is tried.
  */
 import { percentile } from "../shared/step-times";
 import type { Box2DSetting } from "./measure-settings";
@@ -57,8 +60,8 @@ const NEAR = 1.1;
 const OFTEN = 150;
 
 /**
- * `sizes` are those of the scene. `hertz` is the number of steps a second that must be made in
- * time.
+ * Finds the largest size that each engine holds. `sizes` are those of the scene; `hertz` is the
+ * number of steps that must be made per second, so the budget of a step is 1000 / `hertz` ms.
  */
 export async function findHoldings(
   laboratory: Laboratory,
