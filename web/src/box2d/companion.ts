@@ -1,7 +1,7 @@
 /**
- * Box2D beside one running scene: a copy of its world, which takes the same commands, makes the
- * same steps, and is measured by the same code. It begins, and after a jump in time begins anew,
- * with the first step that is made, from what the world is then.
+ * Runs Box2D beside a scene: a copy of the scene's world that is given the same commands, makes the
+ * same steps, and is measured by the same code. The copy is made at the beginning of the first
+ * step, and made anew at the first step after a jump in time.
  */
 import type { Vec2 } from "thud";
 import type { Box2DSample, Compared } from "../scene/frame";
@@ -15,27 +15,36 @@ import { middleOf } from "./places";
 import { Ruler } from "./ruler";
 import { Box2DWorld } from "./world";
 
-/** Of contacts, Hz: Box2D's own. */
+/** Contact frequency in Hz: Box2D's default. */
 const CONTACT_HERTZ = 30;
-/** Milliseconds a step that comparing may take on average, and steps between two at most. */
+/**
+ * Milliseconds per step that the comparison of both engines may take on average, and largest number
+ * of steps between two comparisons. Chosen.
+ */
 const COMPARING = 2;
 const LONGEST = 60;
 
-/** What there is while Box2D runs along. */
+/** Box2D's copy of the world, and what is needed to compare the two. */
 interface Pair {
   box2dWorld: Box2DWorld;
-  /** Of the thud world; the other has its own. */
+  /** Measures overlaps in the thud world. The Box2DWorld has a ruler of its own. */
   ruler: Ruler;
-  /** Near the bodies, so that their places are exact as floats. */
+  /**
+   * A place near the bodies. Overlaps are measured relative to it, so that poses are exact as
+   * floats.
+   */
   origin: Vec2;
+  /** The step at which the copy was made. */
   since: number;
-  /** The step at which the two are compared next. */
+  /** The step from which on the two are compared again. */
   nextComparison: number;
 }
 
+/** Implements the companion of a session; the interface says when each method is called. */
 export class Box2DCompanion implements Companion {
   #pair: Pair | null = null;
 
+  /** Loads Box2D. Throws if that fails, or if the world is not watched. */
   static async load(
     session: Session,
     known: Watched | undefined,
@@ -52,6 +61,7 @@ export class Box2DCompanion implements Companion {
     private request: Box2DRequest,
   ) {}
 
+  /** Changes the number of substeps. */
   choose(request: Box2DRequest): void {
     this.request = request;
     if (this.#pair) this.#pair.box2dWorld.substeps = request.substeps;
@@ -122,7 +132,7 @@ export class Box2DCompanion implements Companion {
 
   poses([x, y]: Vec2): { before: Float32Array; now: Float32Array } {
     const poses = this.#use(({ box2dWorld }) => {
-      // What was done while the scene stands is seen before the next step.
+      // Changes made while the scene is paused show at once.
       box2dWorld.sync();
       return { before: box2dWorld.poses(0, x, y), now: box2dWorld.poses(1, x, y) };
     });
@@ -146,7 +156,7 @@ export class Box2DCompanion implements Companion {
     return pair ? this.#guard(() => act(pair)) : undefined;
   }
 
-  /** An error ends the comparison, and not the scene. */
+  /** Runs `act`. If it throws, the comparison ends and the scene goes on. */
   #guard<T>(act: () => T): T | undefined {
     try {
       return act();
@@ -154,7 +164,8 @@ export class Box2DCompanion implements Companion {
       const { session } = this;
       session.box2dTrouble = messageOf(error);
       session.companion = null;
-      // After a trap nothing of the module can be used, and its memory goes with it.
+      // After a trap no function of the WebAssembly module may be called, so nothing of it can be
+      // freed. The module is dropped, and its memory with it.
       if (error instanceof WebAssembly.RuntimeError) {
         forgetBox2D();
         this.known.forwardTo(null);

@@ -1,14 +1,18 @@
 /**
- * What becomes in Box2D of a call that a scene made of its thud world. A method that stands in none
- * of these lists does something that Box2D does not get: the page names it before any figure, and
- * compares nothing then. So a method that thud gains is missing in Box2D until it is brought here.
+ * What is done in Box2D when a scene calls a method of its thud world. The lists below say it for
+ * each method. A method that is in none of them is not copied to Box2D: the page then names it
+ * beside the figures, and the engines are not compared. So a method that is new in thud counts as
+ * missing until it is added here.
  */
 import { type BodyId, handleOf, type JointId, type ShapeId, type Vec2, type World } from "thud";
 import type { Box2DWorld } from "./world";
 
 type Method = keyof World;
 
-/** Done to Box2D's body as well, as soon as it is there: until then its making has it. */
+/**
+ * Methods that are applied to Box2D's body, too. If the body is not copied yet, nothing is done:
+ * the copy will be made from the state of the thud body.
+ */
 const TO_BODY: { [Name in Method]?: (box2d: Box2DWorld, body: BodyId, ...args: never[]) => void } = {
   setTransform: (box2d, body, position: Vec2, angle?: number) =>
     box2d.setTransform(body, position, angle),
@@ -38,12 +42,12 @@ const TO_BODY: { [Name in Method]?: (box2d: Box2DWorld, body: BodyId, ...args: n
   setMass: change,
 };
 
-/** As the thud world has it now. */
+/** Gives Box2D's body the properties that the thud body has now. */
 function change(box2d: Box2DWorld, body: BodyId): void {
   box2d.changeBody(body);
 }
 
-/** Box2D's shape is made what the thud world's is now. */
+/** Methods after which Box2D's shape is given the properties that the thud shape has now. */
 const TO_SHAPE = new Set<Method>([
   "setFilter",
   "setFriction",
@@ -55,6 +59,7 @@ const TO_SHAPE = new Set<Method>([
   "setHalfExtents",
 ]);
 
+/** Methods after which Box2D's joint is updated before the next step. */
 const TO_JOINT = new Set<Method>([
   "setDrive",
   "setJointLength",
@@ -63,13 +68,14 @@ const TO_JOINT = new Set<Method>([
   "setJointEnabled",
 ]);
 
+/** Methods that are applied to Box2D's world, too. */
 const TO_WORLD: { [Name in Method]?: (box2d: Box2DWorld, ...args: never[]) => void } = {
   setGravity: (box2d, gravity: Vec2) => box2d.setGravity(gravity),
   setTimeStep: (box2d, seconds: number) => box2d.setTimeStep(seconds),
   setSleeping: (box2d, sleeping: boolean) => box2d.setSleeping(sleeping),
 };
 
-/** Seen before the next step, when Box2D looks at what there is. */
+/** Methods whose effect Box2DWorld.sync finds before the next step, by comparing both worlds. */
 const LOOKED_AT = new Set<Method>([
   "createBody",
   "spawn",
@@ -87,8 +93,10 @@ const LOOKED_AT = new Set<Method>([
   "replaceRange",
 ]);
 
-/** Nothing that moves anything otherwise: what is asked, what is told, how thud itself solves, and
- * the velocity of a kinematic body, which Box2D's is given before each step. */
+/**
+ * Methods that need nothing done in Box2D: queries, events, settings of how thud solves, and
+ * setTarget, because the velocities of kinematic bodies are copied before each step.
+ */
 const HARMLESS = new Set<Method>([
   "setTarget",
   "step",
@@ -169,7 +177,9 @@ const HARMLESS = new Set<Method>([
   "boundsOf",
 ]);
 
-/** In a word or two; what has none here is named by its method. */
+/**
+ * Names of methods that Box2D does not get, for the page. A method without one is named as it is.
+ */
 const WORDS: { [Name in Method]?: string } = {
   applyBuoyancy: "water",
   applyWind: "wind",
@@ -182,12 +192,12 @@ const WORDS: { [Name in Method]?: string } = {
   setListeners: "listeners of contacts",
 };
 
-/** Whether a call leaves what Box2D has to look at as it is. */
+/** Whether Box2DWorld.sync need not compare both worlds after a call of this method. */
 function leavesAll(method: Method): boolean {
   return method in TO_BODY || method in TO_WORLD || HARMLESS.has(method);
 }
 
-/** What was done to a thud world that Box2D does not get, in a word or two each. */
+/** The methods that were called and that Box2D does not get, in a word or two each. */
 export function missesOf(called: ReadonlySet<string>): string[] {
   const got = [TO_SHAPE, TO_JOINT, LOOKED_AT];
   const words = ([...called] as Method[])
@@ -196,7 +206,7 @@ export function missesOf(called: ReadonlySet<string>): string[] {
   return [...new Set(words)];
 }
 
-/** Does to Box2D's copy what was done to the world. */
+/** Does in Box2D what was done to the world by one call. */
 export function follow(
   box2d: Box2DWorld,
   method: string,
@@ -223,7 +233,7 @@ export function follow(
   }
 }
 
-/** Where a number may stand for a handle, the handle. */
+/** A handle, also where the caller passed it as a number. */
 function idOf(ref: unknown, kind: "body" | "shape" | "joint"): BodyId | ShapeId | JointId {
   return typeof ref === "number" ? handleOf(ref, kind) : (ref as BodyId | ShapeId | JointId);
 }

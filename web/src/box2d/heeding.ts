@@ -1,16 +1,20 @@
 /**
- * What Box2D's joint is not given of thud's: whatever the maker of the joint does not read. So a
- * spring, limit or motor that make-joint.ts has no place for is told of without a list of its own.
+ * Finds out which springs, limits and motors of a thud joint are not given to Box2D's joint: those
+ * whose fields makeJoint does not read. A proxy records the fields that are read, so that no list
+ * of unsupported parts is needed.
  */
 import type { Direction, Drive } from "thud";
 import type { Tie } from "./make-joint";
 
 const DIRECTIONS: readonly Direction[] = ["along", "across", "turn"];
 
-/** More than that is no bound; see make-joint.ts. */
+/** A force of this size or more is no limit; see make-joint.ts. */
 const UNBOUNDED = 1e30;
 
-/** What acts in a direction: its name, the numbers that stand for it, and whether it does. */
+/**
+ * The parts of a drive: the name, the fields of which makeJoint reads at least one if it supports
+ * the part, and whether the part has an effect.
+ */
 const PARTS: readonly { what: string; by: readonly (keyof Drive)[]; acts(drive: Drive): boolean }[] = [
   { what: "springs", by: ["frequency"], acts: ({ frequency = 0 }) => frequency > 0 },
   {
@@ -26,7 +30,10 @@ const PARTS: readonly { what: string; by: readonly (keyof Drive)[]; acts(drive: 
   },
 ];
 
-/** A tie that notes what is read of it, and tells what acts and was not. */
+/**
+ * A copy of the options that records which fields are read. `lacks`, called afterwards, names the
+ * parts that have an effect and were not read.
+ */
 export function heeding(tie: Tie): { tie: Tie; lacks(): string[] } {
   const read = new Set<string>();
   const noted = { ...tie } as Record<string, unknown>;
@@ -43,7 +50,10 @@ export function heeding(tie: Tie): { tie: Tie; lacks(): string[] } {
   const drives = tie as Partial<Record<Direction, Drive>>;
   const wasRead = (direction: Direction, by: readonly (keyof Drive)[]) =>
     by.some((name) => read.has(`${direction} ${name}`));
-  /** Read, or like one that was: Box2D's welds and targets have one spring along and across. */
+  /**
+   * Whether the part was read in this direction, or in another direction with the same values:
+   * Box2D's welds and targets have one spring for both along and across.
+   */
   const isGiven = (direction: Direction, by: readonly (keyof Drive)[]) =>
     DIRECTIONS.some(
       (one) =>

@@ -1,11 +1,16 @@
-/** By how much a joint is open where bodies are, whichever engine has put them there. */
+/**
+ * Computes how far a joint is open from the poses of its bodies, by the same code for both engines.
+ */
 import type { Drive, JointFrame, Vec2 } from "thud";
 import { isDriven, type Tie } from "./make-joint";
 
-/** A length, and radians; both 0 or more. */
+/** A length and an angle in radians; both at least 0. */
 export type Gap = readonly [length: number, angle: number];
 
-/** `poses` as World.poses has them. As JointState has it: what is locked or limited counts. */
+/**
+ * The gap of a joint, as JointState.gap and angleGap have it: how far the bodies are off in
+ * directions that are locked, or beyond a limit. `poses` is laid out like World.poses.
+ */
 export function gapOf(tie: Exclude<Tie, { kind: "filter" | "target" }>, poses: Float32Array): Gap {
   const a = placeOf(poses, tie.bodyA.index, tie.frameA);
   const b = placeOf(poses, tie.bodyB.index, tie.frameB);
@@ -32,11 +37,12 @@ export function gapOf(tie: Exclude<Tie, { kind: "filter" | "target" }>, poses: F
   }
 }
 
+/** How far a value is outside of the limits; 0 within. */
 function beyond(value: number, { lower = -Infinity, upper = Infinity }: Drive = {}): number {
   return Math.max(0, lower - value, value - upper);
 }
 
-/** In doubles. */
+/** The place and axis of a joint's frame in the world, in double precision. */
 function placeOf(
   poses: Float32Array,
   slot: number,
@@ -50,6 +56,7 @@ function placeOf(
   };
 }
 
+/** The angle from axis a to axis b, in (-pi, pi]. */
 function turnFrom(a: Vec2, b: Vec2): number {
   return Math.atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
 }

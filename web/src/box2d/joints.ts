@@ -1,6 +1,6 @@
 /**
- * The joints of a Box2DWorld: made, set and broken as those of the thud world are. One that breaks
- * does so in each engine by what it bears there.
+ * The joints of a Box2DWorld. They are created, changed and removed as those of the thud world are.
+ * A joint that can break does so in each engine by the force that it bears there.
  */
 import type { BodyId, JointId, World } from "thud";
 import type {
@@ -13,26 +13,32 @@ import type { Common } from "./make";
 import { heeding } from "./heeding";
 import { frameOfA, makeJoint, setFrame, type Tie } from "./make-joint";
 
+/** A joint that exists in Box2D, with the options that it was given last. */
 interface Made {
   tie: Tie;
   joint: b2JointId;
-  /** All of it but the frames, as text. */
+  /** Its options without the frames and the user data, as text. */
   rest: string;
 }
 
-/** From here on a joint bears whatever comes. */
+/** A force or torque limit from which on a joint never breaks. */
 const UNBREAKABLE = 1e30;
 
+/** The joints of one Box2DWorld. */
 export class Joints {
-  /** By index and generation of thud's. */
+  /** Box2D's joints, by index and generation of the thud joint. */
   readonly #made = new Map<string, Made>();
+  /** Joints that have to be compared before the next step. */
   readonly #touched = new Map<string, JointId>();
-  /** Of those that Box2D may break, by the index of its own. */
+  /** Names (keys of `#made`) of joints that can break in Box2D, by the index of Box2D's joint. */
   readonly #brittle = new Map<number, string>();
-  /** Of those that Box2D has not or not wholly, what it lacks. */
+  /** What Box2D's joint lacks, for joints that Box2D has not, or has without some part. */
   readonly #lacks = new Map<string, readonly string[]>();
 
-  /** `bodyOf` makes a body that has no shapes; null if the thud world has it switched off. */
+  /**
+   * `bodyOf` returns Box2D's body, and creates it if it has no shapes; null if the thud body is
+   * disabled.
+   */
   constructor(
     private readonly common: Common,
     private readonly source: World,
@@ -40,35 +46,35 @@ export class Joints {
     private readonly bodyOf: (body: BodyId) => b2BodyId | null,
   ) {}
 
-  /** It was made, set or destroyed in the thud world. */
+  /** To be called when a joint was created, changed or destroyed in the thud world. */
   touch(joint: JointId): void {
     this.#touched.set(nameOf(joint), joint);
   }
 
-  /** Also those that are gone there. */
+  /** Like `touch`, for all joints of either engine. */
   touchAll(): void {
     for (const name of this.#made.keys()) this.touch(idOf(name));
     for (const joint of this.source.joints()) this.touch(joint);
   }
 
-  /** What Box2D was not given of joints, in a few words each. */
+  /** What Box2D's joints lack, in a few words each. */
   get misses(): Set<string> {
     return new Set([...this.#lacks.values()].flat());
   }
 
-  /** Does after its bodies what was done to those that were touched. */
+  /** Brings the touched joints up to date. To be called after bodies were. */
   follow(): void {
     for (const [name, joint] of this.#touched) this.#follow(name, joint);
     this.#touched.clear();
   }
 
-  /** Before a body goes, which takes its joints along. */
+  /** To be called before a body is removed: Box2D removes its joints with it. */
   forget(body: BodyId): void {
     for (const [name, { tie }] of this.#made)
       if (tie.bodyA.index === body.index || tie.bodyB.index === body.index) this.#remove(name);
   }
 
-  /** After a step: those that bore too much. */
+  /** Removes the joints that bore more than they can in the last step. */
   breakThem(): void {
     if (this.#brittle.size === 0) return;
     const events = this.common.box2d.b2World_GetJointEvents(this.world);
@@ -79,7 +85,10 @@ export class Joints {
     for (const name of names) if (name !== undefined) this.#remove(name);
   }
 
-  /** The worst of all that hold in both engines, in each one's own poses; none without any. */
+  /**
+   * The gap of the joint that is open the most, for each array of poses. Only joints count that
+   * exist in both engines; without any the result is empty.
+   */
   gaps(poses: readonly Float32Array[]): Gap[] {
     const worst: [number, number][] = [];
     for (const [name, { tie }] of this.#made) {
@@ -94,6 +103,7 @@ export class Joints {
     return worst;
   }
 
+  /** Creates, changes or removes Box2D's joint, so that it has the options of the thud joint. */
   #follow(name: string, joint: JointId): void {
     const { source } = this;
     const options = source.isValid(joint) ? source.jointOptions(joint) : null;
@@ -112,6 +122,7 @@ export class Joints {
     this.#bear(name, made, options);
   }
 
+  /** Sets the force and torque at which Box2D reports the joint as broken. */
   #bear(name: string, joint: b2JointId, tie: Tie): void {
     const { breakForce = UNBREAKABLE, breakTorque = UNBREAKABLE } = tie;
     if (tie.onlyReports || Math.min(breakForce, breakTorque) >= UNBREAKABLE) return;
@@ -121,6 +132,7 @@ export class Joints {
     this.#brittle.set(joint.index1, name);
   }
 
+  /** Moves the joint's frames, which are all that differs. */
   #place(made: Made, tie: Tie): void {
     const { box2d } = this.common;
     const same = JSON.stringify(framesOf(made.tie)) === JSON.stringify(framesOf(tie));
@@ -145,14 +157,17 @@ export class Joints {
   }
 }
 
+/** Both frames of the options; empty for a filter joint, which has none. */
 function framesOf(tie: Tie) {
   return tie.kind === "filter" ? [] : [tie.frameA, tie.frameB];
 }
 
+/** The options without the frames and the user data, as text. */
 function textOf(tie: Tie): string {
   return JSON.stringify({ ...tie, frameA: 0, frameB: 0, userData: 0 });
 }
 
+/** The key of a joint in the maps above. */
 function nameOf({ index, generation }: JointId): string {
   return `${index}:${generation}`;
 }

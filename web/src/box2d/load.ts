@@ -1,7 +1,8 @@
 /**
- * Box2D v3 as WebAssembly (npm box2d3-wasm), loaded when it is first asked for. Its own entry takes
- * the flavour with SIMD only on pages that are isolated from all others, because that one can also
- * run threads; without threads any page may have it, so the flavours are imported by their paths.
+ * Loads Box2D v3 as WebAssembly (npm box2d3-wasm), when it is first asked for. The package has two
+ * builds: "deluxe" with SIMD and threads, "compat" with neither. Its own entry module takes
+ * "deluxe" only on pages that are cross-origin isolated, which threads need. Without threads any
+ * page can run it, so the builds are imported by their paths here.
  */
 import type { MainModule } from "../../node_modules/box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe";
 import { messageOf } from "../shared/error";
@@ -11,7 +12,7 @@ export type Box2D = MainModule;
 
 let loading: Promise<Box2D> | null = null;
 
-/** The same module for every caller. After a failure the next call tries again. */
+/** Returns the same module to every caller. After a failure the next call tries again. */
 export function loadBox2D(): Promise<Box2D> {
   loading ??= load().catch((cause: unknown) => {
     loading = null;
@@ -20,7 +21,7 @@ export function loadBox2D(): Promise<Box2D> {
   return loading;
 }
 
-/** After it trapped: the next call of `loadBox2D` starts a new one. */
+/** To be called after the module trapped: the next call of `loadBox2D` loads a new one. */
 export function forgetBox2D(): void {
   loading = null;
 }

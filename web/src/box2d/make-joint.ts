@@ -1,15 +1,16 @@
 /**
- * Makes Box2D's joints of thud's. Both look at body b from body a, with the x axis of a frame in each;
- * springs of both are tuned by frequency about the mass that the bodies have there. What needs
- * translation:
+ * Makes Box2D's joints from thud's. Both engines measure body b relative to body a, along the x
+ * axis of a frame in each, and both tune springs by a frequency. The differences:
  *
- * - A distance gives way only with its spring on, so that a rope has one of no stiffness.
- * - A wheel's and a target's spring have their rest at 0: where thud's have it elsewhere, the frame
- *   is moved there. A target pulls alike along and across, as the axis has it.
- * - A weld that gives way does so by a spring alone, along and across alike.
+ * - Box2D's distance joint keeps its length exactly unless its spring is on. So a rope (limits
+ *   alone) has a spring of frequency 0.
+ * - The springs of Box2D's wheel and motor joint (thud's target) are at rest at 0. Where thud's are
+ *   at rest elsewhere, the frame in body a is moved there.
+ * - Box2D's motor joint has one spring for along and across: it gets that of along.
+ * - Box2D's weld joint has one spring for along and across, too.
  *
  * Box2D has no gears, no limits and motors of welds and targets, no springs and limits of a wheel's
- * axle, and no greatest force of other springs than a target's.
+ * rotation, and no force limit of springs but a target's.
  */
 import type { AnyJointOptions, Drive, JointFrame } from "thud";
 import type {
@@ -21,17 +22,19 @@ import type {
 } from "../../node_modules/box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe";
 import type { Common } from "./make";
 
-/** All but gears. */
+/** The options of any joint but a gear. */
 export type Tie = Exclude<AnyJointOptions, { kind: "gear" }>;
 
 type Kind<K extends Tie["kind"]> = Extract<Tie, { kind: K }>;
 
-/** Box2D keeps numbers of 32 bits. */
+/**
+ * Largest force or torque that Box2D is given, where thud has no limit: Box2D's numbers are floats.
+ */
 const MOST = 1e30;
-/** Metres, of a spring without limits: those that Box2D's own definition has. */
+/** Largest length in metres, where thud has no limit: that of Box2D's own default definition. */
 const LONGEST = 1e5;
 
-/** What differs between the definitions of springs, motors and limits. */
+/** The fields that the definitions of joints have in common. */
 interface DriveDef {
   enableSpring: boolean;
   enableLimit: boolean;
@@ -41,6 +44,7 @@ interface DriveDef {
   motorSpeed: number;
 }
 
+/** Whether a drive has any effect. */
 export function isDriven(drive: Drive = {}): boolean {
   const { frequency = 0, motorForce = 0 } = drive;
   return frequency > 0 || motorForce > 0 || isLimited(drive);
@@ -50,6 +54,7 @@ function isLimited({ lower = -Infinity, upper = Infinity }: Drive): boolean {
   return lower > -Infinity || upper < Infinity;
 }
 
+/** Creates a joint between two of Box2D's bodies. */
 export function makeJoint(
   common: Common,
   world: b2WorldId,
@@ -165,7 +170,7 @@ function makeTarget(
   return made(def, () => box2d.b2CreateMotorJoint(world, def));
 }
 
-/** Where Box2D is to have it in body a: its springs rest at 0. */
+/** The joint's frame in body a for Box2D, whose springs are at rest at 0. */
 export function frameOfA(tie: Tie): JointFrame | undefined {
   if (tie.kind === "filter") return undefined;
   if (tie.kind === "wheel") return restingFrame(tie.frameA, tie.along?.target ?? 0, 0);
@@ -175,7 +180,7 @@ export function frameOfA(tie: Tie): JointFrame | undefined {
   return { ...frame, angle: (frame.angle ?? 0) + (turn?.target ?? 0) };
 }
 
-/** A frame moved along its axis, and across. */
+/** A frame that is moved along and across its own axis. */
 function restingFrame(
   { position = [0, 0], angle = 0 }: JointFrame = {},
   along: number,
@@ -186,6 +191,7 @@ function restingFrame(
   return { position: [x + along * c - across * s, y + along * s + across * c], angle };
 }
 
+/** Writes a frame to Box2D's transform, in metres. */
 export function setFrame(
   { unit }: Common,
   transform: b2Transform,
@@ -196,6 +202,7 @@ export function setFrame(
   transform.q.s = Math.sin(angle);
 }
 
+/** Sets what all kinds of joints have in common. */
 function setBase(
   common: Common,
   base: b2JointDef,
@@ -209,7 +216,10 @@ function setBase(
   setFrame(common, base.localFrameB, tie.kind === "filter" ? undefined : tie.frameB);
 }
 
-/** `unit` is 1 of turns. */
+/**
+ * Sets spring, limit and motor. `unit` is the length of a metre in the world's units, or 1 for
+ * rotation.
+ */
 function setDrive(def: DriveDef, drive: Drive, unit: number): void {
   def.enableSpring = (drive.frequency ?? 0) > 0;
   def.hertz = drive.frequency ?? 0;
@@ -219,7 +229,7 @@ function setDrive(def: DriveDef, drive: Drive, unit: number): void {
   def.motorSpeed = (drive.motorSpeed ?? 0) / unit;
 }
 
-/** Limits are about where the spring rests. */
+/** Sets the limits, relative to the position at which the spring is at rest. */
 function setRange(
   def: { lowerTranslation: number; upperTranslation: number },
   { lower = -Infinity, upper = Infinity }: Drive,
@@ -230,6 +240,7 @@ function setRange(
   def.upperTranslation = Math.min(LONGEST, (upper - rest) / unit);
 }
 
+/** Creates a joint, and frees its definition. */
 function made(def: { delete(): void }, make: () => b2JointId): b2JointId {
   const joint = make();
   def.delete();

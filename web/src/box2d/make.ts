@@ -1,16 +1,18 @@
 /**
- * Makes Box2D's bodies, shapes and chains of thud's. What needs translation:
+ * Makes Box2D's bodies, shapes and chains from thud's. The differences:
  *
  * - Box2D's tolerances are lengths in metres, for bodies of about one metre, and this build of it
- *   cannot be told another unit. A world whose typical body has another size is scaled to it, as
- *   Box2D's manual advises; `unit` is a metre in the world's lengths. Times and masses stay.
- * - A body that cannot turn (fixed rotation, or an AABB) is one without inertia.
- * - Terrain is a chain: one-sided, solid to the left of its direction of travel, so its points go
- *   from right to left. A chain's first and last edge do not collide, so that each end gets a ghost
- *   point that continues the last edge.
- * - A body that is to be swept is a bullet, which Box2D stops at moving bodies too, but not at
- *   other bullets: a world that sweeps all has none, or they would pass through each other.
- * - Friction mixes as the square root of the product and restitution as the larger in both engines.
+ *   has no function to change that. So a world is scaled by its length scale, as Box2D's manual
+ *   advises: `unit` is the length of a metre in the world's units. Times and masses stay the same.
+ * - A body that cannot rotate (fixed rotation, or an AABB) has its rotation locked.
+ * - Terrain is a chain. Chains are solid on the left of their direction, so the points go from
+ *   right to left. The first and last edge of a chain do not collide, so each end gets one more
+ *   point ("ghost"), in the direction of the last edge.
+ * - A body whose own detection is "swept" is a bullet. Box2D stops bullets at moving bodies, but
+ *   not at other bullets. So a world that sweeps all bodies has no bullets; they would pass through
+ *   each other.
+ * - Both engines mix friction as the square root of the product, and restitution as the larger
+ *   value.
  */
 import type { BodyOptions, BodyState, ShapeState, Terrain, Vec2, WorldOptions } from "thud";
 import type {
@@ -27,23 +29,28 @@ import type {
 import type { Box2D } from "./load";
 import type { Placing } from "./places";
 
-/** Half the width of what stands in for endless ground, in metres. */
+/** Half the width of the chain for flat terrain, which is endless in thud; in metres. Chosen. */
 const FLAT_HALF_WIDTH = 4096;
 
-/** What all of a world's bodies have in common. */
+/** What the functions below need of the Box2D world. */
 export interface Common extends Placing {
   box2d: Box2D;
-  /** Whether contacts are to be told of: it costs Box2D as it costs thud. */
+  /** Whether Box2D reports contacts, as thud does: it takes time in both engines. */
   events: boolean;
 }
 
-/** Of a circle or a box. */
+/** A circle or a box. */
 export type SolidState = Exclude<ShapeState, { kind: "terrain" }>;
 
-/** As fast as thud lets bodies be, in length scales a second; Box2D's default is 400. */
+/**
+ * Default of WorldOptions.maximumSpeed in thud, in length scales per second. Box2D's is 400 m/s.
+ */
 const MAXIMUM_SPEED = 1e6;
 
-/** Where `options` say nothing, Box2D keeps its defaults but for gravity and the highest speed. */
+/**
+ * Creates a world. Where `options` say nothing, gravity and the largest speed are thud's defaults,
+ * and everything else is Box2D's. Throws if Box2D has too many worlds.
+ */
 export function createWorld(
   { box2d, unit }: Common,
   options: WorldOptions,
@@ -63,7 +70,9 @@ export function createWorld(
   return world;
 }
 
-/** A body without its shapes. What a thud world does not tell of a body comes in `options`. */
+/**
+ * Creates a body without shapes. `options` has the properties that the thud world does not tell.
+ */
 export function makeBody(
   { box2d, unit, origin }: Common,
   world: b2WorldId,
@@ -91,7 +100,7 @@ export function makeBody(
   return body;
 }
 
-/** A body that is there is given what its making gave it, but for where it is and how it moves. */
+/** Gives an existing body the same properties as `makeBody`, except pose and velocity. */
 export function setBody(
   { box2d }: Common,
   body: b2BodyId,
@@ -116,7 +125,7 @@ export function setBody(
   if (state.kind === "dynamic") box2d.b2Body_SetAwake(body, true);
 }
 
-/** `center` is in the body's frame. */
+/** Sets a body's mass. `center` is the centre of mass in the body's frame. */
 export function setMass(
   { box2d, unit }: Common,
   body: b2BodyId,
@@ -132,7 +141,7 @@ export function setMass(
   data.delete();
 }
 
-/** A shape that is there is given what its making gave it; whether it is a sensor stays. */
+/** Gives an existing shape the same properties as `makeShape`, except whether it is a sensor. */
 export function setShape(common: Common, made: b2ShapeId, shape: SolidState): void {
   const { box2d, unit } = common;
   const filter = box2d.b2Shape_GetFilter(made);
@@ -152,6 +161,7 @@ export function setShape(common: Common, made: b2ShapeId, shape: SolidState): vo
   box2d.b2Shape_SetDensity(made, shape.density * unit * unit, true);
 }
 
+/** Creates a circle or box. */
 export function makeShape(common: Common, body: b2BodyId, shape: SolidState): b2ShapeId {
   const { box2d, unit, events } = common;
   const def: b2ShapeDef = box2d.b2DefaultShapeDef();
@@ -172,7 +182,7 @@ export function makeShape(common: Common, body: b2BodyId, shape: SolidState): b2
   return made;
 }
 
-/** Calls one of the two, with what is freed afterwards. */
+/** Calls `asCircle` or `asBox` with Box2D's geometry of the shape, and frees that afterwards. */
 function withGeometry<T>(
   { box2d, unit }: Common,
   shape: SolidState,
@@ -189,7 +199,7 @@ function withGeometry<T>(
     circle.delete();
   } else {
     const turn = new box2d.b2Rot();
-    // An AABB has no angle of its own, and its body none either.
+    // Neither an AABB nor its body is ever rotated.
     const angle = shape.kind === "obb" ? shape.angle : 0;
     turn.c = Math.cos(angle);
     turn.s = Math.sin(angle);
@@ -203,6 +213,7 @@ function withGeometry<T>(
   return result;
 }
 
+/** Creates the chain of a terrain. */
 export function makeChain(
   { box2d, unit, events }: Common,
   body: b2BodyId,
@@ -215,7 +226,7 @@ export function makeChain(
   def.enableSensorEvents = events;
   def.SetPoints(points);
   const chain = box2d.b2CreateChain(body, def);
-  // The bindings' own SetMaterials leaves zeros in the definition.
+  // SetMaterials of the bindings would write zeros, so the material is set on each segment.
   const material = box2d.b2DefaultSurfaceMaterial();
   setMaterial(material, shape, unit);
   const count = box2d.b2Chain_GetSegmentCount(chain);
@@ -225,18 +236,19 @@ export function makeChain(
   return chain;
 }
 
-/** From right to left, with the ghost points, in metres. */
+/** The terrain's vertices from right to left, with a ghost point at each end, in metres. */
 function chainPoints(terrain: Terrain, unit: number): Vec2[] {
   const points = vertices(terrain, unit).reverse();
   const last = points.length - 1;
   return [beyond(points[0], points[1]), ...points, beyond(points[last], points[last - 1])];
 }
 
-/** As far past `end` as `before` is in front of it. */
+/** The point `before`, mirrored at `end`. */
 function beyond(end: Vec2, before: Vec2): Vec2 {
   return [2 * end[0] - before[0], 2 * end[1] - before[1]];
 }
 
+/** The terrain's vertices from left to right, in metres. */
 function vertices(terrain: Terrain, unit: number): Vec2[] {
   switch (terrain.kind) {
     case "flat": {

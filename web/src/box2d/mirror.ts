@@ -1,30 +1,33 @@
 /**
- * Keeps a copy of a thud world as its bodies and shapes come and go and its ground is dug. What the
- * copy is made of, its `Twin` knows.
+ * Follows the bodies and shapes of a thud world, and tells a `Twin`, which keeps a copy of the
+ * world, what was added, changed and removed since the last call of `sync`.
  */
 import type { BodyId, BodyState, ShapeId, ShapeState, Terrain, World } from "thud";
 import { BODY, bodyAt, ROW, shapeAt } from "../scene/shape-table";
 
+/** A copy of a world: what is called when the world has changed. */
 export interface Twin {
   addBody(id: BodyId, state: BodyState): void;
   addShape(body: BodyId, id: ShapeId, state: ShapeState, terrain: Terrain | null): void;
-  /** After the shapes of a new body. */
+  /** Called after the last shape of a new body was added. */
   finishBody(id: BodyId, state: BodyState): void;
-  /** Another size, or a sensor now, or none any more. */
+  /** The shape's size changed, or it became a sensor or ceased to be one. */
   changeShape(id: ShapeId): void;
-  /** Moved by something else now. */
+  /** The body's kind changed. */
   changeBody(id: BodyId): void;
   removeShape(body: BodyId, id: ShapeId): void;
-  /** With its shapes. */
+  /** The body was removed, and its shapes with it. */
   removeBody(id: BodyId): void;
 }
 
+/** A body with shapes. */
 interface Member {
   id: BodyId;
-  /** By index. */
+  /** By index of the shape. */
   shapes: Map<number, ShapeId>;
 }
 
+/** A terrain, with its vertices at the last call. */
 interface Ground {
   body: BodyId;
   id: ShapeId;
@@ -35,11 +38,11 @@ export class Mirror {
   readonly #world: World;
   readonly #twin: Twin;
   #handles = new Uint32Array(0);
-  /** As the table has them, without slots: what a shape and its body are like. */
+  /** The rows of the world's shape table at the last call. */
   #rows = new Float32Array(0);
-  /** By slot. */
+  /** Bodies by slot, and their shapes, at the last call. */
   #members = new Map<number, Member>();
-  /** By index of the shape. */
+  /** Terrains at the last call, by index of the shape. */
   readonly #grounds = new Map<number, Ground>();
 
   constructor(world: World, twin: Twin) {
@@ -47,7 +50,7 @@ export class Mirror {
     this.#twin = twin;
   }
 
-  /** A body without shapes is left out. */
+  /** Tells the twin what changed. Bodies without shapes are not followed. */
   sync(): void {
     const { handles, rows, count } = this.#world.shapeTable();
     const sameShapes = equal(handles, this.#handles);
@@ -63,7 +66,10 @@ export class Mirror {
     for (const ground of this.#grounds.values()) this.#followGround(ground);
   }
 
-  /** Of the shapes that were there before. */
+  /**
+   * The shapes that existed at the last call and have other properties now. `kind`: the body's kind
+   * changed.
+   */
   #changed(
     handles: Uint32Array,
     rows: Float32Array,
@@ -87,6 +93,7 @@ export class Mirror {
     return changed;
   }
 
+  /** Tells the twin which bodies and shapes came and went. */
   #follow(members: Map<number, Member>): void {
     const old = this.#members;
     this.#members = members;
@@ -137,6 +144,7 @@ export class Mirror {
     this.#twin.addShape(body, id, state, terrain);
   }
 
+  /** Makes a terrain anew if its vertices changed. */
   #followGround(ground: Ground): void {
     const { body, id } = ground;
     const terrain = this.#world.terrain(id);
@@ -147,7 +155,7 @@ export class Mirror {
   }
 }
 
-/** Of the handles of a ShapeTable. */
+/** Bodies by slot, from the handles of a shape table. */
 function membersOf(handles: Uint32Array): Map<number, Member> {
   const members = new Map<number, Member>();
   for (let row = 0; 4 * row < handles.length; row++) {
@@ -170,6 +178,7 @@ function equal(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
   return true;
 }
 
+/** Whether two terrains have the same vertices. A flat terrain never changes. */
 function equalTerrains(a: Terrain, b: Terrain): boolean {
   if (a.kind === "uniform" && b.kind === "uniform") return equal(a.heights, b.heights);
   if (a.kind !== "irregular" || b.kind !== "irregular") return true;

@@ -1,4 +1,4 @@
-/** The package has types, but not under the names of its flavours' modules. */
+/** The package has types, but not for the paths of its two builds. */
 declare module "*/Box2D.deluxe.mjs" {
   const start: typeof import("box2d3-wasm");
   export default start;

@@ -1,13 +1,16 @@
 /**
- * Reads where bodies went in a step. Box2D lists them in its memory, and its bindings would make
- * several objects of each; the list itself is read instead, in a hundredth of the time. The layout
- * is that of b2BodyEvents and b2BodyMoveEvent in the pinned version of the package, compiled for 32
- * bits.
+ * Reads the poses of the bodies that moved in a step of Box2D. Box2D lists them in its memory (move
+ * events). Its bindings would create several objects for each body, so the list is read from memory
+ * directly, which takes a hundredth of the time. The layout is that of b2BodyEvents and
+ * b2BodyMoveEvent in the pinned version of the package, compiled for 32 bits.
  */
 import type { b2WorldId } from "../../node_modules/box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe";
 import type { Box2D } from "./load";
 
-/** In words of four bytes: user data, x, y, cosine, sine, index, world and generation, asleep. */
+/**
+ * Words of four bytes per event: user data, x, y, cosine, sine, index, world and generation,
+ * asleep. POSE and INDEX are the positions of x and of the index.
+ */
 const WORDS = 8;
 const POSE = 1;
 const INDEX = 5;
@@ -16,19 +19,23 @@ export class Moves {
   readonly #box2d: Box2D;
   #words: Uint32Array = new Uint32Array(0);
   #floats: Float32Array = new Float32Array(0);
+  /** Position of the first event, in words. */
   #first = 0;
+  /** Number of events. */
   count = 0;
 
   constructor(box2d: Box2D) {
     this.#box2d = box2d;
   }
 
-  /** Of the last step; until the next call of anything in Box2D. */
+  /**
+   * Finds the events of the last step. They are valid until the next call of any function of Box2D.
+   */
   read(world: b2WorldId): void {
     const events = this.#box2d.b2World_GetBodyEvents(world);
     const { buffer } = this.#box2d.HEAPU8 as Uint8Array;
     if (this.#words.buffer !== buffer) {
-      // Memory grew.
+      // The memory has grown, and is another buffer now.
       this.#words = new Uint32Array(buffer);
       this.#floats = new Float32Array(buffer);
     }
@@ -37,19 +44,19 @@ export class Moves {
     events.delete();
   }
 
-  /** The index of the i-th one's b2BodyId. */
+  /** The index of the b2BodyId of event i. */
   index1(i: number): number {
     return this.#words[this.#first + WORDS * i + INDEX];
   }
 
-  /** Its x, y, cosine and sine go to `into` from `at` on. */
+  /** Copies x, y, cosine and sine of event i to `into`, from position `at` on. */
   copyPose(i: number, into: Float32Array, at: number): void {
     const from = this.#first + WORDS * i + POSE;
     for (let k = 0; k < 4; k++) into[at + k] = this.#floats[from + k];
   }
 }
 
-/** Where the object that a handle of the bindings (embind) stands for lies in memory. */
+/** The address of the object that a handle of the bindings (embind) stands for. */
 function addressOf(handle: object): number {
   return (handle as { $$: { ptr: number } }).$$.ptr;
 }

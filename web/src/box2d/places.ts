@@ -1,13 +1,13 @@
 /**
- * Where a Box2DWorld's bodies are. Box2D keeps places as numbers of 32 bits, in metres about an
- * origin of its own; the thud world has doubles in its own lengths.
+ * The poses of a Box2DWorld's bodies. Box2D has them as floats, in metres, relative to an origin of
+ * its own; the thud world has doubles in its own units.
  */
 import type { Vec2, World } from "thud";
 
-/** Metres from its origin that Box2D is made for (its B2_HUGE). */
+/** Largest distance from the origin that Box2D is made for, in metres (its B2_HUGE). */
 const FARTHEST = 1e5;
 
-/** A metre in the world's lengths, and where in the world Box2D's origin is. */
+/** The length of a metre in the world's units, and the place of Box2D's origin in the world. */
 export interface Placing {
   unit: number;
   origin: Vec2;
@@ -16,7 +16,10 @@ export interface Placing {
 export class Places {
   readonly #unit: number;
   readonly #origin: Vec2;
-  /** By slot x, y, cosine and sine, in metres; NaN in empty slots. Of the step before, and now. */
+  /**
+   * Poses before and after the last step: by slot x, y, cosine and sine, in metres; NaN in empty
+   * slots.
+   */
   #before = new Float32Array(0);
   #now = new Float32Array(0);
 
@@ -25,27 +28,32 @@ export class Places {
     this.#origin = origin;
   }
 
+  /** A place in the thud world, in Box2D's coordinates. */
   toMetres([x, y]: Vec2): Vec2 {
     const [ox, oy] = this.#origin;
     return [(x - ox) / this.#unit, (y - oy) / this.#unit];
   }
 
-  /** In metres. To be written into at 4 times the slot after a step. */
+  /** The poses in metres. After a step the caller writes new ones, at 4 times the slot. */
   get now(): Float32Array {
     return this.#now;
   }
 
-  /** As x, y, cosine and sine, in the world's lengths. */
+  /** A pose as x, y, cosine and sine, in the world's units. */
   pose(slot: number): readonly [number, number, number, number] {
     const [x, y, cosine, sine] = this.#now.subarray(4 * slot, 4 * slot + 4);
     const [ox, oy] = this.#origin;
     return [x * this.#unit + ox, y * this.#unit + oy, cosine, sine];
   }
 
-  /** As World.poses has them: relative to a place, of now, or for alpha 0 of the step before. */
+  /**
+   * The poses, laid out like World.poses and relative to x, y: for alpha 1 after the last step, for
+   * alpha 0 before it.
+   */
   copy(alpha: 0 | 1, x: number, y: number): Float32Array<ArrayBuffer> {
     const poses = new Float32Array(alpha === 0 ? this.#before : this.#now);
-    // Far from the world's origin the difference of the two is exact, and the places are not.
+    // The difference of two near places is small, and exact as a float, also far from the world's
+    // origin.
     const [dx, dy] = [this.#origin[0] - x, this.#origin[1] - y];
     for (let i = 0; i < poses.length; i += 4) {
       poses[i] = poses[i] * this.#unit + dx;
@@ -54,11 +62,12 @@ export class Places {
     return poses;
   }
 
-  /** What is now is what was before the next step. */
+  /** Keeps the present poses as those before the step. */
   beginStep(): void {
     this.#before.set(this.#now);
   }
 
+  /** Adds a body: its pose before the step is its present one. */
   add(slot: number, position: Vec2, angle: number): void {
     if (4 * slot >= this.#now.length) this.#grow(slot);
     this.put(slot, position, angle);
@@ -66,6 +75,7 @@ export class Places {
     this.#before.set(this.#now.subarray(end - 4, end), end - 4);
   }
 
+  /** Sets the present pose of a body. */
   put(slot: number, position: Vec2, angle: number): void {
     this.#now.set([...this.toMetres(position), Math.cos(angle), Math.sin(angle)], 4 * slot);
   }
@@ -85,7 +95,7 @@ export class Places {
   }
 }
 
-/** Of all bodies, in whole numbers. */
+/** The mean place of all bodies, rounded to whole numbers. */
 export function middleOf(world: World): Vec2 {
   let [count, x, y] = [0, 0, 0];
   for (const [px, py] of placesOf(world)) [count, x, y] = [count + 1, x + px, y + py];
@@ -93,8 +103,8 @@ export function middleOf(world: World): Vec2 {
 }
 
 /**
- * The world's own origin, or the middle of its bodies if they are too far from it for Box2D. Throws
- * if they are too far from each other.
+ * The place for Box2D's origin: the world's own origin, or the middle of the bodies if these are
+ * too far from it for Box2D. Throws if they are too far from each other.
  */
 export function originFor(world: World, unit: number): Vec2 {
   const most = FARTHEST * unit;
@@ -110,7 +120,7 @@ export function originFor(world: World, unit: number): Vec2 {
   );
 }
 
-/** To a part in ten million. */
+/** The places of all bodies, as floats. */
 function placesOf(world: World): Vec2[] {
   const poses = world.poses(1, 0, 0);
   const places: Vec2[] = [];

@@ -1,11 +1,12 @@
 /**
- * Measures how deep bodies overlap, whichever engine has moved them, with the same geometry: a thud
- * world of its own holds copies of the bodies, is given their poses, and runs a step of a
- * nanosecond without gravity, in which contacts are found and nothing moves.
+ * Measures how deep bodies overlap, by the same code for both engines. A thud world of its own
+ * holds copies of the bodies. It is given their poses and makes a step of a nanosecond without
+ * gravity, which finds contacts and moves nothing.
  *
- * Pairs that the measured world lets through do not count, in neither engine: those that a rule or
- * the scene's own filter keeps apart are none here either; what a listener lets pass at the moment
- * is a contact without points there; and of a one-way rule what is held is a contact with points.
+ * Pairs that do not collide in the measured world do not count, in either engine. Pairs that a rule
+ * or the scene's pair filter excludes are excluded here, too. A pair that a listener lets pass at
+ * present has a contact without points in the measured world, and is vetoed here. A pair with a
+ * one-way rule counts only while its contact in the measured world has points.
  */
 import {
   type BodyId,
@@ -22,13 +23,17 @@ import {
 import type { Known } from "../worker/watch";
 import { Mirror, type Twin } from "./mirror";
 
-/** Seconds; overlap is pushed apart at 3 length scales a second. */
+/**
+ * Length of the step in seconds. Overlapping bodies are pushed apart at up to 3 length scales per
+ * second, so by no more than 3e-9 length scales.
+ */
 const INSTANT = 1e-9;
 
+/** The copy of a body. */
 interface Copy {
   id: BodyId;
   shapes: Map<number, ShapeId>;
-  /** As it was put last; what rests is left alone. */
+  /** The pose that was set last. A body with the same pose is not set again. */
   x: number;
   y: number;
   cosine: number;
@@ -39,21 +44,31 @@ export class Ruler implements Twin {
   readonly #source: World;
   readonly #world: World;
   readonly #mirror: Mirror;
-  /** By the slot of the body that it copies. */
+  /** Copies by the slot of the body. */
   readonly #copies = new Map<number, Copy>();
-  /** By the index of a copied shape, the original; its kind as rules have it. */
+  /**
+   * By the index of a copied shape: the original shape, and its kind (lowest bit of `category`), to
+   * which rules apply.
+   */
   readonly #originals = new Map<number, { id: ShapeId; kind: number }>();
+  /** Whether the ruler's world has a listener that vetoes contacts. */
   #vetoes = false;
-  /** Bits of `category` that shapes have had. */
+  /** All bits of `category` that shapes have had. */
   #categories = 0;
-  /** As the measured world has it; what it answers may change with it alone. */
+  /** The measured world's pair filter. */
   #filter: PairFilter | undefined;
-  /** Pairs of the measured world's contacts, by `keyOf`: whether it holds them at present. */
+  /**
+   * For each pair of shapes (`keyOf`) with a contact in the measured world, whether that has
+   * points.
+   */
   readonly #held = new Map<string, boolean>();
-  /** Kinds between which there is a one-way rule, by `keyOf`. */
+  /** The pairs of kinds (`keyOf`) with a one-way rule. */
   readonly #oneWay = new Set<string>();
 
-  /** `lengthScale` is the one of the world that it measures; `known` spares it looks. */
+  /**
+   * `lengthScale` is that of the measured world. `known`, if given, tells which methods were
+   * called, so that filters need not be compared if none was set.
+   */
   constructor(
     world: World,
     lengthScale = 1,
@@ -77,12 +92,12 @@ export class Ruler implements Twin {
     this.#world.close();
   }
 
-  /** Bodies that have shapes. */
+  /** Number of bodies that have shapes. */
   get bodies(): number {
     return this.#copies.size;
   }
 
-  /** Follows bodies that came or went and ground that was dug. */
+  /** Brings the copies up to date: bodies, shapes, terrain and filters. */
   sync(): void {
     this.#mirror.sync();
     if (this.known?.called.has("setFilter") === false) return;
@@ -97,15 +112,15 @@ export class Ruler implements Twin {
       }
   }
 
-  /** The deepest of `overlap`. */
+  /** The largest overlap of `overlap`. */
   penetration(poses: Float32Array, originX = 0, originY = 0): number {
     return this.overlap(poses, originX, originY).worst;
   }
 
   /**
-   * The deepest overlap and the mean over all contact points, in the world's lengths; 0 without
-   * any. `poses` are those of `World.poses` or `Box2DWorld.poses`, relative to the origin; bodies
-   * without stay where they were.
+   * The largest overlap, and the mean over all contact points, in the world's units; 0 without
+   * contacts. `poses` are those of World.poses or Box2DWorld.poses, relative to the origin. Bodies
+   * without a pose stay where they were.
    */
   overlap(poses: Float32Array, originX = 0, originY = 0): { worst: number; mean: number } {
     for (const [slot, copy] of this.#copies) {
@@ -116,11 +131,11 @@ export class Ruler implements Twin {
     this.#leaveOut();
     this.#world.step();
     const { penetrationMax, penetrationMean } = this.#world.error();
-    // Separation is a negative depth, and touching may be a negative zero.
+    // A separation is a negative depth; where bodies just touch it may be -0.
     return { worst: Math.max(0, penetrationMax), mean: Math.max(0, penetrationMean) };
   }
 
-  /** What the measured world lets through. */
+  /** Excludes the pairs that do not collide in the measured world. */
   #leaveOut(): void {
     const { filter, prologue } = this.#source.engine.callbacks.of(this.#source.address);
     if (filter !== this.#filter) {
@@ -136,6 +151,7 @@ export class Ruler implements Twin {
     this.#vetoes = asks;
   }
 
+  /** Copies rules that exclude pairs, and notes one-way rules. */
   #copyRules(): void {
     const kinds = bitsOf(this.#categories);
     this.#oneWay.clear();
@@ -149,6 +165,7 @@ export class Ruler implements Twin {
       }
   }
 
+  /** Notes which contacts of the measured world have points. */
   #findHeld(): void {
     this.#held.clear();
     const { length, pointCount, shapeA, shapeB } = CONTACT_ROW;
@@ -159,20 +176,24 @@ export class Ruler implements Twin {
     }
   }
 
+  /** Vetoes the contacts that the measured world lets pass. */
   readonly #veto: Listener = (rows, count) => {
     const { length, shapeA, shapeB, collide } = LISTENED_ROW;
     for (let at = 0; at < count * length; at += length) {
       const [a, b] = [shapeA, shapeB].map((side) => this.#originals.get(rows[at + side] - 1)!);
-      // What has only just begun to touch is in no list yet: a one-way rule may let it pass.
+      // A pair that has only just come into contact has no contact in the measured world yet. It
+      // counts, except where there is a one-way rule, which may let it pass.
       const isHeld = this.#held.get(keyOf(a.id.index, b.id.index)) ?? !this.#oneWay.has(keyOf(a.kind, b.kind));
       if (!isHeld) rows[at + collide] = 0;
     }
   };
 
+  /** The measured shape of a copied one. */
   #original(copy: ShapeId): ShapeId {
     return this.#originals.get(copy.index)!.id;
   }
 
+  /** Sets the pose of a copy. */
   #put(copy: Copy, x: number, y: number, cosine: number, sine: number): void {
     if (copy.x === x && copy.y === y && copy.cosine === cosine && copy.sine === sine) return;
     Object.assign(copy, { x, y, cosine, sine });
@@ -234,16 +255,17 @@ export class Ruler implements Twin {
   }
 }
 
-/** Of two, whichever comes first. */
+/** A key of an unordered pair of numbers. */
 function keyOf(a: number, b: number): string {
   return a < b ? `${a} ${b}` : `${b} ${a}`;
 }
 
-/** The lowest bit. */
+/** The kind of a shape for rules: the lowest bit of its category. */
 function kindOf(category: number): number {
   return (category & -category) >>> 0;
 }
 
+/** The bits that are set, each as a number. */
 function bitsOf(bits: number): number[] {
   const found: number[] = [];
   for (let i = 0; i < 32; i++) if (bits & (1 << i)) found.push((1 << i) >>> 0);

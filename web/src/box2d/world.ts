@@ -1,9 +1,10 @@
 /**
- * The same scene in Box2D: built of what a thud world holds at the moment, stepped beside it, and
- * following it as bodies come and go, ground is dug and kinematic bodies are steered. Everything
- * goes in and out in the thud world's units and by its handles.
+ * A copy of a thud world in Box2D. It is made from the state of the thud world, makes the same
+ * steps, and follows the thud world: bodies that come and go, terrain that changes, kinematic
+ * bodies that move. All arguments and results are in the thud world's units, and bodies are named
+ * by their thud handles.
  *
- * A step of both: the scene's own code, the same commands to both, `box2dWorld.sync()`,
+ * One step of both: the scene's own code, the same commands to both, `box2dWorld.sync()`,
  * `world.step()`, `box2dWorld.step()`.
  */
 import type {
@@ -35,17 +36,27 @@ import { Moves } from "./moves";
 import { originFor, Places } from "./places";
 import { Ruler } from "./ruler";
 
-/** Metres. A kinematic body this far from where thud has it was put there, and is put there too. */
+/**
+ * If the pose of a kinematic body differs from that in thud by more than this (metres, plus the
+ * length of the difference of the direction vectors), thud's body was moved by setTransform, and so
+ * is Box2D's. Chosen.
+ */
 const STRAY = 0.002;
 
-/** Parts of a mass or an inertia, and length scales of a centre, by which thud's may differ. */
+/**
+ * Largest difference between Box2D's mass properties and thud's that is left: a share of mass and
+ * inertia, and length scales for the centre. Chosen.
+ */
 const ROUNDING = 1e-4;
 
-/** What is not known is taken to be the default. */
+/** Settings of a copy. What is not given has its default value. */
 export interface Box2DOptions extends Partial<Known> {
-  /** A step. Default 4, as Box2D's manual recommends. */
+  /** Substeps per step. Default 4, as Box2D's manual recommends. */
   substeps?: number;
-  /** Of contacts, Hz. Default 30, Box2D's own; it takes at most an eighth of its substep rate. */
+  /**
+   * Contact frequency in Hz. Default 30, that of Box2D, which uses at most an eighth of its substep
+   * rate.
+   */
   contactHertz?: number;
 }
 
@@ -56,24 +67,31 @@ export class Box2DWorld implements Follower, Twin {
   readonly #world: b2WorldId;
   readonly #mirror: Mirror;
   readonly #joints: Joints;
-  /** Bodies without shapes, which joints have. */
+  /** Bodies without shapes. They are copied only if a joint needs them. */
   readonly #bare = new Map<number, BodyId>();
-  /** A body came, whose joints may have been waiting for it. */
+  /** Whether a body was added since the last call of `#follow`: joints may need it. */
   #cameBody = false;
-  /** They lost a shape, which thud weighs with its next step only. */
+  /**
+   * Bodies that lost a shape. thud computes their mass in its next step, so it is copied after
+   * that.
+   */
   readonly #lighter = new Set<Entry>();
   readonly #moves: Moves;
-  /** By slot of the thud world. */
+  /** By slot of the thud body. */
   readonly #entries = new Map<number, Entry>();
-  /** By index of the b2BodyId. */
+  /** The slot of the thud body, by the index of Box2D's body. */
   readonly #slots: number[] = [];
   readonly #places: Places;
-  /** Of the steps from now on. */
+  /** Substeps of the steps from now on. */
   substeps: number;
   #gravity: Vec2;
   #timeStep: number;
-  /** Hears of what is done to the thud world, so that it need not look through all before a step. */
+  /**
+   * Whether `heed` is called for each method of the thud world. If not, `sync` has to compare both
+   * worlds every time.
+   */
   #heeds = false;
+  /** Whether a call since the last `sync` requires that both worlds are compared. */
   #stale = false;
   #ruler: Ruler | null = null;
 
@@ -99,13 +117,14 @@ export class Box2DWorld implements Follower, Twin {
     this.#follow();
   }
 
-  /** Frees everything. It must not be used afterwards. */
+  /** Frees everything. */
   close(): void {
     this.#ruler?.close();
     this.#box2d.b2DestroyWorld(this.#world);
     this.#entries.clear();
   }
 
+  /** What the ruler may know of the calls. */
   get #known(): Pick<Known, "called"> | undefined {
     const { called } = this.#settings;
     return called && { called };
@@ -115,7 +134,10 @@ export class Box2DWorld implements Follower, Twin {
     return this.#common.box2d;
   }
 
-  /** Where in the thud world Box2D has its origin: elsewhere where all bodies are too far away. */
+  /**
+   * The place of Box2D's origin in the thud world. It is that of the world unless all bodies are
+   * too far away.
+   */
   get origin(): Vec2 {
     return this.#common.origin;
   }
@@ -123,8 +145,9 @@ export class Box2DWorld implements Follower, Twin {
   // ---- time ----
 
   /**
-   * Brings over what the thud world gained or lost, ground that was dug, and how its kinematic
-   * bodies move. Just before the step of either. A body that is switched off is gone meanwhile.
+   * Brings the copy up to date: bodies, shapes, terrain, joints, and the motion of kinematic
+   * bodies. To be called just before the steps of both engines. A body that is disabled in thud
+   * does not exist in Box2D.
    */
   sync(): void {
     for (const entry of this.#lighter) this.#balance(entry);
@@ -134,6 +157,7 @@ export class Box2DWorld implements Follower, Twin {
     for (const entry of this.#entries.values()) if (entry.kind === "kinematic") this.#steer(entry);
   }
 
+  /** Compares both worlds, and copies what changed. */
   #follow(): void {
     this.#cameBody = false;
     this.#mirror.sync();
@@ -144,7 +168,10 @@ export class Box2DWorld implements Follower, Twin {
     this.#joints.follow();
   }
 
-  /** A body weighs what it does in thud, where that may be set, whatever its shapes weigh. */
+  /**
+   * Gives Box2D's body the mass, inertia and centre of thud's, if they differ from those that Box2D
+   * computed from the shapes.
+   */
   #balance(entry: Entry): void {
     entry.weight = weigh(this.#common, entry);
     if (entry.kind !== "dynamic") return;
@@ -158,7 +185,7 @@ export class Box2DWorld implements Follower, Twin {
     entry.weight = weigh(this.#common, entry);
   }
 
-  /** Null of one that is switched off. */
+  /** Box2D's body; null if the thud body is disabled. Creates a body that has no shapes. */
   #bodyOf(id: BodyId): b2BodyId | null {
     if (!this.isValid(id)) {
       const state = this.#source.bodyState(id);
@@ -170,6 +197,7 @@ export class Box2DWorld implements Follower, Twin {
     return this.#entry(id).body;
   }
 
+  /** Gives a kinematic body the pose (see STRAY) and the velocity that it has in thud. */
   #steer({ id }: Entry): void {
     const { position, angle, velocity, angularVelocity } = this.#source.bodyState(id);
     const { unit } = this.#common;
@@ -181,7 +209,7 @@ export class Box2DWorld implements Follower, Twin {
     this.setVelocity(id, velocity, angularVelocity);
   }
 
-  /** Returns what the step took, in milliseconds, and nothing but the step. */
+  /** Makes a step. Returns the milliseconds that Box2D's step took. */
   step(): number {
     const { b2World_Step } = this.#box2d;
     const start = performance.now();
@@ -198,14 +226,14 @@ export class Box2DWorld implements Follower, Twin {
   // ---- reading ----
 
   /**
-   * As World.poses: four numbers a slot, x, y relative to the origin, cosine, sine, NaN in empty
-   * slots; of the last step, or for alpha 0 of the one before. A copy.
+   * Poses laid out like World.poses: four numbers per slot, x and y relative to the origin, cosine,
+   * sine; NaN in empty slots. For alpha 1 after the last step, for alpha 0 before it. A copy.
    */
   poses(alpha: 0 | 1 = 1, originX = 0, originY = 0): Float32Array<ArrayBuffer> {
     return this.#places.copy(alpha, originX, originY);
   }
 
-  /** Of the deepest overlap at present. Costs about as much as a step of thud at draft. */
+  /** The deepest overlap at present. Takes about as long as a step of thud at draft. */
   penetration(): number {
     this.#ruler ??= new Ruler(this.#source, this.#common.unit, this.#known);
     this.#ruler.sync();
@@ -213,7 +241,7 @@ export class Box2DWorld implements Follower, Twin {
     return this.#ruler.penetration(this.poses(1, x, y), x, y);
   }
 
-  /** Kinetic and potential, as World.measure has them. Costs some microseconds a body. */
+  /** Kinetic and potential energy, as in World.measure. Takes some microseconds per body. */
   energy(): [kinetic: number, potential: number] {
     let [kinetic, potential] = [0, 0];
     for (const entry of this.#entries.values()) {
@@ -227,7 +255,10 @@ export class Box2DWorld implements Follower, Twin {
     return [kinetic, potential];
   }
 
-  /** The joint that is open the most, in thud's poses and in Box2D's. */
+  /**
+   * The gap of the joint that is open the most, in thud's poses and in Box2D's; empty without
+   * joints.
+   */
   jointGaps(): Gap[] {
     const [x, y] = this.origin;
     return this.#joints.gaps([this.#source.poses(1, x, y).slice(), this.poses(1, x, y)]);
@@ -238,7 +269,7 @@ export class Box2DWorld implements Follower, Twin {
     return [...this.#joints.misses, ...missesOf(this.#settings.called ?? new Set())];
   }
 
-  /** Bodies that Box2D has, but for those without shapes. */
+  /** Number of bodies with shapes. */
   get bodies(): number {
     return this.#entries.size - this.#bare.size;
   }
@@ -247,7 +278,7 @@ export class Box2DWorld implements Follower, Twin {
     return this.#box2d.b2World_GetAwakeBodyCount(this.#world);
   }
 
-  /** The bodies whose centre of mass is in a circle. */
+  /** Bodies whose centre of mass is in a circle. */
   within(x: number, y: number, radius: number): BodyId[] {
     const found: BodyId[] = [];
     for (const entry of this.#entries.values()) {
@@ -257,7 +288,7 @@ export class Box2DWorld implements Follower, Twin {
     return found;
   }
 
-  /** Memory that Box2D holds, over all its worlds. */
+  /** Bytes that all of Box2D's worlds hold. */
   get bytes(): number {
     const counters = this.#box2d.b2World_GetCounters(this.#world);
     const { byteCount } = counters;
@@ -265,9 +296,9 @@ export class Box2DWorld implements Follower, Twin {
     return byteCount;
   }
 
-  // ---- hands: as the same methods of World ----
+  // ---- Hands, and other methods as in World ----
 
-  /** False also for what `sync` has not brought over yet. */
+  /** Whether the body exists. False, too, for a body that `sync` has not copied yet. */
   isValid(body: BodyId): boolean {
     return this.#entries.get(body.index)?.id.generation === body.generation;
   }
@@ -333,16 +364,20 @@ export class Box2DWorld implements Follower, Twin {
     follow(this, method, result, args);
   }
 
-  /** Bodies, shapes or ground may have changed. */
+  /**
+   * To be called when bodies, shapes or terrain may have changed: the next `sync` compares both
+   * worlds.
+   */
   lookAgain(): void {
     this.#stale = true;
   }
 
+  /** To be called when a joint was created, changed or destroyed in the thud world. */
   touchJoint(joint: JointId): void {
     this.#joints.touch(joint);
   }
 
-  /** As it is in the thud world now. */
+  /** Gives Box2D's body the properties that the thud body has now. */
   changeBody(body: BodyId): void {
     const entry = this.#entry(body);
     const state = this.#source.bodyState(body);
@@ -351,17 +386,17 @@ export class Box2DWorld implements Follower, Twin {
     entry.gravityScale = state.gravityScale;
     setBody(this.#common, entry.body, state, this.#settings.bodyOptions?.(body) ?? {});
     this.#balance(entry);
-    // A lock is a joint.
+    // Locks of a body (setLocks) are joints, which may have come or gone.
     this.#joints.touchAll();
     this.lookAgain();
   }
 
-  /** As it is in the thud world now. */
+  /** Gives Box2D's shape the properties that the thud shape has now. */
   changeShape(shape: ShapeId): void {
     const state = this.#source.shapeState(shape);
     const entry = this.#entries.get(state.body.index);
     const made = entry?.made.get(shape.index);
-    // What is not there yet is made as it is then.
+    // A shape that is not copied yet will be made from its state at that time.
     if (!entry || !made) return;
     if (state.kind !== "terrain" && "shape" in made && this.#isSensor(made.shape) === state.sensor) {
       setShape(this.#common, made.shape, state);
@@ -377,11 +412,13 @@ export class Box2DWorld implements Follower, Twin {
     return this.#box2d.b2Shape_IsSensor(shape);
   }
 
+  /** Calls `use` with a vector of thud lengths, scaled to metres. */
   #withMetres([x, y]: Vec2, use: (vector: b2Vec2) => void): void {
     const { unit } = this.#common;
     this.#withVector([x / unit, y / unit], use);
   }
 
+  /** Calls `use` with a place of the thud world, in Box2D's coordinates. */
   #withPlace(place: Vec2, use: (vector: b2Vec2) => void): void {
     this.#withVector(this.#places.toMetres(place), use);
   }
@@ -392,6 +429,7 @@ export class Box2DWorld implements Follower, Twin {
     vector.delete();
   }
 
+  /** Throws if the body is not copied. */
   #entry(body: BodyId): Entry {
     const entry = this.#entries.get(body.index);
     if (!entry || entry.id.generation !== body.generation)
@@ -399,6 +437,7 @@ export class Box2DWorld implements Follower, Twin {
     return entry;
   }
 
+  /** The state of a body in the thud world's units. */
   #held(entry: Entry): Held {
     const { unit } = this.#common;
     const [x, y, c, s] = this.#places.pose(entry.id.index);
@@ -418,6 +457,7 @@ export class Box2DWorld implements Follower, Twin {
     };
   }
 
+  /** The centre of mass in the thud world. */
   #centerOf(entry: Entry): Vec2 {
     const [x, y, c, s] = this.#places.pose(entry.id.index);
     const { center } = (entry.weight ??= weigh(this.#common, entry));
@@ -427,7 +467,7 @@ export class Box2DWorld implements Follower, Twin {
   // ---- Twin ----
 
   addBody(id: BodyId, state: BodyState): void {
-    // It had no shapes before.
+    // The body had no shapes until now, and was created for a joint.
     if (this.isValid(id)) return void this.#bare.delete(id.index);
     this.#cameBody = true;
     const options = this.#settings.bodyOptions?.(id) ?? {};
@@ -455,7 +495,10 @@ export class Box2DWorld implements Follower, Twin {
     entry.weight = null;
   }
 
-  /** Box2D is given the velocity of the centre of mass, which shapes determine. */
+  /**
+   * Sets the velocity after the shapes were added: it is that of the centre of mass, which they
+   * determine.
+   */
   finishBody(id: BodyId, state: BodyState): void {
     this.setVelocity(id, state.velocity, state.angularVelocity);
   }
@@ -481,6 +524,7 @@ export class Box2DWorld implements Follower, Twin {
   }
 }
 
+/** Whether a body can rotate. */
 function turns({ kind, inertia }: BodyState): boolean {
   return kind !== "dynamic" || inertia > 0;
 }

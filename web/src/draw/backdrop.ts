@@ -1,15 +1,22 @@
-/** What lies behind the bodies: sky, grid and ground. Drawn again only when the view changes. */
+/**
+ * The canvas behind the bodies: sky, grid and ground. It is drawn again only when the view, the
+ * theme or the ground has changed.
+ */
 import type { PlacedTerrain } from "../scene/frame";
 import type { Camera, Pane } from "./camera";
 import { Layer } from "./layer";
 import type { Theme } from "./palette";
 import { drawTerrain } from "./terrain";
 
-/** How thick the grass is: in typical bodies' half widths, and its bounds in CSS pixels. */
+/**
+ * Thickness of the grass: its share of the typical body's half width, and its bounds in CSS pixels.
+ * Chosen.
+ */
 const GRASS = { part: 0.35, least: 2.5, most: 9 };
 
 export class Backdrop {
   readonly #layer: Layer;
+  /** What the present picture was drawn for, as text; "" where it must be drawn again. */
   #drawn = "";
   #terrains: PlacedTerrain[] = [];
 
@@ -27,7 +34,7 @@ export class Backdrop {
     this.#drawn = "";
   }
 
-  /** `typicalSize` of a body, as in Shapes. */
+  /** `typicalSize` is that of Shapes. */
   draw(camera: Camera, theme: Theme, typicalSize: number): void {
     const { x, y, scale, panes } = camera;
     const view = JSON.stringify([x, y, scale, panes, theme.dark, typicalSize]);
@@ -53,7 +60,10 @@ function drawSky(context: CanvasRenderingContext2D, pane: Pane, theme: Theme): v
   context.fillRect(pane.left, pane.top, pane.width, pane.height);
 }
 
-/** Lines at 1, 2 or 5 times a power of ten, some 30 to 75 pixels apart; every fifth stands out. */
+/**
+ * Lines every 1, 2 or 5 times a power of ten, in world units: the smallest of these that is at
+ * least 30 CSS pixels. Every fifth line is stronger.
+ */
 function drawGrid(
   context: CanvasRenderingContext2D,
   camera: Camera,

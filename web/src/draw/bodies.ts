@@ -1,7 +1,8 @@
 /**
- * The canvas of the bodies: WebGL2 where there, Canvas 2D otherwise. While a WebGL context is lost
- * a canvas with Canvas 2D takes the place of its own, because a canvas has one kind of context for
- * life; if the context comes back, so does its canvas.
+ * Draws the bodies, by WebGL2 where it is available and by Canvas 2D otherwise. While a WebGL
+ * context is lost, a second canvas with a 2D context takes the place of the first one in the page,
+ * because a canvas can never have two kinds of context. When the context is restored, the first
+ * canvas comes back.
  */
 import type { Shapes } from "../scene/frame";
 import { CanvasRenderer } from "./canvas2d";
@@ -9,9 +10,10 @@ import { type Colouring, rowColours } from "./row-colours";
 import type { Renderer } from "./renderer";
 import { WebglRenderer } from "./webgl";
 
-/** Told when another renderer has taken over; its canvas and size must be set up again. */
+/** Called when another renderer has taken over. Its canvas has to be sized again. */
 export type RendererChange = (name: Renderer["name"]) => void;
 
+/** The bodies' canvas, with whichever renderer draws on it. */
 export class Bodies {
   #renderer: Renderer;
   #shapes: Shapes | null = null;
@@ -46,9 +48,10 @@ export class Bodies {
     this.#renderer.setColours(state, plain);
   }
 
+  /** Changes the renderer when the WebGL context is lost or restored. */
   #watch(canvas: HTMLCanvasElement): void {
     canvas.addEventListener("webglcontextlost", (event) => {
-      // Without this the browser would not bring it back.
+      // Without this the browser would never restore the context.
       event.preventDefault();
       const spare = canvas.cloneNode() as HTMLCanvasElement;
       this.#take(CanvasRenderer.create(spare));
@@ -58,6 +61,7 @@ export class Bodies {
     });
   }
 
+  /** Puts a renderer and its canvas in place of the present ones. */
   #take(renderer: Renderer | null): void {
     if (!renderer) return;
     this.#renderer.canvas.replaceWith(renderer.canvas);

@@ -1,11 +1,12 @@
 /**
- * The camera: which place of the world stands in the middle, and how many CSS pixels a metre has.
- * Everything is in double, so that scenes far from the world's origin stay still. The canvas may be
- * parted into two panes that show the same place.
+ * The camera: the place of the world in the middle of the view (x, y), and the scale in CSS pixels
+ * per world unit. Places are kept in double precision, so that scenes far from the world's origin
+ * do not jitter. The canvas may be split into two panes, which show the same part of the world.
  */
 import type { Vec2 } from "thud";
 import type { View } from "../scene/scene";
 
+/** Widths of the strips at the window's edges that controls cover, in CSS pixels. */
 export interface Insets {
   top: number;
   right: number;
@@ -13,7 +14,7 @@ export interface Insets {
   left: number;
 }
 
-/** A box in the world. */
+/** A rectangle in the world. */
 export interface Box {
   x0: number;
   y0: number;
@@ -21,9 +22,12 @@ export interface Box {
   y1: number;
 }
 
-/** A part of the canvas, in CSS pixels, and where in it the camera's place stands. */
+/**
+ * A part of the canvas, and the point (middleX, middleY) in it that shows the camera's place; in
+ * CSS pixels of the canvas.
+ */
 export interface Pane {
-  /** 0: thud's; 1: the other engine's. */
+  /** The pane 0 shows thud's bodies, 1 the other engine's. */
   readonly index: 0 | 1;
   readonly left: number;
   readonly top: number;
@@ -33,14 +37,17 @@ export interface Pane {
   readonly middleY: number;
 }
 
-/** A part that the controls leave free is taken to be no smaller, in CSS pixels. */
+/** Smallest width and height, in CSS pixels, that are assumed free of controls. Chosen. */
 const LEAST_FREE = 50;
-/** Of two panes, in CSS pixels: kept free on either side of the line between them. */
+/** Space on either side of the line between two panes, in CSS pixels. Chosen. */
 const GAP = 12;
-/** Of two panes, in CSS pixels: kept free at the top of each for its name. */
+/** Space at the top of each of two panes for the engine's name, in CSS pixels. Chosen. */
 export const PANE_HEAD = 42;
 
-/** The part of what a tall window has to spare by which a low view stands under its middle. */
+/**
+ * In a window taller than the view, a view that is `low` (scene.ts) stands this share of the spare
+ * height below the middle. Chosen.
+ */
 const SKY = 0.4;
 
 export class Camera {
@@ -49,9 +56,10 @@ export class Camera {
   scale = 20;
   width = 1;
   height = 1;
-  /** Where controls lie over the canvas; the world's middle is that of what they leave free. */
+  /** The strips that controls cover. The camera's place is in the middle of the rest. */
   insets: Insets = { top: 0, right: 0, bottom: 0, left: 0 };
   #split = false;
+  /** The scene's own view. */
   #home: View = { x: 0, y: 0, height: 20 };
 
   get middleX(): number {
@@ -67,7 +75,9 @@ export class Camera {
     return this.#split;
   }
 
-  /** What fills a pane goes on filling it. */
+  /**
+   * Changes the scale with the number of panes, so that the view fills a pane as much as before.
+   */
   set split(split: boolean) {
     if (split === this.#split) return;
     const before = this.#homeScale();
@@ -75,8 +85,10 @@ export class Camera {
     this.scale *= this.#homeScale() / before;
   }
 
-  /** One, or two of the same free size: side by side or one above the other, whichever shows more
-   * of the remembered view. */
+  /**
+   * One pane, or two with the same free size: side by side or one above the other, by which of the
+   * two shows the scene's view at the larger scale.
+   */
   get panes(): readonly Pane[] {
     const { width, height, insets } = this;
     const right = width - insets.right;
@@ -108,22 +120,24 @@ export class Camera {
     ];
   }
 
-  /** The pane under a point of the canvas. */
+  /** The pane that contains a point of the canvas. */
   paneAt(x: number, y: number): Pane {
     const { panes } = this;
     const last = panes[panes.length - 1];
     return x >= last.left && y >= last.top ? last : panes[0];
   }
 
+  /** From a place in the world to the canvas, in CSS pixels. */
   toScreen(x: number, y: number, pane: Pane = this.panes[0]): [x: number, y: number] {
     return [pane.middleX + (x - this.x) * this.scale, pane.middleY - (y - this.y) * this.scale];
   }
 
+  /** From a point of the canvas, in CSS pixels, to the world. */
   toWorld(x: number, y: number, pane: Pane = this.paneAt(x, y)): [x: number, y: number] {
     return [this.x + (x - pane.middleX) / this.scale, this.y - (y - pane.middleY) / this.scale];
   }
 
-  /** The world's part that the first pane shows. */
+  /** The part of the world that the first pane shows. */
   get visible(): Box {
     return this.visibleIn(this.panes[0]);
   }
@@ -134,17 +148,18 @@ export class Camera {
     return { x0, y0, x1, y1 };
   }
 
-  /** Remembers a scene's view: its middle, and what must fit, in metres. */
+  /** Sets the scene's view, and shows it. */
   setHome(view: View): void {
     this.#home = view;
     this.goHome();
   }
 
-  /** As `setHome`, with all of a box in view. */
+  /** Like `setHome`, with a view that contains all of a rectangle. */
   fit({ x0, y0, x1, y1 }: Box): void {
     this.setHome({ x: (x0 + x1) / 2, y: (y0 + y1) / 2, height: y1 - y0, width: x1 - x0 });
   }
 
+  /** Shows the scene's view. */
   goHome(): void {
     const [freeWidth, freeHeight] = this.#free();
     const { x, y, height, low } = this.#viewFor(freeWidth, freeHeight);
@@ -154,7 +169,7 @@ export class Camera {
     this.y = low && !this.#split ? y + SKY * Math.max(0, shown - height) : y;
   }
 
-  /** Width and height of what controls leave free of the first pane. */
+  /** Width and height of the part of the first pane that controls leave free. */
   #free(): [width: number, height: number] {
     const [{ middleX, middleY }] = this.panes;
     const head = this.#split ? PANE_HEAD : 0;
@@ -164,22 +179,24 @@ export class Camera {
     ];
   }
 
+  /** The scene's view, or its view for tall windows where the free part is taller than wide. */
   #viewFor(freeWidth: number, freeHeight: number): View {
     return (freeHeight > freeWidth && this.#home.tall) || this.#home;
   }
 
+  /** The scale at which the scene's view fits into the first pane. */
   #homeScale(): number {
     const fitting = this.#fitting(...this.#free());
     return Number.isFinite(fitting) ? fitting : this.scale;
   }
 
-  /** The scale at which the remembered view fits into a part of the canvas. */
+  /** The scale at which the scene's view fits into a part of the canvas of this size. */
   #fitting(freeWidth: number, freeHeight: number): number {
     const { height, width = 0 } = this.#viewFor(freeWidth, freeHeight);
     return Math.min(freeHeight / height, width > 0 ? freeWidth / width : Infinity);
   }
 
-  /** Goes the given part of the way to a place. */
+  /** Moves the given share of the way to a place. */
   follow([x, y]: Vec2, part: number): void {
     this.x += part * (x - this.x);
     this.y += part * (y - this.y);
@@ -190,12 +207,16 @@ export class Camera {
     this.height = Math.max(1, height);
   }
 
+  /** Moves the view by a distance on the screen, in CSS pixels. */
   pan(dx: number, dy: number): void {
     this.x -= dx / this.scale;
     this.y += dy / this.scale;
   }
 
-  /** Zooms about a point of the screen, which keeps its place. */
+  /**
+   * Zooms about a point of the screen, which keeps showing the same place. The scale stays within
+   * 1/50 and 200 times (roughly) that of the scene's view.
+   */
   zoom(factor: number, screenX = this.middleX, screenY = this.middleY): void {
     const [x, y] = this.toWorld(screenX, screenY);
     const home = this.#home.height;

@@ -1,4 +1,7 @@
-/** Bodies by Canvas 2D, where WebGL2 is missing: rows of one colour share one path. */
+/**
+ * Draws the bodies by Canvas 2D, where WebGL2 is not available. Rows of similar colour share a
+ * path.
+ */
 import type { Shapes } from "../scene/frame";
 import {
   BODY,
@@ -18,18 +21,22 @@ import { CONTOURS } from "./paths";
 import { poseBetween, type Poses } from "./poses";
 import { type Look, OUTLINE, type Renderer } from "./renderer";
 
-/** Of 255: channels are rounded to multiples of it, so that paths can be shared. */
+/** Step to which colour channels (of 255) are rounded to group rows. Chosen. */
 const STEP = 24;
-/** Half widths in device pixels: smaller bodies are upright squares; have no rim; and no bead that
- * shows how a circle turns. */
+/**
+ * Bounds on half widths in device pixels: a smaller body is drawn as an upright square; where the
+ * typical body is smaller, bodies get no rim; a smaller circle gets no bead. (The bead is a dot
+ * near the rim that shows how the circle is turned.)
+ */
 const LEAST_SHAPE = 2;
 const LEAST_RIM = 2.5;
 const LEAST_BEAD = 5;
 
+/** Rows that are drawn in one colour, with CSS colours of their fill, rim and bead. */
 interface Batch {
   fill: string;
   rim: string;
-  /** Null where nothing is dynamic. */
+  /** Null where the bodies are not dynamic: these have no beads. */
   bead: string | null;
   rows: number[];
 }
@@ -41,6 +48,7 @@ export class CanvasRenderer implements Renderer {
   #ratio = 1;
   #shapes: Shapes | null = null;
   #batches: Record<"state" | "plain", Batch[]> = { state: [], plain: [] };
+  /** Rows of shapes whose bodies are not static. */
   #movingRows: number[] = [];
 
   static create(canvas: HTMLCanvasElement): CanvasRenderer | null {
@@ -105,6 +113,7 @@ export class CanvasRenderer implements Renderer {
     context.restore();
   }
 
+  /** Draws the rows of a batch: fill, rim and beads. */
   #fill(batch: Batch, shapes: Shapes, poses: Poses, pixels: number): void {
     const context = this.#context;
     const rims = pixels * (shapes.typicalSize || 1) > LEAST_RIM;
@@ -125,8 +134,9 @@ export class CanvasRenderer implements Renderer {
   }
 
   /**
-   * Puts outlines into the current path, and calls `finish` whenever it is long enough and at the
-   * end; the smallest bodies it fills itself. Returns x, y and radius of the circles' beads.
+   * Adds the outlines of rows to the current path, and calls `finish` whenever the path has
+   * CONTOURS of them, and at the end. The smallest bodies are filled at once. `pixels`: device
+   * pixels per world unit. Returns x, y and radius of the circles' beads.
    */
   #trace(
     rows: readonly number[],
@@ -159,7 +169,7 @@ export class CanvasRenderer implements Renderer {
       }
       if (data[at + SHAPE] === CIRCLE) {
         context.moveTo(x + hx, y);
-        // Around as boxes go: where the two overlap, nothing is left out.
+        // Counter-clockwise, like the boxes: fill would leave out overlaps of opposite directions.
         context.arc(x, y, hx, 0, 2 * Math.PI, true);
         if (hx > LEAST_BEAD) beads.push(x + 0.58 * hx * c, y - 0.58 * hx * s, 0.15 * hx);
       } else {
@@ -184,7 +194,7 @@ export class CanvasRenderer implements Renderer {
   }
 }
 
-/** Rows of nearly the same colour, whose bodies are all dynamic or all are not. */
+/** Groups rows of nearly the same colour, dynamic bodies apart from others. */
 function sort(shapes: Shapes, count: number, colours: Uint8Array): Batch[] {
   const batches = new Map<number, Batch>();
   for (let row = 0; row < count; row++) {

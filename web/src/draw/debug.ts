@@ -1,21 +1,30 @@
-/** What the engine's debug drawing gives, drawn on a canvas whose origin is the lists'. */
+/**
+ * Draws the lists of the engine's debug drawing (DrawLists of the package). The canvas' origin is
+ * the place that the lists are relative to.
+ */
 import { DRAW_STYLES } from "thud";
 import type { Drawing } from "../scene/frame";
 import type { OverlayName } from "../scene/overlays";
 import { classColour, cssColour, type Theme } from "./palette";
 import { type Paths, pathsOf } from "./paths";
 
-/** Numbers a shape, a line and a point, as in DrawLists of the package. */
+/** Numbers per shape, per line and per point in these lists. */
 const SHAPE = 9;
 const LINE = 5;
 const POINT = 3;
 
-/** Of whole bodies: they are drawn already, and only their islands are of interest here. */
+/**
+ * Styles of shapes of bodies. They are not stroked, because the bodies are drawn already; they are
+ * only filled with the colour of their island.
+ */
 const BODIES: readonly string[] = ["static", "kinematic", "dynamic", "sleeping", "sensor"];
-/** From the lowest to the highest; styles not named here lie between. */
+/**
+ * Styles that are drawn before all others, in this order; and those that are drawn after all
+ * others.
+ */
 const LOWEST: readonly string[] = ["cell", "bounds", "interval", "interval overlapping", "motion"];
 const HIGHEST: readonly string[] = ["normal"];
-/** CSS pixels. */
+/** Widths of lines by style, in CSS pixels. Chosen. */
 const WIDTHS: Readonly<Record<string, number>> = {
   cell: 1,
   bounds: 1,
@@ -28,16 +37,21 @@ const WIDTHS: Readonly<Record<string, number>> = {
 };
 const USUAL_WIDTH = 1.5;
 
-/** The styles' numbers, in the order of drawing. */
+/** The numbers of the styles in the order in which they are drawn. */
 const ORDER: readonly number[] = DRAW_STYLES.map((_, style) => style)
   .filter((style) => !BODIES.includes(DRAW_STYLES[style]))
   .sort((a, b) => height(DRAW_STYLES[a]) - height(DRAW_STYLES[b]));
 
+/** The place of a style in that order: negative before all others, positive after them. */
 function height(style: string): number {
   if (LOWEST.includes(style)) return LOWEST.indexOf(style) - LOWEST.length;
   return HIGHEST.indexOf(style) + 1;
 }
 
+/**
+ * `scale` is the camera's. `on`: contacts and normals come in one list, and each is drawn only if
+ * its overlay is on.
+ */
 export function drawLists(
   context: CanvasRenderingContext2D,
   { shapes, lines, points }: Drawing,
@@ -61,7 +75,8 @@ export function drawLists(
     path.moveTo(lines[i] * scale, -lines[i + 1] * scale);
     path.lineTo(lines[i + 2] * scale, -lines[i + 3] * scale);
   }
-  // From afar an outline must not fill what it goes around.
+  // Outlines of moving bodies get thinner as the camera moves away, so that they do not fill small
+  // bodies.
   const thinnest = Math.min(USUAL_WIDTH, Math.max(0.7, 0.06 * scale));
   for (const style of ORDER) {
     const strokes = paths.get(style);
@@ -74,6 +89,7 @@ export function drawLists(
   drawPoints(context, points, scale, theme, on);
 }
 
+/** The points of the lists, as discs. */
 function drawPoints(
   context: CanvasRenderingContext2D,
   points: Float32Array,
@@ -97,10 +113,12 @@ function drawPoints(
   }
 }
 
+/** The theme's colour of a style; one by the style's number where the theme has none. */
 function styleColour(style: number, theme: Theme): string {
   return theme.styles[DRAW_STYLES[style]] ?? cssColour(classColour(style, theme.dark));
 }
 
+/** Adds the outline of the shape at an index of the list. */
 function addOutline(path: Path2D, shapes: Float32Array, at: number, scale: number): void {
   const x = shapes[at] * scale;
   const y = -shapes[at + 1] * scale;

@@ -1,21 +1,27 @@
-/** The strokes of which joints are made, gathered by look, in paths that browsers draw quickly. */
+/** Collects the strokes of all joints by colour and width, and draws them as few paths. */
 import type { JointInks } from "./palette";
 import { Paths, pathsOf } from "./paths";
 
 type Ink = "metal" | "rope" | "spring" | "band";
 
-/** Lines of about one width are one path: widths are multiples of it, in CSS pixels. */
+/**
+ * Widths of lines are rounded to multiples of this, in CSS pixels, so that lines share paths.
+ * Chosen.
+ */
 const WIDTH_STEP = 0.5;
-/** Of a spring: turns at least and at most, pixels a turn, and its straight ends' part of it. */
+/**
+ * A spring's number of turns (smallest, largest), the CSS pixels per turn, and the share of its
+ * length that each straight end takes. Chosen.
+ */
 const TURNS = [2, 7] as const;
 const TURN = 9;
 const STRAIGHT = 0.1;
-/** So much wider is what sets a line off from what lies under it. */
+/** CSS pixels by which a line's dark or light edge is wider than the line. Chosen. */
 const EDGE = 1.5;
-/** CSS pixels: how wide the largest force is, and how long an arrow's head, at most. */
+/** Largest width of a force's arrow, and largest length of its head, in CSS pixels. Chosen. */
 const STRONGEST = 5;
 const HEAD = 8;
-/** How many times as long as wide an arrow is at least. */
+/** Smallest ratio of the length of the largest force's arrow to its width. Chosen. */
 const SLIM = 6;
 
 interface Stroke {
@@ -30,7 +36,7 @@ export class JointPaths {
   readonly #pins = new Paths();
   readonly #plates = new Paths();
   readonly #dashes = new Paths();
-  /** By their width. */
+  /** By width, in CSS pixels. */
   readonly #forces = new Map<number, Paths>();
   readonly #gaps = new Paths();
 
@@ -55,21 +61,27 @@ export class JointPaths {
     addCircle(paths.next(), radius, x, y);
   }
 
+  /** A disc with an edge (hinge). */
   pin(radius: number, x: number, y: number): void {
     addCircle(this.#pins.next(), radius, x, y);
   }
 
+  /** A path for one closed shape, which is drawn filled and with an edge. */
   plate(): Path2D {
     return this.#plates.next();
   }
 
+  /** A dashed line (gear). */
   dash(ax: number, ay: number, bx: number, by: number): void {
     const path = this.#dashes.next();
     path.moveTo(ax, ay);
     path.lineTo(bx, by);
   }
 
-  /** An arrow: the largest force is a unit, and `reach` pixels long. Smaller ones are narrower too. */
+  /**
+   * An arrow for a force fx, fy, in units of the largest force, which is `reach` pixels long.
+   * Smaller forces have proportionally shorter and narrower arrows; none is drawn below one pixel.
+   */
   force(x: number, y: number, fx: number, fy: number, reach: number): void {
     const share = Math.hypot(fx, fy);
     const length = reach * share;
@@ -85,7 +97,7 @@ export class JointPaths {
     path.lineTo(tipX - head * (fx + 0.6 * fy), tipY - head * (fy - 0.6 * fx));
   }
 
-  /** A ring around what is open, and a line from end to end. */
+  /** Marks a joint that is open: a ring around its second end, and a line between the ends. */
   gap(radius: number, { ax, ay, bx, by }: { ax: number; ay: number; bx: number; by: number }): void {
     const path = this.#gaps.next();
     addCircle(path, radius, bx, by);
@@ -138,7 +150,7 @@ function addCircle(path: Path2D, radius: number, x: number, y: number): void {
   path.arc(x, y, radius, 0, 2 * Math.PI);
 }
 
-/** A zigzag about `half` to each side, with straight ends. */
+/** A zigzag from a to b with straight ends; its amplitude is `half`, but 2 to 9 pixels. */
 export function addSpring(
   path: Path2D,
   ax: number,
@@ -163,8 +175,10 @@ export function addSpring(
 }
 
 /**
- * A rope of that length. One that is slack hangs as a parabola, whose sag is exact for a rope that
- * is nearly taut and for one that hangs down double.
+ * A rope of a given length from a to b. A slack rope is a parabola with the sag
+ *   0.5 sqrt((length - chord) (length + chord / 2)),
+ * which is the sag of the parabola of that length where the rope is nearly taut, and half the
+ * length where both ends meet.
  */
 export function addRope(
   path: Path2D,
@@ -177,12 +191,15 @@ export function addRope(
   const chord = Math.hypot(bx - ax, by - ay);
   const sag = 0.5 * Math.sqrt(Math.max(0, length - chord) * (length + 0.5 * chord));
   path.moveTo(ax, ay);
-  // A curve goes half as far as its middle point is away.
+  // A quadratic curve passes halfway between its chord and its control point.
   if (sag > 0.5) path.quadraticCurveTo(0.5 * (ax + bx), 0.5 * (ay + by) + 2 * sag, bx, by);
   else path.lineTo(bx, by);
 }
 
-/** About x, y, along a unit; `stretch` times as long as wide. */
+/**
+ * A rectangle about x, y. Its axis is the unit vector ux, uy; it is 2 `half` wide, and `stretch`
+ * times as long.
+ */
 export function addSquare(
   path: Path2D,
   x: number,

@@ -1,6 +1,10 @@
 /**
- * Joints, drawn over the bodies of whichever engine: each where its own engine's bodies hold it, so
- * that it is open on the screen as it is there.
+ * Draws joints over the bodies of either engine. Each end is drawn where that engine's body has it,
+ * so that a joint that is open is drawn open.
+ *
+ * Sizes follow those of the dynamic bodies that a joint ties: "half" is half the width of the
+ * thinner one, "length" is the length of the shorter one, both in world units. All sizes here are
+ * chosen.
  */
 import { JOINT_KINDS } from "thud";
 import {
@@ -22,62 +26,74 @@ import { addRope, addSpring, addSquare, JointPaths } from "./joint-paths";
 import type { JointInks } from "./palette";
 import { poseBetween, type Poses } from "./poses";
 
-/** Of the thinner body: half a pin's width, and the width of what is drawn as a line. */
+/** Half the width of a pin, and the width of a line: shares of "half". */
 const PIN = 0.42;
 const BAR = 0.55;
-/** CSS pixels: pins and lines are within these. */
+/** Bounds of half a pin's width and of a line's width, in CSS pixels. */
 const PINS = [1.6, 7] as const;
 const BARS = [1.2, 5] as const;
-/** CSS pixels: a pin that is smaller has no edge, which would be most of it. */
+/** A pin with a smaller half width, in CSS pixels, is drawn as a dot without an edge. */
 const EDGED = 2.4;
-/** Of a body's length, to each side: pins, and rings around what is open, do not run into a line. */
+/**
+ * Largest half width of a pin, and largest radius of a ring around a joint that is open: shares of
+ * "length", so that in a chain of short bodies they do not touch.
+ */
 const ROOM = 0.2;
 const RING_ROOM = 0.45;
-/** Of the thinner body: a spring's line and how far it goes to each side; both within CSS pixels. */
+/**
+ * Width of a spring's line (share of "half", and bounds in CSS pixels), and its amplitude (share of
+ * "half").
+ */
 const WIRE = 0.2;
 const WIRES = [1, 2.5] as const;
 const COIL = 0.3;
-/** Of what nothing is known: a body in metres, or as the page's bodies are. */
+/** "half" of a joint without a dynamic body that has shapes, in world units. */
 const USUAL_HALF = 0.25;
-/** Of a body: what is open further is shown. */
+/** A joint is marked as open from this gap on, a share of "length". */
 const OPEN_PART = 0.01;
-/** Radians likewise. */
+/** A joint is marked as open from this angle on, in radians. */
 const OPEN_ANGLE = 0.01;
-/** Pixels of the largest force: most of a body's length, so that one joint's ends before the next. */
+/**
+ * Length of the arrow of the largest force: bounds in CSS pixels, and the share of the bodies'
+ * average "length". The share is below 1, so that the arrows of neighbouring joints do not overlap.
+ */
 const FORCES = [8, 48] as const;
 const FORCE = 0.8;
-/** Half a wheel that is smaller, in pixels, has no room for a spring. */
+/** A wheel with a smaller radius, in CSS pixels, is drawn without its spring. */
 const SPRUNG_WHEEL = 5;
-/** Pixels outside the pane from which on nothing is seen. */
+/** Joints further outside of the pane than this, in CSS pixels, are not drawn. */
 const MARGIN = 200;
 
-/** A joint's ends and its axis on the screen, in CSS pixels. */
+/**
+ * The places of a joint's ends on the screen, in CSS pixels: a in the first body, b in the second.
+ */
 interface Ends {
   ax: number;
   ay: number;
   bx: number;
   by: number;
-  /** Of the first body's axis, on the screen; a unit. */
+  /** The joint's axis, a unit vector that is fixed in the first body. */
   ux: number;
   uy: number;
-  /** Of the first body's origin. */
+  /** The first body's origin. */
   cx: number;
   cy: number;
 }
 
 type Draw = (paths: JointPaths, joint: Joint, ends: Ends, scale: number) => void;
 
+/** A joint, its row of the table (joint-rows.ts), and how it is drawn. */
 interface Joint {
   draw: Draw;
   slotA: number;
   slotB: number;
   row: Float32Array;
-  /** Half the width of the thinner of its bodies, and how long the smaller one is. */
+  /** "half" and "length", as above. */
   half: number;
   length: number;
 }
 
-/** By kind; what is not here has nothing to be seen. */
+/** How each kind is drawn. A kind that is not listed is not drawn. */
 const DRAWN: Partial<Record<(typeof JOINT_KINDS)[number], Draw>> = {
   distance(paths, { row, half }, { ax, ay, bx, by }, scale) {
     const [lower, upper] = [row[ALONG], row[ALONG + 1]];
@@ -110,7 +126,9 @@ const DRAWN: Partial<Record<(typeof JOINT_KINDS)[number], Draw>> = {
     else addSquare(paths.plate(), bx, by, ux, uy, size, 1.9);
   },
   wheel(paths, joint, { ax, ay, bx, by, ux, uy, cx, cy }, scale) {
-    // From under the body down to the hub, as far as the body's middle is above it.
+    // The spring goes from a point of the first body down to the hub. That point is as far from the
+    // anchor along the axis as the body's origin is, but at least 1.3 and at most 2.4 radii of the
+    // wheel.
     const rise = (cx - ax) * ux + (cy - ay) * uy;
     const size = joint.half * scale;
     if (size < SPRUNG_WHEEL) return addPin(paths, joint, 0.8 * PIN, bx, by, scale);
@@ -130,11 +148,12 @@ const DRAWN: Partial<Record<(typeof JOINT_KINDS)[number], Draw>> = {
   gear: (paths, _, { ax, ay, bx, by }) => paths.dash(ax, ay, bx, by),
 };
 
-/** Half a pin's width in pixels: of a part of the thinner body, and narrower where that is small. */
+/** Half the width of a pin in CSS pixels; `part` is its share of "half". */
 function pinOf({ half, length }: Joint, part: number, scale: number): number {
   return Math.min(within(part * half * scale, PINS), ROOM * length * scale);
 }
 
+/** Radius of the ring around a joint that is open, in CSS pixels. */
 function ringOf(joint: Joint, scale: number): number {
   return Math.max(2, Math.min(pinOf(joint, PIN, scale) + 4, RING_ROOM * joint.length * scale));
 }
@@ -156,10 +175,10 @@ export class Joints {
   #rows: Float32Array | null = null;
   #shapes: Shapes | null = null;
   #joints: Joint[] = [];
-  /** Of the smaller body of each, on average. */
+  /** Mean "length" of all joints. */
   #length = 0;
 
-  /** The same ones again cost nothing. */
+  /** Sets the joints. Does nothing if both arguments are the same objects as before. */
   set(rows: Float32Array, shapes: Shapes | null): void {
     if (rows === this.#rows && shapes === this.#shapes) return;
     [this.#rows, this.#shapes] = [rows, shapes];
@@ -177,7 +196,10 @@ export class Joints {
     this.#length = this.#joints.reduce((sum, { length }) => sum + length, 0) / this.#joints.length;
   }
 
-  /** On a canvas in CSS pixels; `bearings` of those joints show what is open, and forces. */
+  /**
+   * Draws on a canvas in CSS pixels. With `bearings` (BEARING in joint-rows.ts), gaps and forces
+   * are drawn, too.
+   */
   draw(
     context: CanvasRenderingContext2D,
     camera: Camera,
@@ -214,7 +236,10 @@ function largestForce(bearings: Float32Array): number {
 
 function drawNothing(): void {}
 
-/** False where a body is missing, or both ends are far outside the pane. */
+/**
+ * Computes the ends of a joint. False if a body is missing, or both ends are far outside of the
+ * pane.
+ */
 function endsOf(joint: Joint, poses: Poses, scale: number, pane: Pane, ends: Ends): boolean {
   const { row, slotA, slotB } = joint;
   if (!poseBetween(poses, slotB, POSE)) return false;
@@ -239,16 +264,17 @@ function endsOf(joint: Joint, poses: Poses, scale: number, pane: Pane, ends: End
   );
 }
 
+/** Scratch values of `endsOf`. */
 const POSE = new Float64Array(4);
 const PLACE = new Float64Array(2);
 
-/** A place of a body, to PLACE. */
+/** Transforms a point of a body to the world, into PLACE. */
 function place([x, y, c, s]: Float64Array, px: number, py: number): void {
   PLACE[0] = x + c * px - s * py;
   PLACE[1] = y + s * px + c * py;
 }
 
-/** By slot, of moving bodies: half their thickness and their length. */
+/** "half" and "length" of each dynamic body, by slot. */
 function sizesOf(shapes: Shapes | null): Map<number, { half: number; length: number }> {
   const sizes = new Map<number, { half: number; length: number }>();
   if (!shapes) return sizes;

@@ -1,6 +1,6 @@
 /**
- * Which engine is which: a name in each pane and a line between them, or a key to the outlines. On
- * the right, because on the left a scene's own figures stand.
+ * Tells which engine a pane shows: a name at the top right of each pane and a line between the
+ * panes; or, where both engines are in one pane, a legend. A scene's own figures are at the left.
  */
 import { type Camera, type Pane, PANE_HEAD } from "./camera";
 import type { Layer } from "./layer";
@@ -8,7 +8,10 @@ import { cssColour, type Theme } from "./palette";
 
 const NAMES = { thud: "thud", box2d: "Box2D" } as const;
 const FONT = '600 14px system-ui, -apple-system, "Segoe UI", Roboto, sans-serif';
-/** CSS pixels: of a name's plate, between two, and of the dot before a name. */
+/**
+ * In CSS pixels: height of a name's plate, space between two plates, space within a plate, and
+ * radius of the dot before a name. Chosen.
+ */
 const HEIGHT = 28;
 const GAP = 8;
 const PADDING = 11;
@@ -23,7 +26,7 @@ export function drawLabels(
   const { panes } = camera;
   const box2d = cssColour(theme.box2d);
   const thud = theme.inks.accent;
-  /** So far from the right; returns how wide it is. */
+  /** Draws a plate `shift` pixels from the right, and returns its width. */
   const plate = (pane: Pane, shift: number, name: string, colour: string, filled: boolean) => {
     let width = 0;
     layer.inPane(pane, (context) => {
@@ -47,7 +50,9 @@ export function drawLabels(
   plate(second, 0, NAMES.box2d, box2d, true);
 }
 
-/** A name on a plate, with a dot or ring of the bodies' look before it. */
+/**
+ * A name on a plate, with a disc (`filled`) or ring before it, as the engine's bodies are drawn.
+ */
 function drawPlate(
   context: CanvasRenderingContext2D,
   theme: Theme,
@@ -75,7 +80,7 @@ function drawPlate(
   context.fillText(name, left + PADDING + 3 * DOT, middle + 0.5);
 }
 
-/** At the edge of the second pane. */
+/** The line between two panes. */
 function drawDivider(context: CanvasRenderingContext2D, pane: Pane, theme: Theme): void {
   context.fillStyle = theme.inks.soft;
   if (pane.left > 0) context.fillRect(pane.left, pane.top, 1.5, pane.height);

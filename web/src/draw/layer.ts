@@ -1,4 +1,4 @@
-/** A canvas with a 2D context, as large as the page. */
+/** A canvas with a 2D context. */
 import type { Pane } from "./camera";
 
 export class Layer {
@@ -11,7 +11,7 @@ export class Layer {
     this.context = context;
   }
 
-  /** In CSS pixels; `ratio` device pixels each. */
+  /** Sets the size in CSS pixels. `ratio` is the number of device pixels per CSS pixel. */
   resize(width: number, height: number, ratio: number): void {
     this.context.canvas.width = Math.round(width * ratio);
     this.context.canvas.height = Math.round(height * ratio);
@@ -23,7 +23,7 @@ export class Layer {
     this.context.clearRect(0, 0, this.context.canvas.width, this.context.canvas.height);
   }
 
-  /** Draws in CSS pixels, inside the pane only. */
+  /** Calls `paint` with a context in CSS pixels that is clipped to the pane. */
   inPane(pane: Pane, paint: (context: CanvasRenderingContext2D) => void): void {
     const { context } = this;
     context.save();

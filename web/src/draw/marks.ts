@@ -1,4 +1,4 @@
-/** A scene's own marks. */
+/** Draws a scene's own marks (Mark in scene.ts). */
 import type { Mark } from "../scene/scene";
 import type { Camera, Pane } from "./camera";
 import type { Theme } from "./palette";
@@ -57,7 +57,7 @@ function drawLine(
   context.globalAlpha = 1;
 }
 
-/** About the canvas' origin. */
+/** Draws a circle or box about the canvas' origin. */
 function drawShape(
   context: CanvasRenderingContext2D,
   scale: number,
@@ -77,7 +77,7 @@ function drawShape(
   else context.stroke();
 }
 
-/** A rounded box that looks where it goes. */
+/** A rounded box with eyes, which look to the left or right (`facing`). */
 function drawFigure(
   context: CanvasRenderingContext2D,
   scale: number,
@@ -106,7 +106,7 @@ function drawFigure(
   eyes(0.13 * hx, 0.1, "#12161f");
 }
 
-/** Its size is that on the screen; a halo keeps it readable over anything. */
+/** Text of a fixed size on the screen, with an outline in the background's colour. */
 function drawText(
   context: CanvasRenderingContext2D,
   theme: Theme,

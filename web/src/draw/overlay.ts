@@ -1,6 +1,7 @@
 /**
- * What lies over the bodies: joints, the engine's debug drawing, Minkowski sums, a scene's marks, the body
- * that is held, the line that pulls it, and which engine a pane shows.
+ * The canvas over the bodies: joints, the engine's debug drawing, Minkowski sums, the scene's
+ * marks, the outline of a body that is held, the line of the visitor's pull, and the engines'
+ * names.
  */
 import type { Vec2 } from "thud";
 import type { Frame, Shapes } from "../scene/frame";
@@ -14,29 +15,30 @@ import { Layer } from "./layer";
 import type { Theme } from "./palette";
 import { poseBetween, type Poses } from "./poses";
 
-/** What there is to draw now. */
+/** Everything that is drawn in one picture. */
 export interface OverlayPicture {
   frame: Frame;
   shapes: Shapes | null;
   poses: Poses;
-  /** In a pane of its own, of another engine. */
+  /** Poses of the other engine's bodies, if these have a pane of their own. */
   otherPoses: Poses | null;
   joints: Joints | null;
   bearings?: Float32Array;
   marks: readonly Mark[];
-  /** The slot of a body to be outlined. */
+  /** The slot of a body that gets an outline. */
   held: number | null;
   split: "none" | "side" | "over";
 }
 
-/** Brought when there is first something for it to draw. */
+/** Imported when there is first something that it draws. */
 let late: typeof Late | null = null;
 
 export class Overlay {
   readonly #layer: Layer;
+  /** Whether the canvas is empty. */
   #clean = false;
 
-  /** `redraw` is called when there is more to draw of the same. */
+  /** `redraw` is called when the same picture has to be drawn again, because `late` has arrived. */
   constructor(
     canvas: HTMLCanvasElement,
     private readonly redraw: () => void,
@@ -44,11 +46,12 @@ export class Overlay {
     this.#layer = new Layer(canvas);
   }
 
+  /** Imports `late.ts`, and then has the picture drawn again. */
   async #bringLate(): Promise<void> {
     try {
       late = await import("./late");
     } catch {
-      // The page is being left, or the network is gone: the next picture asks again.
+      // The page is being closed, or there is no network. The next picture tries again.
       return;
     }
     this.redraw();
@@ -95,7 +98,7 @@ export class Overlay {
   }
 }
 
-/** The outlines of one body's shapes. */
+/** The outline of all shapes of one body. */
 function drawHeld(
   context: CanvasRenderingContext2D,
   camera: Camera,
@@ -136,6 +139,7 @@ function drawHeld(
   context.restore();
 }
 
+/** The line from the place where the visitor holds a body to the pointer. */
 function drawPull(
   context: CanvasRenderingContext2D,
   camera: Camera,

@@ -1,4 +1,4 @@
-/** Colours of the drawing, in both themes. Controls have theirs in the style sheets. */
+/** Colours of the canvases in both themes. The colours of controls are in the style sheets. */
 import type { Ink } from "../scene/scene";
 
 export type Rgb = readonly [red: number, green: number, blue: number];
@@ -11,45 +11,48 @@ export interface Theme {
   readonly gridStrong: string;
   readonly soilTop: string;
   readonly soilBottom: string;
-  /** Lies over the soil below each layer. */
+  /** A translucent colour, which darkens the soil below each of its layers. */
   readonly layer: string;
   readonly turf: string;
   readonly grass: string;
   readonly fixed: Rgb;
   readonly kinematic: Rgb;
   readonly sensor: Rgb;
-  /** What sleeping bodies fade towards. */
+  /** The colour that colours of sleeping bodies are mixed with. */
   readonly sleep: Rgb;
-  /** Box2D's bodies, where they lie over thud's. */
+  /** The outline of Box2D's bodies over those of thud. */
   readonly box2d: Rgb;
   readonly inks: Readonly<Record<Ink, string>>;
-  /** Filled shapes need not be read as text must: these may be brighter. */
+  /** Colours of filled shapes, where they may be brighter than text and lines of the same ink. */
   readonly fills: Readonly<Partial<Record<Ink, string>>>;
-  /** Around text and thin lines, so that they can be read over anything. */
+  /** The outline around text and thin lines, which keeps them readable over anything. */
   readonly halo: string;
-  /** By the name of the engine's drawing style; others get a colour of their own. */
+  /**
+   * Colours of the engine's debug drawing by the name of the style. Styles that are not here get
+   * one by their number.
+   */
   readonly styles: Readonly<Record<string, string>>;
   readonly joints: JointInks;
-  /** A Minkowski sum without and with overlap. */
+  /** A Minkowski sum of shapes that are apart, and of shapes that overlap. */
   readonly sum: string;
   readonly sumOverlapping: string;
 }
 
-/** What bodies are tied with. */
+/** Colours of joints. */
 export interface JointInks {
-  /** Rods, pins, plates and rails, and what sets them off from any body. */
+  /** Rods, pins, plates and rails; and the edge around them. */
   readonly metal: string;
   readonly edge: string;
   readonly rope: string;
   readonly spring: string;
   readonly gear: string;
-  /** A rubber band, what is open, and how hard it pulls. */
+  /** Rubber bands (kind "target"), marks of joints that are open, and arrows of forces. */
   readonly band: string;
   readonly open: string;
   readonly force: string;
 }
 
-/** Moving bodies, from the first one created to the last. */
+/** Colours of dynamic bodies, from the first that was created to the last. */
 const RAMP: readonly Rgb[] = [
   [239, 83, 80],
   [245, 124, 82],
@@ -186,28 +189,33 @@ export const LIGHT: Theme = {
   sumOverlapping: "#d6336c",
 };
 
-/** A colour of the ramp; t from 0 to 1. */
+/** The colour of RAMP at t, from 0 to 1, interpolated linearly. */
 export function rampColour(t: number): Rgb {
   const at = Math.min(1, Math.max(0, t)) * (RAMP.length - 1);
   const i = Math.min(RAMP.length - 2, Math.floor(at));
   return mix(RAMP[i], RAMP[i + 1], at - i);
 }
 
+/** The linear interpolation from a (t = 0) to b (t = 1). */
 export function mix(a: Rgb, b: Rgb, t: number): Rgb {
   return [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t, a[2] + (b[2] - a[2]) * t];
 }
 
+/** A CSS colour, with each channel multiplied by `factor`. */
 export function cssColour(colour: Rgb, factor = 1, alpha = 1): string {
   const part = (value: number) => Math.min(255, Math.round(value * factor));
   return `rgb(${part(colour[0])} ${part(colour[1])} ${part(colour[2])} / ${alpha})`;
 }
 
-/** A distinct colour for every class (island, solver colour), by the golden angle. */
+/**
+ * A colour for a number (an island, a solver colour). Hues of successive numbers are the golden
+ * angle apart, so that small numbers get distinct hues.
+ */
 export function classColour(number: number, dark: boolean): Rgb {
   return hslColour((number * 137.508) % 360, 0.62, dark ? 0.62 : 0.54);
 }
 
-/** Hue in degrees; the formula of CSS Color 4, section 7.1. */
+/** A colour by hue in degrees, saturation and lightness from 0 to 1: CSS Color 4, section 7.1. */
 function hslColour(hue: number, saturation: number, lightness: number): Rgb {
   const reach = saturation * Math.min(lightness, 1 - lightness);
   const channel = (n: number) => {

@@ -1,6 +1,6 @@
-/** Many outlines of one style, in paths that browsers draw quickly. */
+/** Collects many outlines of one style in as few paths as browsers draw quickly. */
 
-/** Contours a path: of far more or far fewer, browsers are many times as slow. */
+/** Contours per path. Browsers are many times slower with far more or far fewer. */
 export const CONTOURS = 64;
 
 export class Paths {
@@ -22,7 +22,7 @@ export class Paths {
   }
 }
 
-/** The paths of a key, made where there are none yet. */
+/** The paths of a key, created if there are none yet. */
 export function pathsOf(all: Map<number, Paths>, key: number): Paths {
   const known = all.get(key);
   if (known) return known;

@@ -1,19 +1,21 @@
-/** Where bodies are between two steps. */
+/** Interpolates the poses of bodies between two steps. */
 
-/** Two states of one engine's bodies, and where to draw them. */
+/** The poses of one engine's bodies before and after a step, and when and where to draw them. */
 export interface Poses {
   readonly engine: "thud" | "box2d";
   /** Four numbers a slot: x, y, cosine, sine; NaN in empty slots. */
   readonly before: Float32Array;
   readonly now: Float32Array;
-  /** From 0, before, to 1, now. */
+  /** The share of the step that has passed: 0 is `before`, 1 is `now`. */
   readonly alpha: number;
-  /** From the camera to the poses' origin, in the world; small where the view is. */
+  /** From the camera to the origin that the poses are relative to, in world units. */
   readonly offset: readonly [x: number, y: number];
 }
 
-/** A slot's pose between the two states, relative to the camera, written to `into`; false where
- * the slot is empty. A body that was not there before stands where it is now. */
+/**
+ * Writes the interpolated pose of a slot, relative to the camera, to `into`: x, y, cosine, sine.
+ * False if the slot is empty. A body that did not exist before is drawn at its present pose.
+ */
 export function poseBetween(poses: Poses, slot: number, into: Float64Array): boolean {
   const { before, now, alpha, offset } = poses;
   const at = 4 * slot;
@@ -22,7 +24,7 @@ export function poseBetween(poses: Poses, slot: number, into: Float64Array): boo
   if (isPose(before, at)) {
     for (let i = 0; i < 4; i++) into[i] = before[at + i] + alpha * (into[i] - before[at + i]);
     const length = Math.sqrt(into[2] * into[2] + into[3] * into[3]);
-    // Between opposite directions lies none.
+    // The mean of two opposite directions has no direction: the present one is taken.
     const turned = length > LEAST_LENGTH;
     into[2] = turned ? into[2] / length : now[at + 2];
     into[3] = turned ? into[3] / length : now[at + 3];
@@ -32,9 +34,10 @@ export function poseBetween(poses: Poses, slot: number, into: Float64Array): boo
   return true;
 }
 
+/** Whether there is a pose at an index: empty slots have NaN. */
 function isPose(poses: Float32Array, at: number): boolean {
   return at + 4 <= poses.length && poses[at] === poses[at];
 }
 
-/** Of the sum of two directions; the shader's too. */
+/** Smallest length of a sum of two directions that is normalised. The shader uses it, too. */
 export const LEAST_LENGTH = 0.001;

@@ -1,11 +1,20 @@
-/** The GLSL of the WebGL2 renderer: places, shades and outlines a body's shape on one quad. */
+/**
+ * The GLSL of the WebGL2 renderer. Each shape is one instance of a quad. The vertex shader fetches
+ * the two poses of the shape's body, interpolates them (poseBetween of poses.ts) and places the
+ * quad; the fragment shader computes the signed distance to the shape's surface, and from it
+ * coverage, shade and rim.
+ *
+ * An outline is not drawn of static bodies, because they are at the same places in both engines.
+ * `isNumber` tests the bits of a float, because compilers of shaders may assume that isnan is
+ * false. A shape that is smaller than a pixel is enlarged, so that it remains visible.
+ */
 import { LEAST_LENGTH } from "./poses";
 import { OUTLINE } from "./renderer";
 import { CIRCLE, DYNAMIC, STATIC } from "../scene/shape-table";
 
-/** Poses a row of their textures. */
+/** Poses per row of a texture of poses. */
 export const TEXTURE_WIDTH = 1024;
-/** Values of the uniform `look`. */
+/** Values of the uniform `look`; see Look in renderer.ts. */
 export const LOOKS = { state: 0, plain: 1, outline: 2 } as const;
 
 const VERTEX = `#version 300 es
@@ -129,6 +138,7 @@ void main() {
   result = vec4(base * opacity, opacity);
 }`;
 
+/** Compiles and links both shaders. Throws the compiler's message if that fails. */
 export function linkProgram(gl: WebGL2RenderingContext): WebGLProgram {
   const program = gl.createProgram();
   for (const [type, source] of [

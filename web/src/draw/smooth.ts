@@ -1,8 +1,11 @@
-/** Where a scene's marks and its view are between two steps. */
+/** Interpolates a scene's marks, and the place that its view follows, between two steps. */
 import type { Vec2 } from "thud";
 import type { Mark, Paint } from "../scene/scene";
 
-/** `part` from 0, before, to 1, now. */
+/**
+ * `part` is 0 at `before` and 1 at `now`. The marks of `now` are returned as they are if `before`
+ * does not have as many marks of the same kinds.
+ */
 export function smoothMarks(before: Paint | null, now: Paint, part: number): readonly Mark[] {
   const last = now.marks ?? [];
   const first = before?.marks ?? [];
@@ -11,12 +14,13 @@ export function smoothMarks(before: Paint | null, now: Paint, part: number): rea
   return alike ? last.map((mark, i) => between(first[i], mark, part)) : last;
 }
 
-/** Where the view goes. */
+/** The place that the view follows, or null. */
 export function smoothFollow(before: Paint | null, now: Paint, part: number): Vec2 | null {
   if (!now.follow) return null;
   return before?.follow ? betweenPoints(before.follow, now.follow, part) : now.follow;
 }
 
+/** A mark between two marks of the same kind; `last` where they cannot be interpolated. */
 function between(first: Mark, last: Mark, part: number): Mark {
   if (last.kind === "line") {
     if (first.kind !== "line" || first.points.length !== last.points.length) return last;
@@ -27,7 +31,7 @@ function between(first: Mark, last: Mark, part: number): Mark {
   const [x, y] = betweenPoints([first.x, first.y], [last.x, last.y], part);
   if (last.kind !== "box" || first.kind !== "box") return { ...last, x, y };
   const [from, to] = [first.angle ?? 0, last.angle ?? 0];
-  // The short way round.
+  // The angle from the first to the last, in the shorter direction.
   const turn = Math.atan2(Math.sin(to - from), Math.cos(to - from));
   return { ...last, x, y, angle: from + part * turn };
 }

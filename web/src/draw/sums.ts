@@ -1,8 +1,11 @@
-/** Draws Minkowski sums about the first shapes, and the second ones as points. */
+/**
+ * Draws Minkowski sums: the outline of the sum about the first shape's centre, and the second shape
+ * as a point.
+ */
 import type { Sum } from "../scene/frame";
 import type { Theme } from "./palette";
 
-/** On a canvas whose origin is that of the sums. */
+/** The canvas' origin is the place that the sums are relative to. */
 export function drawSums(
   context: CanvasRenderingContext2D,
   sums: readonly Sum[],

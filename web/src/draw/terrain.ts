@@ -1,15 +1,18 @@
-/** The ground: soil under a line of grass. Only what can be seen is looked at. */
+/** Draws terrain: soil with a line of grass on top. Only the visible part is computed. */
 import type { Terrain } from "thud";
 import type { PlacedTerrain } from "../scene/frame";
 import type { Camera, Pane } from "./camera";
 import type { Theme } from "./palette";
 
-/** A vertex nearer than this to the last one, in CSS pixels, cannot be told from it. */
+/**
+ * A vertex nearer than this to the last one, in CSS pixels, is left out, as no difference is
+ * visible. Chosen.
+ */
 const LEAST_DISTANCE = 0.6;
-/** How far below the ground the layers of soil begin, in CSS pixels. */
+/** Depths below the ground at which layers of soil begin, in CSS pixels. Chosen. */
 const LAYERS = [26, 64, 118, 190];
 
-/** `grass` is how thick it is, in CSS pixels. */
+/** `grass` is the thickness of the grass in CSS pixels. */
 export function drawTerrain(
   context: CanvasRenderingContext2D,
   camera: Camera,
@@ -57,7 +60,9 @@ export function drawTerrain(
   context.stroke(ground);
 }
 
-/** The part of a ground line that can be seen and a vertex beyond on each side: x and y in turn. */
+/**
+ * The visible part of a terrain, with one more vertex on each side, on the screen: x and y in turn.
+ */
 function screenLine(camera: Camera, pane: Pane, { x, y, terrain }: PlacedTerrain): number[] {
   const { x0, x1 } = camera.visibleIn(pane);
   const line: number[] = [];
@@ -70,7 +75,7 @@ function screenLine(camera: Camera, pane: Pane, { x, y, terrain }: PlacedTerrain
   };
   if (terrain.kind === "flat") {
     const slope = terrain.slope ?? 0;
-    // Far enough beyond the edges that no end of a stroke is seen.
+    // The line goes beyond the pane's edges, so that its ends are not visible.
     const beyond = 0.05 * (x1 - x0);
     for (const at of [x0 - beyond, x1 + beyond]) add(at, y + slope * (at - x), true);
     return line;
@@ -96,7 +101,7 @@ function vertex(terrain: Vertices, i: number): readonly [number, number] {
   return [terrain.x0 + i * terrain.spacing, terrain.heights[i]];
 }
 
-/** The first vertex at or beyond x, which vertices are sorted by. */
+/** Index of the first vertex at or beyond x, by bisection: vertices are sorted by x. */
 function firstBeyond(terrain: Vertices, x: number): number {
   let low = 0;
   let high = vertexCount(terrain);

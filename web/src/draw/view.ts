@@ -1,6 +1,7 @@
 /**
- * Draws what the worker's frames hold: three canvases on top of each other, for backdrop, bodies
- * and overlay. It knows no world, only the last frame and where between its two states time is.
+ * Draws the frames that come from the worker, on three canvases on top of each other: backdrop,
+ * bodies and overlay. It has no world, only the last frame, and draws it at a time between its two
+ * states.
  */
 import type { Vec2 } from "thud";
 import type { Frame, Shapes } from "../scene/frame";
@@ -16,9 +17,12 @@ import type { Poses } from "./poses";
 import { smoothFollow, smoothMarks } from "./smooth";
 
 export interface DrawOptions {
-  /** Box2D's bodies, where a frame has some: in a pane of their own, or as outlines over thud's. */
+  /**
+   * How Box2D's bodies are drawn, where a frame has any: "side" in a pane of their own, "over" as
+   * outlines over thud's bodies.
+   */
   split: "none" | "side" | "over";
-  /** The slot of a body to be outlined: held, or under the pointer. */
+  /** The slot of a body that gets an outline, because it is held or under the pointer. */
   held: number | null;
 }
 
@@ -28,13 +32,20 @@ export interface Canvases {
   overlay: HTMLCanvasElement;
 }
 
-/** More device pixels than this a CSS pixel cost time and show nothing. */
+/**
+ * Largest number of device pixels per CSS pixel. Chosen: more cost time without a visible
+ * difference.
+ */
 const MOST_PIXELS = 2;
-/** Marks of frames that are further apart, in steps, are not smoothed: time has jumped. */
+/**
+ * Marks are interpolated between frames that are at most this many steps apart. A larger distance
+ * is a jump in time. Chosen.
+ */
 const MOST_STEPS = 8;
 
 export class View {
   readonly camera = new Camera();
+  /** The overlays that are on. */
   readonly shown = new Set<OverlayName>();
   readonly #backdrop: Backdrop;
   readonly #bodies: Bodies;
@@ -42,20 +53,28 @@ export class View {
   #theme: Theme = DARK;
   #frame: Frame | null = null;
   #shapes: Shapes | null = null;
+  /** By row of shapes, as the last frame told. */
   #awake: Uint8Array | null = null;
-  /** Brought by the first joints. */
+  /** Imported when there are first joints. */
   #joints: Joints | null = null;
   #jointRows: Float32Array | null = null;
   #bearings: Float32Array | undefined;
-  /** Whether the bodies' colours showed sleep last. */
+  /** Whether the bodies' colours show sleep at present. */
   #sleepShown = false;
+  /** Whether colours have to be set again, and the picture drawn again. */
   #stale = true;
-  /** What was drawn last, and how; the same is not drawn again. */
+  /**
+   * The last picture: its frame, and as text all else that determines it. An equal one is not drawn
+   * again.
+   */
   #drawn: { frame: Frame; how: string } | null = null;
-  /** Of the frame before, and how many steps before. */
+  /**
+   * What `paint` returned for the frame before the last one, and how many steps earlier; null if
+   * there is no such frame to interpolate from.
+   */
   #paint: { paint: Paint; steps: number } | null = null;
 
-  /** `changed` is told when a WebGL context was lost or came back. */
+  /** `changed` is called when a WebGL context was lost or restored. */
   constructor(canvases: Canvases, changed: RendererChange = () => {}) {
     this.#backdrop = new Backdrop(canvases.backdrop);
     this.#overlay = new Overlay(canvases.overlay, () => (this.#drawn = null));
@@ -70,7 +89,7 @@ export class View {
     this.#stale = true;
   }
 
-  /** To the window's size. */
+  /** Adapts the canvases to the window's size. */
   resize(): void {
     const ratio = Math.min(MOST_PIXELS, devicePixelRatio);
     const { innerWidth: width, innerHeight: height } = window;
@@ -80,8 +99,11 @@ export class View {
     this.#drawn = null;
   }
 
-  /** Keeps what a frame brings only when it changes; `draw` does it too. Every frame must come by
-   * here, in order, those that are not drawn as well. */
+  /**
+   * Takes over what a frame contains. Shapes, terrains and the like are in a frame only when they
+   * changed, so every frame must be passed here in order, also if it is not drawn. `draw` calls
+   * this.
+   */
   receive(frame: Frame): void {
     const last = this.#frame;
     if (frame === last) return;
@@ -104,6 +126,7 @@ export class View {
     this.#bearings = frame.bearings ?? this.#bearings;
   }
 
+  /** Keeps the rows of joints, and imports the code that draws them when there are first any. */
   #setJoints(rows: Float32Array): void {
     if (!this.#jointRows && rows.length > 0 && !this.#joints)
       void import("./joints").then(({ Joints }) => {
@@ -113,7 +136,7 @@ export class View {
     this.#jointRows = rows.length > 0 ? rows : null;
   }
 
-  /** `alpha` from 0, the frame's `before`, to 1, its `now`. */
+  /** `alpha` is 0 at the frame's `before`, and 1 at its `now`. */
   draw(frame: Frame, alpha: number, options: DrawOptions): void {
     this.receive(frame);
     const { camera } = this;
@@ -156,18 +179,25 @@ export class View {
     this.#overlay.draw(picture, camera, this.#theme, this.shown);
   }
 
-  /** Where the scene wants the view to go, smoothed as its marks are. */
+  /**
+   * The place that the scene wants the view to follow, interpolated like its marks; null if there
+   * is none.
+   */
   follow(frame: Frame, alpha: number): Vec2 | null {
     this.receive(frame);
     if (!frame.paint) return null;
     return smoothFollow(this.#paint?.paint ?? null, frame.paint, this.#part(alpha));
   }
 
-  /** How far the present is from the last paint to this one, which may be some steps apart. */
+  /**
+   * The share of the time between the last two frames' marks. These may be several steps apart,
+   * while `alpha` is a share of the last step.
+   */
   #part(alpha: number): number {
     return 1 - (1 - alpha) / (this.#paint?.steps ?? 1);
   }
 
+  /** Drops everything that belongs to the previous scene. */
   #forget(): void {
     this.#shapes = null;
     this.#awake = null;
@@ -178,7 +208,10 @@ export class View {
     this.#stale = true;
   }
 
-  /** `alone`: beside another engine, of which nothing is known but poses, sleep is not shown. */
+  /**
+   * Sets the bodies' colours. `alone`: no other engine is shown. Beside another engine, whose
+   * bodies' sleep is not known, sleep is not shown.
+   */
   #colour(alone: boolean): void {
     const sleep = alone && this.shown.has("sleeping");
     if (sleep === this.#sleepShown && !this.#stale) return;
@@ -188,7 +221,7 @@ export class View {
   }
 }
 
-/** Whether something new has come; most bodies stay as they are for long. */
+/** Whether `fresh` has other values. Most frames repeat the last values. */
 function differs(old: ArrayLike<number> | null, fresh: ArrayLike<number> | undefined): boolean {
   if (!fresh) return false;
   if (!old || old.length !== fresh.length) return true;
@@ -196,6 +229,7 @@ function differs(old: ArrayLike<number> | null, fresh: ArrayLike<number> | undef
   return false;
 }
 
+/** The shapes of a scene that is not known yet. */
 const NOTHING: Shapes = {
   rows: new Float32Array(0),
   count: 0,

@@ -1,7 +1,7 @@
 /**
- * Bodies by WebGL2: one instanced call a pane. The two states of a frame go into textures once, as
- * they came; the vertex shader looks up its body's and interpolates, so that no work per body is
- * done in JavaScript.
+ * Draws the bodies by WebGL2, by one instanced call per pane. The poses of a frame are copied to
+ * textures as they are; the vertex shader fetches and interpolates them, so that JavaScript does no
+ * work per body.
  */
 import type { Shapes } from "../scene/frame";
 import { ROW } from "../scene/shape-table";
@@ -10,6 +10,7 @@ import type { Poses } from "./poses";
 import type { Look, Renderer } from "./renderer";
 import { linkProgram, LOOKS, TEXTURE_WIDTH } from "./shaders";
 
+/** Names of the uniforms; shaders.ts says what they are. */
 const UNIFORMS = [
   "before", "now", "slots", "alpha", "offset", "scale", "shift", "pixels", "ratio", "look",
   "outlineColour",
@@ -25,12 +26,18 @@ export class WebglRenderer implements Renderer {
   readonly #stateColours: WebGLBuffer;
   readonly #plainColours: WebGLBuffer;
   readonly #states: Record<Poses["engine"], { before: PoseTexture; now: PoseTexture }>;
-  /** Rows of thud's picture, and of the other engine's. */
+  /**
+   * Number of rows to draw of thud's bodies (without those that the scene paints itself), and of
+   * the other engine's.
+   */
   #count = 0;
   #all = 0;
   #ratio = 1;
 
-  /** Null where WebGL2 is missing; a canvas that had its context before gets it anew. */
+  /**
+   * Null if WebGL2 is not available. After a context was restored, a new renderer is created on the
+   * same canvas.
+   */
   static create(canvas: HTMLCanvasElement): WebglRenderer | null {
     const gl = canvas.getContext("webgl2", { alpha: true, antialias: false, depth: false });
     if (!gl) return null;
@@ -108,7 +115,7 @@ export class WebglRenderer implements Renderer {
     before.hold(0, poses.before);
     now.hold(1, poses.now);
 
-    // WebGL counts from the lower edge.
+    // WebGL counts rows of pixels from the bottom.
     const left = Math.round(pane.left * ratio);
     const right = Math.round((pane.left + pane.width) * ratio);
     const top = Math.round(pane.top * ratio);
@@ -141,7 +148,7 @@ export class WebglRenderer implements Renderer {
   }
 }
 
-/** A buffer of `stride` bytes an instance, whose numbers feed the attributes. */
+/** A buffer with `stride` bytes per instance, and the attributes that are read from it. */
 function instanceBuffer(
   gl: WebGL2RenderingContext,
   type: number,
@@ -158,7 +165,7 @@ function instanceBuffer(
   return buffer;
 }
 
-/** Poses on the graphics card, one a texel. */
+/** Poses in a texture, one per texel. */
 class PoseTexture {
   readonly #gl: WebGL2RenderingContext;
   readonly #texture: WebGLTexture;
@@ -173,7 +180,10 @@ class PoseTexture {
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
   }
 
-  /** Puts it on a texture unit, with these poses in it; the same array goes up only once. */
+  /**
+   * Binds the texture to a texture unit, with these poses in it. The same array is uploaded only
+   * once.
+   */
   hold(unit: number, poses: Float32Array): void {
     const gl = this.#gl;
     gl.activeTexture(gl.TEXTURE0 + unit);
@@ -188,6 +198,7 @@ class PoseTexture {
     if (rest > 0) this.#put(full, rest, 1, poses);
   }
 
+  /** Makes room for so many rows of poses. */
   #grow(rows: number): void {
     if (rows <= this.#rows) return;
     this.#rows = Math.max(rows, 2 * this.#rows);
@@ -197,6 +208,7 @@ class PoseTexture {
     );
   }
 
+  /** Uploads rows of poses, from row y on. */
   #put(y: number, width: number, height: number, poses: Float32Array): void {
     const gl = this.#gl;
     const at = 4 * y * TEXTURE_WIDTH;

@@ -1,6 +1,6 @@
 /**
- * What to look at in each scene, in one sentence; by the scene's name. Gathered from the modules by
- * tools/scene-texts.mjs. Not needed at first.
+ * By the name of a scene, one sentence that says what to look at. Gathered from the scene modules
+ * by tools/scene-texts.mjs, and loaded after the first picture.
  */
 import abouts from "virtual:scene-abouts";
 

@@ -1,6 +1,9 @@
-/** What a visitor sets beside a scene, in the panel Values, and what is read out there. Plain data. */
+/**
+ * Controls that a scene has in the panel Values, and texts that are shown there. All are plain
+ * data.
+ */
 
-/** Its value is the one of that name in the scene's `state`. */
+/** A control sets the value of its `name` in the scene's `state`. */
 export type Control = ChoiceControl | CheckControl | SliderControl | MatrixControl;
 
 export interface ChoiceControl extends Named {
@@ -10,7 +13,7 @@ export interface ChoiceControl extends Named {
 
 export interface CheckControl extends Named {
   kind: "check";
-  /** What it shows, in a sentence. */
+  /** What the control shows, in a sentence. */
   about: string;
 }
 
@@ -21,26 +24,29 @@ export interface SliderControl extends Named {
   step: number;
 }
 
-/** A word for each two of `names`; its value has their numbers as digits, row by row. */
+/**
+ * A table with one word for each pair of `names`. Its value is a string of digits, row by row: each
+ * is the index of the pair's word in `words`.
+ */
 export interface MatrixControl extends Named {
   kind: "matrix";
   names: readonly string[];
   words: readonly string[];
-  /** Of one with itself: the first so many words. */
+  /** For a name with itself, only the first `alone` words can be chosen. */
   alone: number;
 }
 
 interface Named {
   name: string;
   label: string;
-  /** Controls of one group, which follow each other, have it as their heading. */
+  /** Successive controls of one group stand under this heading. */
   group: string;
 }
 
 export type Setting = string | number | boolean;
 export type Settings = Readonly<Record<string, Setting>>;
 
-/** Rows of a name and a value, by the name of the control that they stand under. */
+/** Rows of a name and a value, by the name of the control below which they are shown. */
 export type Readings = Readonly<Record<string, readonly (readonly [name: string, value: string])[]>>;
 
 /** The values of a scene's controls. */

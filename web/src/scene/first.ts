@@ -1,2 +1,4 @@
-/** The scene that is there when the page is first opened: what it does without comes later. */
+/**
+ * The scene that runs when the page is first opened. Code that it does not need is loaded later.
+ */
 export const FIRST_SCENE = "brick_wall";

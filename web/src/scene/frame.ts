@@ -1,7 +1,7 @@
 /**
- * What the worker sends the page to draw: one message, arrays transferred, nothing of the world
- * itself. The page draws between `before` and `now`, so that the picture is as smooth as the
- * display, whatever the step is.
+ * What the worker sends to the page to draw: a message with copies of the world's data, whose
+ * arrays are transferred. The page interpolates between `before` and `now`, so that motion looks
+ * smooth at any rate of the display and of the steps.
  */
 import type { Stats, StepError, Terrain, Vec2 } from "thud";
 import type { Settings } from "./controls";
@@ -9,83 +9,100 @@ import type { Gaps } from "./joint-rows";
 import type { Paint } from "./scene";
 
 export interface Frame {
-  /** Counts the scenes run: a frame of an earlier one is dropped. */
+  /** The number of the scene's run. Frames of earlier runs are dropped. */
   run: number;
   step: number;
-  /** Poses are relative to it. */
+  /** The place in the world that poses are relative to. */
   origin: Vec2;
-  /** Four numbers a slot, as World.poses gives them: x, y, cosine, sine; NaN in empty slots. */
+  /**
+   * Poses before and after the last step. Four numbers per slot, as in World.poses: x, y, cosine,
+   * sine; NaN in empty slots.
+   */
   before: Float32Array;
   now: Float32Array;
-  /** When shapes came or went. */
+  /** Present if shapes came, went or changed. */
   shapes?: Shapes;
-  /** When the ground changed. */
+  /** Present if terrain changed. */
   terrains?: PlacedTerrain[];
-  /** For each row of the last shapes 1 if it is awake; now and then. */
+  /** For each row of the last `shapes`, 1 if its body is awake. Present every few steps. */
   awake?: Uint8Array;
-  /** The engine's debug drawing, relative to `origin`, when asked for. */
+  /** The engine's debug drawing, relative to `origin`, if an overlay needs it. */
   drawing?: Drawing;
   sums?: Sum[];
-  /** When joints came, went or were set: JOINT numbers each, as joint-rows.ts has them. */
+  /** Present if joints came, went or changed: JOINT numbers per joint, see joint-rows.ts. */
   joints?: Float32Array;
-  /** Of each of the last joints how far it is open and what it bears, BEARING numbers; if asked for. */
+  /**
+   * How far each of the last `joints` is open, and the force on it: BEARING numbers per joint.
+   * Present if the overlay of joints is on.
+   */
   bearings?: Float32Array;
-  /** While there are joints. */
+  /** Present while there are joints. */
   gaps?: Gaps;
-  /** The line from a held body to the pointer. */
+  /** From the place where the visitor holds a body to the pointer. */
   pull: readonly [Vec2, Vec2] | null;
   paint: Paint | null;
-  /** Of the scene's controls, if it has some. */
+  /** The values of the scene's controls, if it has any. */
   settings?: Settings;
   stats: Stats;
-  /** Its largest penetration is of all pairs, asleep or not. */
+  /**
+   * The errors of the last step; the largest penetration is over all pairs, also of bodies that
+   * sleep.
+   */
   error: StepError;
-  /** Of the steps made since the last frame. */
+  /** The steps made since the last frame. */
   samples: Sample[];
-  /** Milliseconds of the worker: for those steps, with all that goes along, and for this frame. */
+  /**
+   * Milliseconds that the worker spent on those steps (with history and Box2D), and on this frame.
+   */
   spent?: { steps: number; picture: number };
-  /** Steps that the visitor can go back to. */
+  /** The first and last step that the visitor can go to. */
   history: { first: number; last: number };
-  /** The other engine's bodies at the same moment, while there is one; laid out alike. */
+  /** The other engine's poses, laid out like `before` and `now`, while it runs. */
   box2d?: { before: Float32Array; now: Float32Array };
-  /** Why there is none although one was asked for. */
+  /** Why the other engine does not run although the page wants it. */
   box2dTrouble?: string;
 }
 
-/** What a step took and got wrong, for plots. */
+/** Time and error of one step, for plots. */
 export interface Sample {
   step: number;
-  /** Of the step, from a clock that may be as coarse as 0.1 ms. */
+  /** Milliseconds of the step. The resolution of the clock may be as coarse as 0.1 ms. */
   milliseconds: number;
-  /** Of the pairs that are awake. */
+  /** The deepest overlap of awake bodies, a length. */
   penetration: number;
-  /** Bodies. */
+  /** Number of awake bodies. */
   awake: number;
   box2d?: Box2DSample;
 }
 
-/** The other engine's same step. */
+/** The other engine's step of the same number. */
 export interface Box2DSample {
   milliseconds: number;
   awake: number;
-  /** The step at which it began, as a copy of the world at that moment. */
+  /** The step at which it was started, as a copy of the world. */
   since: number;
-  /** Where in the world it has its own origin. */
+  /** The place in the world of its own origin. */
   origin: Vec2;
-  /** What thud's world has and it is not given, in a few words each: nothing is comparable then. */
+  /**
+   * What the thud world has and it is not given, in a few words each. If not empty, the engines
+   * cannot be compared.
+   */
   misses: readonly string[];
-  /** Both engines after this step, by the same code; every few steps where that takes long. */
+  /**
+   * Both engines after this step, measured by the same code. Missing in some steps where measuring
+   * takes long.
+   */
   compared?: { thud: Compared; box2d: Compared };
 }
 
 export interface Compared {
-  /** Of the deepest overlap, sleeping bodies included. */
+  /** The deepest overlap, also of bodies that sleep. */
   penetration: number;
-  /** Kinetic and potential. */
+  /** Kinetic plus potential energy. */
   energy: number;
-  /** Those that have shapes. */
+  /** Number of bodies with shapes. */
   bodies: number;
-  /** Of the joint that is open the most: a length, and radians; where there are joints. */
+  /** The largest gap of a joint: a length, and an angle in radians. Missing without joints. */
   jointGap?: readonly [length: number, angle: number];
 }
 
@@ -102,32 +119,35 @@ export interface PlacedTerrain {
   terrain: Terrain;
 }
 
-/** Circles and boxes. */
+/** The circles and boxes of a world. */
 export interface Shapes {
-  /** As ShapeTable.rows of the package; see shape-table.ts. */
+  /** Rows of the shape table, ROW numbers each; see shape-table.ts. */
   rows: Float32Array;
-  /** Rows that the page draws. */
+  /** Number of rows that the page draws. */
   count: number;
-  /** With those after them, which the scene paints itself: only another engine's picture has them. */
+  /**
+   * Number of all rows. Those after the first `count` are drawn by the scene itself (`hidden`), and
+   * appear only in the other engine's picture.
+   */
   all: number;
-  /** The slot that ends the bodies. */
+  /** One more than the largest slot. */
   slots: number;
-  /** Dynamic bodies, and by slot the place of each among them. */
+  /** Number of dynamic bodies, and the index of each among them, by slot. */
   moving: number;
   order: Uint32Array;
-  /** Of a typical moving body: half its width; 0 where nothing moves. */
+  /** Half the width of a typical dynamic body (the median); 0 if there is none. */
   typicalSize: number;
 }
 
-/** A Minkowski sum, relative to `Frame.origin`. */
+/** A Minkowski sum of two shapes. Places are relative to `Frame.origin`. */
 export interface Sum {
-  /** The first shape's centre, which the outline is about, and the second's. */
+  /** The centre of the first shape, and that of the second. */
   origin: Vec2;
   point: Vec2;
-  /** Whether the point is in the sum: the shapes overlap. */
+  /** Whether the shapes overlap, that is, whether `point` is within the sum. */
   overlaps: boolean;
-  /** The place on the edge of the sum that is nearest to the point. */
+  /** The place on the edge of the sum that is nearest to `point`. */
   edge: Vec2;
-  /** Counter-clockwise, x and y in turn, about the first shape's centre. */
+  /** The sum's outline about the first shape's centre, counter-clockwise: x and y in turn. */
   outline: Float64Array;
 }

@@ -1,25 +1,40 @@
-/** Joints as a frame has them: what the page needs to draw them where it draws their bodies. */
+/** The layout of joints in a frame: what the page needs to draw them. */
 
-/** Numbers a joint. */
+/** Numbers per joint. */
 export const JOINT = 14;
-/** Where they stand; of pairs the first. The kind is a place in JOINT_KINDS of the package. */
+/**
+ * Positions of the numbers; of a pair, of its first number. KIND is an index into JOINT_KINDS of
+ * the package.
+ */
 export const KIND = 0;
 export const SLOT_A = 1;
 export const SLOT_B = 2;
-/** 1 if its spring acts along it. */
+/** 1 if a spring acts along the joint. */
 export const SPRUNG = 3;
-/** Where it is in each body, and its axis in the first: cosine and sine. */
+/**
+ * The joint's place in each body's frame; and its axis in the first body's frame, as cosine and
+ * sine.
+ */
 export const ANCHOR_A = 4;
 export const ANCHOR_B = 6;
 export const AXIS = 8;
-/** The least and the most along it, and of its turn; equal where it is locked. */
+/**
+ * Lower and upper limit of the distance along the joint, and of its angle; equal where it is
+ * locked.
+ */
 export const ALONG = 10;
 export const TURN_RANGE = 12;
 
-/** Numbers a joint of what each bears: gap, angle, and the force on its second body. */
+/**
+ * Numbers per joint in `Frame.bearings`: gap, angle of the gap, and x and y of the force on its
+ * second body.
+ */
 export const BEARING = 4;
 
-/** What all joints come to, asleep or not; lengths and radians. */
+/**
+ * How far all joints are open, also those that sleep: number of joints, largest and mean gap
+ * (lengths), and largest angle (radians).
+ */
 export interface Gaps {
   joints: number;
   worst: number;

@@ -1,4 +1,4 @@
-/** What can be shown over the bodies. */
+/** The overlays: what can be drawn over the bodies. */
 export const OVERLAYS = [
   "contacts",
   "normals",

@@ -1,12 +1,12 @@
 /**
- * The scenes' random numbers: SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom number
- * generators, 2014), the same numbers as demo/scene/random.h. A 64-bit number is kept as two
- * halves of 32 bits, which is some twenty times as fast as a BigInt.
+ * The random numbers of scenes: SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom number
+ * generators, 2014). The numbers are the same as those of demo/scene/random.h. A 64-bit number is
+ * kept as two halves of 32 bits, which is about twenty times as fast as a BigInt.
  */
 
 const HALF = 2 ** 32;
 
-/** The upper 32 bits of the product of two numbers of 32 bits. */
+/** The upper 32 bits of the product of two 32-bit numbers. */
 function upperProduct(a: number, b: number): number {
   const [a0, a1, b0, b1] = [a & 0xffff, a >>> 16, b & 0xffff, b >>> 16];
   const middle = a1 * b0 + Math.floor((a0 * b0) / 65536); // at most 2^32 - 2^16
@@ -14,11 +14,14 @@ function upperProduct(a: number, b: number): number {
   return a1 * b1 + Math.floor(middle / 65536) + Math.floor(rest / 65536);
 }
 
-/** Uniform in [low, high), in steps of 2^-53 of the range. `seed` is a whole number from 0 on. */
+/**
+ * Returns a generator of numbers uniform in [low, high), in steps of 2^-53 of the range. `seed` is
+ * a whole number from 0 on.
+ */
 export function random(seed: number): (low: number, high: number) => number {
   let high32 = Math.floor(seed / HALF) >>> 0;
   let low32 = seed >>> 0;
-  // z = (z ^ z >> shift) * factor of one round of mixing; `zh` and `zl` are z's halves.
+  // One round of mixing is z = (z ^ (z >> shift)) * factor; `zh` and `zl` are the halves of z.
   let zh = 0;
   let zl = 0;
   const mix = (shift: number, factorHigh: number, factorLow: number) => {

@@ -1,8 +1,11 @@
 /**
- * What a scene is: a plain JavaScript module in web/public/scenes, which the page shows beside the
- * canvas as it stands there and runs again as the visitor edits it. It builds a world on the `thud`
- * package and says how to look at it. Of all this only `Paint`, `View` and the plain data in
- * `state` cross the border of threads.
+ * The interface of scenes. A scene is a plain JavaScript module in web/public/scenes. It builds a
+ * world with the package `thud`, and says how to show it. The page shows its text beside the
+ * canvas, and runs it again when the visitor has edited it. Scenes run in the worker; of all this
+ * only `Paint`, `View` and the plain data in `state` are sent to the page.
+ *
+ * The comments of SceneSetting, Scene, Input, Paint and the marks are shown to visitors who edit a
+ * scene (tools/code-names.mjs).
  */
 import type { Engine, Mover, MoverOptions, Vec2, World, WorldOptions } from "thud";
 import type * as geometry from "thud/geometry";
@@ -12,21 +15,28 @@ import type { OverlayName } from "./overlays";
 
 /** A module of web/public/scenes. */
 export interface SceneModule {
-  /** What it is called in the menu. The page reads this and the next two when it is built. */
+  /** Its title in the menu. The page reads `title`, `about` and `menu` when it is built. */
   title?: string;
   /** What to look at, in one sentence. */
   about?: string;
   /**
-   * Where it stands in the menu, which goes by `place` upwards; a group begins with its first scene.
-   * Null for a module that is in no menu.
+   * Its group and place in the menu. Scenes are in the order of `place`; a group begins with its
+   * first scene. Null for a module that is not in the menu.
    */
   menu?: { group: string; place: number } | null;
-  /** The number that a visitor may turn up ("heavier"); a scene without has one size. */
+  /**
+   * The number of things in the scene, which a visitor can choose ("heavier"). A scene without it
+   * has one size.
+   */
   size?: SceneSize;
-  /** May be asynchronous: a level is read from a file first. */
+  /** Builds the scene. May be asynchronous, to read a level from a file. */
   default(setting: SceneSetting): Scene | Promise<Scene>;
 }
 
+/**
+ * `means` says what the number counts; `usual` is the default, and `least` and `most` are the
+ * bounds.
+ */
 export interface SceneSize {
   means: string;
   usual: number;
@@ -34,31 +44,33 @@ export interface SceneSize {
   most: number;
 }
 
-/** What a scene is given. */
+/** What a scene's function is given. */
 export interface SceneSetting {
   /**
-   * A world; units are yours, y is up. The visitor's choices (quality, …) are put over the options.
+   * Creates a world. The units are yours; y is up. The visitor's choices (quality, …) replace the
+   * same options here.
    * @example const world = createWorld({ gravity: [0, -10] })
    */
   createWorld(options?: WorldOptions): World;
   /**
-   * How many: the number that the visitor chose, in the range that the module's `size` says.
+   * The number of things that the visitor chose, in the range of the module's `size`.
    * @example for (let i = 0; i < size; i++)
    */
   size: number;
   /**
-   * The visitor's random seed; 0 unless chosen. Scenes that use no chance ignore it.
+   * The visitor's random seed; 0 unless chosen. Scenes without random numbers ignore it.
    * @example random(seed)
    */
   seed: number;
   /**
-   * Numbers in [low, high), on every machine the same (SplitMix64). Each call starts anew.
+   * A generator of random numbers in [low, high), the same on every machine (SplitMix64). Each call
+   * of `random` begins anew.
    * @example const chance = random(seed); chance(-1, 1)
    */
   random(seed: number): (low: number, high: number) => number;
   /**
-   * The nearest multiple of 2^-16. Places on it stay exact when a world is moved by whole numbers
-   * up to 10^7.
+   * The nearest multiple of 2^-16. Such places stay exact when a world is moved by whole numbers up
+   * to 10^7.
    */
   grid(x: number): number;
   /**
@@ -72,109 +84,113 @@ export interface SceneSetting {
    */
   readLevel: typeof readLevel;
   /**
-   * The world of a map that was read, with the visitor's choices likewise.
+   * Creates the world of a map. The visitor's choices replace its options.
    * @example const world = buildLevel(level)
    */
   buildLevel(level: Level): World;
   /**
-   * Moves a game's character over ground.
+   * Creates a mover, which moves a game's character over ground.
    * @example createMover(world, { shape: { kind: "circle", radius: 0.4 }, position: [0, 2] })
    */
   createMover(world: World, options: MoverOptions): Mover;
   /**
-   * Brings the geometry of two shapes, which needs no world: closest points, times of impact,
-   * Minkowski sums, bounding volumes.
+   * Loads the functions for two shapes without a world: closest points, times of impact, Minkowski
+   * sums, bounding volumes.
    * @example const { closestPoints } = await loadGeometry(); closestPoints(thud, a, b)
    */
   loadGeometry(): Promise<typeof geometry>;
   /**
-   * The engine itself, without the visitor's choices.
+   * The engine itself. Worlds that it creates do not have the visitor's choices.
    * @example thud.createWorld()
    */
   thud: Engine;
 }
 
+/** What a scene's function returns: the world, and how it is shown, controlled and drawn. */
 export interface Scene {
   /**
-   * What runs. All else may be left out.
+   * The world that runs. Everything else may be left out.
    * @example return { world }
    */
   world: World;
   /**
-   * What to look at first, in world units. Without it the page fits what there is.
+   * The part of the world that is shown first, in world units. Without it the page fits the bodies.
    * @example view: { x: 0, y: 5, height: 12 }
    */
   view?: View;
   /**
-   * Before each step. Must depend on the world, `state` and `input` alone: it is run again when the
-   * visitor goes back in time.
+   * Called before each step. Must depend on the world, `state` and `input` alone, because it is
+   * called again for the same steps when the visitor goes back in time.
    * @example update({ held, step }) { … }
    */
   update?(input: Input): void;
   /**
-   * After each step, with its events; otherwise as `update`.
+   * Called after each step, when the world has the step's events. The same rule applies as to
+   * `update`.
    * @example stepped() { for (const { a } of world.impulses()) … }
    */
   stepped?(): void;
   /**
-   * After each step: what to draw besides the bodies.
+   * Called after each step: returns what to draw besides the bodies.
    * @example paint: () => ({ marks, figures, message })
    */
   paint?(): Paint;
   /**
-   * Plain data that `update` changes; snapshots keep it, so that time can go back.
+   * Plain data that `update` changes. Snapshots contain it, so that the visitor can go back in
+   * time.
    * @example state: { score: 0 }
    */
   state?: object;
   /**
-   * Keys that the scene wants, best with what each does: they come as held.left…, a phone gets
-   * buttons for them, and the page tells how to play.
+   * The keys that the scene uses, best with what each does. They arrive as held.left and so on; a
+   * phone gets buttons for them, and the page shows what they do.
    * @example keys: { left: "walk", fire: "shoot" }
    */
   keys?: KeyName[] | KeyWords;
   /**
-   * The pointer is the scene's: it comes to `update`, and drags no bodies.
+   * Whether the scene uses the pointer: `update` gets its place, and the visitor cannot drag
+   * bodies.
    * @example pointer: true
    */
   pointer?: boolean;
   /**
-   * As soon as the pointer moves, also while the scene stands. May change `state` alone, and by the
-   * newest place alone: of several in one step the last is kept.
+   * Called as soon as the pointer moves, also while the scene is paused. May change `state` alone,
+   * and must depend on the last place alone: of several moves in one step only the last is kept.
    * @example pointed: ({ x, y, down }) => { … }
    */
   pointed?(pointer: NonNullable<Input["pointer"]>): void;
   /**
-   * Slots of bodies that the page does not draw, because `paint` does.
+   * Slots of bodies that the page does not draw, because `paint` draws them.
    * @example hidden: [ball.index]
    */
   hidden?: number[];
   /**
-   * Where a visitor's new bodies drop by keyboard.
+   * The place where bodies appear that the visitor creates by keyboard.
    * @example spawn: [0, 8]
    */
   spawn?: Vec2;
   /**
-   * Overlays that are on from the start: what the scene is about.
+   * Overlays that are on when the scene begins.
    * @example show: ["contacts"]
    */
   show?: OverlayName[];
   /**
-   * What the visitor sets in a panel beside the scene: values of `state`, by their names.
+   * Controls in a panel beside the scene, which set values of `state` by their names.
    * @example controls: [{ kind: "check", name: "wind", label: "Wind", about: "…", group: "Look at" }]
    */
   controls?: Control[];
   /**
-   * What the visitor should be told: what of a level was left out.
+   * Messages for the visitor, for example what of a level was left out.
    * @example notes: ["…"]
    */
   notes?: string[];
   /**
-   * So many times two bodies, from the first on, are shown with their Minkowski sum.
+   * Number of pairs of bodies, from the first body on, that are shown with their Minkowski sum.
    * @example sums: 1
    */
   sums?: number;
   /**
-   * After `state` went back: what else must follow it (a mover).
+   * Called after `state` was restored: restore here what depends on it (a mover).
    * @example restored() { … }
    */
   restored?(): void;
@@ -188,7 +204,7 @@ export interface Scene {
 export const KEY_NAMES = ["left", "right", "up", "down", "fire", "restart"] as const;
 export type KeyName = (typeof KEY_NAMES)[number];
 
-/** What keys are for, in a word or two: { left: "walk", right: "walk", up: "jump" }. */
+/** What each key does, in a word or two: { left: "walk", right: "walk", up: "jump" }. */
 export type KeyWords = Partial<Record<KeyName, string>>;
 
 export function noKeys(): Record<KeyName, boolean> {
@@ -198,7 +214,7 @@ export function noKeys(): Record<KeyName, boolean> {
 /** What a player does during one step. */
 export interface Input {
   /**
-   * Steps made since the scene began.
+   * Number of steps made since the scene began.
    * @example step % 60 === 0
    */
   step: number;
@@ -208,26 +224,31 @@ export interface Input {
    */
   held: Readonly<Record<KeyName, boolean>>;
   /**
-   * In the world; `down` while pressed. Null until there is one, and without `Scene.pointer`.
+   * The pointer's place in the world; `down` while it is pressed. Null before it has moved over the
+   * page, and without `Scene.pointer`.
    * @example pointer?.down
    */
   pointer: { x: number; y: number; down: boolean } | null;
 }
 
+/** A view of the world about the place x, y. */
 export interface View {
   x: number;
   y: number;
-  /** World units from top to bottom. */
+  /** Height of the view in world units. */
   height: number;
-  /** World units that must fit from left to right. */
+  /** Width in world units that must be visible as well. */
   width?: number;
-  /** In a window that is taller than that, the view stands low: what is thrown goes up. */
+  /**
+   * In a window that is taller than the view, the view stands in the lower part, for scenes in
+   * which things fly up.
+   */
   low?: boolean;
-  /** The view in a window that is taller than wide, as of a phone that is held upright. */
+  /** The view in a window that is taller than wide, such as a phone's. */
   tall?: Omit<View, "tall">;
 }
 
-/** Names of colours, which the page's light and dark themes define. */
+/** Names of colours. The page's light and dark themes define them. */
 export type Ink =
   | "ink" // text and outlines
   | "soft" // quiet lines
@@ -239,9 +260,10 @@ export type Ink =
   | "player" // the first player, the character
   | "rival"; // the second player
 
+/** What a scene draws and shows besides the bodies. */
 export interface Paint {
   /**
-   * The view goes after this place, gently.
+   * The place that the view follows smoothly.
    * @example follow: [x, y]
    */
   follow?: Vec2;
@@ -251,36 +273,36 @@ export interface Paint {
    */
   marks?: Mark[];
   /**
-   * Figures of the game, at the top: score, wind, lives.
+   * Figures of a game, shown at the top: score, wind, lives.
    * @example figures: [{ label: "Score", value: "3" }]
    */
   figures?: { label: string; value: string }[];
   /**
-   * A line that tells what happened or what to do; said to screen readers when it changes.
+   * A line that says what happened or what to do. Screen readers say it when it changes.
    * @example message: "You won."
    */
   message?: string;
   /**
-   * Rows to be read in the panel, by the name of the control under which they stand.
+   * Rows of text in the panel, by the name of the control below which they are shown.
    * @example readings: { wind: [["Speed", "3 m/s"]] }
    */
   readings?: Readings;
   /**
-   * Words on the keys' buttons in place of arrows. Such buttons are there beside a keyboard too, and
-   * those without a word are not.
+   * Words on the buttons of keys, in place of arrows. Buttons with a word are shown beside a
+   * keyboard, too; keys without a word then get no button.
    * @example buttons: { left: "Undo", fire: "Drive" }
    */
   buttons?: KeyWords;
 }
 
 /**
- * In world units unless said otherwise; drawn in order, over the bodies. Places are smoothed
- * between two steps if both have as many marks of the same kinds.
+ * A mark is drawn over the bodies, in the order of the list. Sizes are in world units unless said
+ * otherwise. Marks are interpolated between two steps if both have as many marks of the same kinds.
  */
 export type Mark = LineMark | CircleMark | BoxMark | FigureMark | TextMark;
 
 /**
- * A line from point to point; filled, the area that it goes around, without an outline.
+ * A line from point to point; if filled, the area that it encloses, without an outline.
  * @example { kind: "line", points: [[0, 0], [1, 2]], ink: "soft" }
  */
 export interface LineMark {
@@ -290,7 +312,7 @@ export interface LineMark {
   /** CSS pixels. Default 2. */
   width?: number;
   dashed?: boolean;
-  /** 0 to 1. */
+  /** Opacity from 0 to 1. */
   opacity?: number;
   filled?: boolean;
 }
@@ -305,13 +327,13 @@ export interface CircleMark {
   y: number;
   radius: number;
   ink: Ink;
-  /** 0 to 1. */
+  /** Opacity from 0 to 1. */
   opacity?: number;
   filled?: boolean;
 }
 
 /**
- * A box, turned by its angle.
+ * A box, rotated by its angle.
  * @example { kind: "box", x, y, halfWidth: 1, halfHeight: 2, ink: "bad" }
  */
 export interface BoxMark {
@@ -324,13 +346,13 @@ export interface BoxMark {
   /** Radius of the corners. */
   round?: number;
   ink: Ink;
-  /** 0 to 1. */
+  /** Opacity from 0 to 1. */
   opacity?: number;
   filled?: boolean;
 }
 
 /**
- * A rounded box with eyes.
+ * A rounded box with eyes, which look to the left (-1) or right (1).
  * @example { kind: "figure", x, y, halfWidth: 1, halfHeight: 2, facing: 1, ink: "player" }
  */
 export interface FigureMark {
@@ -344,7 +366,7 @@ export interface FigureMark {
 }
 
 /**
- * Words in their place.
+ * Text, centred at its place.
  * @example { kind: "text", x, y, text: "Hello", ink: "ink" }
  */
 export interface TextMark {

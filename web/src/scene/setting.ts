@@ -1,23 +1,27 @@
-/** What a scene module is given: the same in the worker and in Node.js (tests, thumbnails). */
+/**
+ * Creates what a scene's function is given. It is the same in the worker and in Node.js (tests,
+ * thumbnails).
+ */
 import type { Engine, Mover, WorldOptions } from "thud";
 import type * as geometry from "thud/geometry";
 import type * as level from "thud/level";
 import { random } from "./random";
 import type { SceneModule, SceneSetting } from "./scene";
 
+/** What `createSetting` needs. */
 export interface SettingOptions {
   thud: Engine;
-  /** The visitor's: put over what the scene asks for. */
+  /** The visitor's choices, which replace the scene's options. */
   choices?: WorldOptions;
-  /** Brought between the module's least and most; without it the usual one. */
+  /** The size that the visitor asks for; see `sizeOf`. */
   size?: number;
   seed?: number;
   readText(file: string): Promise<string>;
-  /** The reader of levels, which is loaded with the first one. */
+  /** Loads the reader of levels, when a scene first reads one. */
   loadReader?(): Promise<typeof level>;
-  /** Which the page's first scene goes without. */
+  /** The class Mover; undefined where it is not loaded, as for the page's first scene. */
   mover?: typeof Mover;
-  /** Geometry, which is loaded with the first scene that is about it. */
+  /** Loads the functions for two shapes, when a scene first needs them. */
   loadGeometry?(): Promise<typeof geometry>;
 }
 
@@ -59,14 +63,17 @@ export function createSetting(
   };
 }
 
-/** The size that a module is run at when a visitor asks for `size`. */
+/**
+ * The size at which a module runs if the visitor asks for `wanted`: that, within the module's
+ * bounds, or the usual size; 0 for a module without sizes.
+ */
 export function sizeOf({ size }: SceneModule, wanted?: number): number {
   if (!size) return 0;
   const whole = Math.floor(wanted ?? size.usual);
   return Math.min(size.most, Math.max(size.least, whole));
 }
 
-/** See SceneSetting. Equal to scene_grid in demo/scene/scene.c. */
+/** See SceneSetting. The same as scene_grid in demo/scene/scene.c. */
 function grid(x: number): number {
   return Math.floor(x * 65536 + 0.5) / 65536;
 }

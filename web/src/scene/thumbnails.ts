@@ -1,16 +1,18 @@
-/** When and at what size each scene looks best as a small picture: for the tool that draws them. */
+/**
+ * The step, size and view at which each scene is drawn as a small picture (tools/thumbnails.mjs).
+ */
 import type { View } from "./scene";
 
 export interface Thumbnail {
-  /** Default 60. */
+  /** Number of steps before the picture. Default 60. */
   steps?: number;
-  /** Default the scene's usual size. */
+  /** Default: the scene's usual size. */
   size?: number;
-  /** Default the scene's own view. */
+  /** Default: the scene's own view. */
   view?: View;
 }
 
-/** By the scene's name; without an entry all is as usual. */
+/** By the name of a scene. A scene without an entry has the defaults. */
 export const THUMBNAILS: Readonly<Record<string, Thumbnail>> = {
   platformer_game: { view: { x: 17.5, y: 9, height: 20 } },
   artillery: { view: { x: -11.5, y: 0.5, height: 12 } },

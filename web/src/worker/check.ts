@@ -1,16 +1,20 @@
 /**
- * What a scene returned, looked over before the page relies on it: a visitor's own text may say
- * anything, and should then be told what is wrong with it.
+ * Checks what a scene's function and its `paint` return before the page uses it. A visitor can edit
+ * the text of a scene and return anything; a wrong value throws a SceneError, whose message says
+ * which field is wrong and what it should look like.
  */
 import type { Control } from "../scene/controls";
 import { KEY_NAMES, type KeyName, type Mark, type Paint, type Scene } from "../scene/scene";
 import { SceneError } from "./trouble";
 
+/**
+ * Optional fields of a Scene that are functions, fields that are arrays, and the kinds of controls.
+ */
 const FUNCTIONS = ["restored", "update", "stepped", "pointed", "paint", "close"] as const;
 const LISTS = ["notes", "show", "hidden", "controls"] as const;
 const CONTROLS: readonly Control["kind"][] = ["choice", "check", "slider", "matrix"];
 
-/** Numbers that each kind of mark has to have. */
+/** The fields of each kind of mark that must be finite numbers. */
 const NUMBERS: Record<Mark["kind"], readonly string[]> = {
   line: [],
   circle: ["x", "y", "radius"],
@@ -19,6 +23,7 @@ const NUMBERS: Record<Mark["kind"], readonly string[]> = {
   text: ["x", "y"],
 };
 
+/** Throws a SceneError if a field of the scene is wrong. */
 export function checkScene(scene: Scene): void {
   const { view, spawn, keys = [], state } = scene;
   for (const name of FUNCTIONS)
@@ -48,6 +53,7 @@ export function checkScene(scene: Scene): void {
   }
 }
 
+/** Throws a SceneError if a field of what `paint` returned is wrong. */
 export function checkPaint(paint: Paint): void {
   const { follow, marks = [], figures = [], message = "", buttons = {}, readings = {} } = paint;
   if (follow !== undefined && !isPlace(follow)) wrong("paint: follow is a place: follow: [x, y]");

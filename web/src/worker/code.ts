@@ -1,12 +1,15 @@
 /**
- * A visitor's text of a scene in place of its file's. Loaded when there is one: most visits run
- * scenes as they come.
+ * Imports the text of a scene that the visitor has edited, in place of the scene's file. This
+ * module is loaded only when there is such a text, because most visits run scenes unchanged.
  */
 import type { Position, Program } from "acorn";
 import { raiseFence } from "./fence";
 import { SceneError, troubleOf } from "./trouble";
 
-/** `base` is the page's address, `file` the one that the text's imports start from. */
+/**
+ * Imports `code` as a module. `base` is the page's address; the relative imports of the text are
+ * resolved against `file`. Throws a SceneError that says why and where, if the import fails.
+ */
 export async function importCode(base: string, file: URL, code: string): Promise<unknown> {
   raiseFence(base);
   const text = withWholeAddresses(code, file);
@@ -20,7 +23,10 @@ export async function importCode(base: string, file: URL, code: string): Promise
   }
 }
 
-/** A text that is imported from memory finds its neighbours only by their whole address. */
+/**
+ * Replaces relative paths in import statements by absolute URLs: a module that is imported from a
+ * blob URL cannot resolve relative paths.
+ */
 function withWholeAddresses(code: string, file: URL): string {
   return code.replace(
     /(\bfrom\s*|\bimport\s*\(?\s*)(["'])(\.{1,2}\/[^"'\n]+)\2/g,
@@ -30,8 +36,8 @@ function withWholeAddresses(code: string, file: URL): string {
 }
 
 /**
- * Why a text could not be imported. Browsers keep the place of a syntax error to themselves, and
- * which import failed; a parser tells.
+ * Finds out why a text could not be imported, and where. Browsers do not tell the place of a syntax
+ * error, nor which import failed; so the text is parsed here, and each imported file is fetched.
  */
 async function explain(error: unknown, code: string, file: URL): Promise<SceneError> {
   const trouble = troubleOf(error);
@@ -51,13 +57,15 @@ async function explain(error: unknown, code: string, file: URL): Promise<SceneEr
       return at(node.loc.start, `“${path}” is no file of this page: import "./…" from beside it.`);
     const address = new URL(path, file).href;
     if (!(await isThere(address))) return at(node.loc.start, `There is no file “${path}”.`);
-    // An import that is there but lacks a name: the browser tells both.
+    // The file exists, but does not export a name that the text imports: the browser's message says
+    // which.
     if (trouble.message.includes(address) || trouble.message.includes(`'${path}'`))
       return at(node.loc.start, trouble.message.replaceAll(address, path));
   }
   return new SceneError(trouble);
 }
 
+/** An error at a place of the visitor's text. Acorn counts columns from 0, the page from 1. */
 function at({ line, column }: Position, message: string): SceneError {
   return new SceneError({ message, line, column: column + 1 });
 }

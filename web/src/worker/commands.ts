@@ -1,6 +1,7 @@
 /**
- * What a visitor does to a running world, as plain data: applied before a step, and kept in the
- * journal under that step's number, so that going back in time does the same again.
+ * What a visitor does to a running world, as plain data. A command is applied before a step, and
+ * kept in the journal under that step's number, so that steps that are run again get the same
+ * commands.
  */
 import type { BodyId, Vec2, World } from "thud";
 import type { Setting } from "../scene/controls";
@@ -9,11 +10,14 @@ import type { Blast } from "./hands";
 import { groundLines } from "./lookup";
 import type { Choices } from "./protocol";
 
-/** What can be chosen for a world that runs. */
+/** The choices that can be changed while a world runs. */
 export type Adjustment = Pick<Choices, "quality" | "substeps" | "maxError">;
 
 export type Command =
-  /** Takes the body in a slot at a place of its own frame; the pointer is at x, y. */
+  /**
+   * Takes hold of the body in a slot. `anchor` is a point in the body's frame; the pointer is at x,
+   * y.
+   */
   | { kind: "grab"; slot: number; anchor: Vec2; x: number; y: number }
   | { kind: "drag"; x: number; y: number }
   | { kind: "release" }
@@ -22,11 +26,14 @@ export type Command =
   | { kind: "dig"; x: number; y: number; radius: number }
   | { kind: "keys"; held: Readonly<Record<KeyName, boolean>> }
   | { kind: "pointer"; x: number; y: number; down: boolean }
-  /** One of the scene's controls. */
+  /** Sets one of the scene's controls. */
   | { kind: "set"; name: string; value: Setting }
   | ({ kind: "choose" } & Adjustment);
 
-/** A new body; its size and angle vary a little with the number that exist. */
+/**
+ * Creates a dynamic body of half size `size`. Its width (or radius, 0.8 to 1.2 of `size`) and the
+ * angle of a box depend on the number of bodies in the world.
+ */
 export function spawn(
   world: World,
   { shape, x, y, size }: Extract<Command, { kind: "spawn" }>,
@@ -41,7 +48,7 @@ export function spawn(
   else world.createObb(body, { halfWidth: size * wobble, halfHeight: size });
 }
 
-/** The bodies that a blast may reach. */
+/** The bodies whose shapes overlap the circle of a blast. */
 export function reachedBy(world: World, { x, y, radius }: Blast): BodyId[] {
   const reached = new Map<number, BodyId>();
   for (const shape of world.overlap({ kind: "circle", center: [x, y], radius })) {
@@ -51,7 +58,7 @@ export function reachedBy(world: World, { x, y, radius }: Blast): BodyId[] {
   return [...reached.values()];
 }
 
-/** A crater in every ground line that has vertices. */
+/** Digs a crater into every terrain that has vertices. */
 export function dig(world: World, { x, y, radius }: Extract<Command, { kind: "dig" }>): void {
   for (const { shape } of groundLines(world))
     if (world.terrain(shape).kind !== "flat") world.dig(shape, [x, y], radius);

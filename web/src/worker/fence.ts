@@ -1,11 +1,14 @@
 /**
- * Takes from the worker what reaches beyond this page, before a visitor's code runs in it: such
- * code may have come with a link from a stranger. The policy that the host or the service worker
- * sends with the worker (tools/headers.mjs) is the outer fence and also stops `import`; this one
- * holds where no policy is sent, against all but an attack on the language's own objects, and
- * keeps storage and channels to other pages of this host out of reach as well.
+ * Removes from the worker's global object whatever could reach beyond this page, before a visitor's
+ * code runs in it: such code may have come with a link from a stranger.
+ *
+ * The first line of defence is the content security policy that the host or the service worker
+ * sends with the worker (tools/headers.mjs); it also restricts `import`. The removal here works
+ * where no policy is sent, against all code that does not tamper with the built-in objects of the
+ * language. It also removes storage and channels to other pages of the same host.
  */
 
+/** Globals that are removed. */
 const TAKEN = [
   "XMLHttpRequest",
   "WebSocket",
@@ -24,7 +27,7 @@ const TAKEN = [
   "webkitRequestFileSystemSync",
   "webkitResolveLocalFileSystemURL",
   "webkitResolveLocalFileSystemSyncURL",
-  // A font may be loaded from anywhere.
+  // A font can be loaded from any address.
   "FontFace",
   "fonts",
 ] as const;
@@ -33,31 +36,35 @@ const TAKEN_FROM_NAVIGATOR = ["storage", "storageBuckets", "serviceWorker", "loc
 
 let raised = false;
 
-/** `base` is the page's address; files under its folder can still be fetched. */
+/**
+ * Removes the globals, once. Files in the folder of `base`, the page's address, can still be
+ * fetched.
+ */
 export function raiseFence(base: string): void {
   if (raised) return;
   raised = true;
   for (const name of TAKEN) takeAway(globalThis, name);
   for (const name of TAKEN_FROM_NAVIGATOR) takeAway(navigator, name);
   const limited = limitFetch(globalThis.fetch.bind(globalThis), Request, new URL(".", base).href);
-  // The one on the prototype would be found again where the global's own is deleted.
+  // Deleting only the global's own property would uncover the one of its prototype.
   takeAway(globalThis, "fetch");
   Object.defineProperty(globalThis, "fetch", { value: limited });
 }
 
-/** Some are the object's own, others its prototypes'. */
+/** Deletes a property from an object and from all of its prototypes. */
 function takeAway(from: object, name: string): void {
   for (let owner: object | null = from; owner; owner = Object.getPrototypeOf(owner))
     Reflect.deleteProperty(owner, name);
 }
 
+/** A `fetch` that rejects addresses outside of `folder`. */
 function limitFetch(
   fetch: typeof globalThis.fetch,
   PlainRequest: typeof Request,
   folder: string,
 ): typeof globalThis.fetch {
   return async (input, init) => {
-    // Nothing is sent on to where an answer points.
+    // A redirect is an error, because it could lead out of the folder.
     const request = new PlainRequest(input, { ...init, redirect: "error" });
     if (!request.url.startsWith(folder))
       throw new TypeError(`${request.url} is not a file of this page: a scene can read no other.`);

@@ -1,4 +1,7 @@
-/** Makes the frames that the page draws: copies of what the world has, and only of what is new. */
+/**
+ * Makes the frames that the page draws: copies of the world's state. Shapes, terrains and joints
+ * are in a frame only when they changed, and which bodies sleep every few steps.
+ */
 import type { Stats, StepError, World } from "thud";
 import { settingsOf } from "../scene/controls";
 import type { Drawing, Frame, PlacedTerrain, Shapes, Sum } from "../scene/frame";
@@ -13,44 +16,51 @@ import type { Session } from "./session";
 import type * as Sums from "./sums";
 import { knownOf } from "./watch";
 
-/** Sleeping bodies are looked for this often, in steps. */
+/**
+ * Steps between two looks at which bodies sleep. Chosen: a tenth of a second at 60 steps a second.
+ */
 const AWAKE_EVERY = 6;
 
-/** Brought by the first joint. */
+/** Imported when a scene first has a joint. */
 let jointReader: typeof JointFrames | null = null;
 
 async function bringJoints(): Promise<void> {
   jointReader = (await import("./joint-frames")).JointFrames;
 }
 
-/** Brought after the first picture, or by the first scene that shows some. */
+/** Imported after the first picture, or when a scene first shows sums. */
 let sums: typeof Sums | null = null;
 
 export async function bringSums(): Promise<void> {
   sums ??= await import("./sums");
 }
 
-/** Before the first frame of a scene, which may be the only one for long. */
+/**
+ * Imports what the first frame of a scene needs. It cannot wait for the next frame, because a
+ * paused scene may have only one.
+ */
 export async function readyFor({ world, scene }: Session): Promise<void> {
   if (knownOf(world)?.tied && !jointReader) await bringJoints();
   if (scene.sums) await bringSums();
 }
 
+/** Makes the frames of one session, and remembers what the page has already got. */
 export class Frames {
   #shapeRevision = -1;
   #terrainRevision = -1;
-  /** The rows of the world's table that the page has. */
+  /** For each row of shapes that the page has, its row in the world's shape table. */
   #source: Uint32Array = new Uint32Array(0);
-  /** Dynamic bodies among them. */
+  /** The number of dynamic bodies among those rows. */
   #moving = 0;
-  /** Of the last frame. */
+  /** The step of the last frame. */
   #step = 0;
-  /** The last step of which the page knows who sleeps. */
+  /** The step of the last frame that told which bodies sleep. */
   #awakeStep = 0;
   #joints: JointFrames | null = null;
 
   constructor(private readonly session: Session) {}
 
+  /** The frame of the world's present state, with what `look` asks for. */
   make(look: Look): Frame {
     const { session } = this;
     const { world } = session;
@@ -78,7 +88,7 @@ export class Frames {
     const { controls, state } = session.scene;
     if (controls) frame.settings = settingsOf(controls, state);
     this.#addShapes(frame);
-    // A picture of a standing scene is asked for rarely, and should be right.
+    // A paused scene needs few frames, so each of them tells which bodies sleep.
     const standing = session.step === this.#step;
     this.#step = session.step;
     if (standing || Math.abs(this.#step - this.#awakeStep) >= AWAKE_EVERY || frame.shapes) {
@@ -94,7 +104,7 @@ export class Frames {
     return frame;
   }
 
-  /** The visitor's hand, which is a body too, is not counted. */
+  /** The body that holds the other end of the visitor's pull is not counted. */
   #stats(): Stats {
     const { world, pull } = this.session;
     const stats = world.stats();
@@ -102,7 +112,10 @@ export class Frames {
     return stats;
   }
 
-  /** The step tells of what is awake: where some sleep, the others are looked at too. */
+  /**
+   * The engine's error of a step covers awake bodies only. Where some bodies sleep, the depth is
+   * measured over all of them.
+   */
   #error(): StepError {
     const { world } = this.session;
     const error = world.error();
@@ -111,6 +124,7 @@ export class Frames {
     return error;
   }
 
+  /** Adds shapes and terrains, if they changed since the last frame. */
   #addShapes(frame: Frame): void {
     const { world, scene } = this.session;
     const { shapes, terrains } = world.revision;
@@ -126,13 +140,14 @@ export class Frames {
     this.#terrainRevision = terrains;
   }
 
+  /** `open`: adds the gap and the force of each joint. */
   #addJoints(frame: Frame, standing: boolean, open: boolean): void {
     if (jointReader) this.#joints ??= new jointReader(this.session);
     else void bringJoints();
     this.#joints?.add(frame, standing, open);
   }
 
-  /** What the scene is about, and the body that the visitor points at. */
+  /** Minkowski sums of the scene's pairs, and of the body that the visitor points at. */
   #sums({ origin, focus }: Look): Sum[] {
     const { world, scene } = this.session;
     if (!sums) return [];
@@ -140,13 +155,14 @@ export class Frames {
     return focus === null ? pairs : [...pairs, ...sums.sumsOfBody(world, focus, origin)];
   }
 
+  /** For each row that the page has, 1 if its body is awake. */
   #awake(): Uint8Array {
     const flags = this.session.world.shapeTableAwake();
     return Uint8Array.from(this.#source, (row) => flags[row]);
   }
 }
 
-/** The buffers of a frame that go over to the page. */
+/** The buffers of a frame that are transferred to the page. */
 export function transferables(frame: Frame): ArrayBuffer[] {
   const { before, now, shapes, awake, drawing, box2d } = frame;
   const arrays = [
@@ -165,7 +181,9 @@ export function transferables(frame: Frame): ArrayBuffer[] {
   return arrays.flatMap((array) => (array ? [array.buffer as ArrayBuffer] : []));
 }
 
-/** The engine's debug drawing of what the page sees; undefined if none is asked for. */
+/**
+ * The engine's debug drawing of the visible part of the world; undefined if no overlay needs it.
+ */
 function draw(world: World, look: Look, on: ReadonlySet<OverlayName>): Drawing | undefined {
   const flags = {
     shapes: on.has("islands"),
@@ -191,7 +209,10 @@ function draw(world: World, look: Look, on: ReadonlySet<OverlayName>): Drawing |
   return { shapes: shapes.slice(), lines: lines.slice(), points: points.slice() };
 }
 
-/** Circles and boxes, the hidden bodies' last; `source` tells each row's place in the table. */
+/**
+ * The circles and boxes of the world, those of hidden bodies last. `source` is the row in the
+ * world's shape table of each row that is returned.
+ */
 export function readShapes(
   world: World,
   hidden: ReadonlySet<number> = new Set(),

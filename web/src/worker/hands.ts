@@ -1,14 +1,17 @@
 /**
- * What a visitor does to bodies by hand, for either engine: each takes it by the same rule from its
- * own state of the body. A World of thud has such hands, and a Box2DWorld.
+ * What a visitor does to bodies by hand: pushes and blasts. The code is the same for both engines:
+ * a thud World and a Box2DWorld both implement `Hands`, and each engine's own state of a body is
+ * used.
  */
 import type { BodyId, BodyState, Vec2 } from "thud";
 
+/** The part of a body's state that is used here. */
 export type Held = Pick<
   BodyState,
   "kind" | "position" | "center" | "angle" | "velocity" | "angularVelocity" | "mass" | "inertia"
 >;
 
+/** What pushes and blasts need of an engine's world; as the methods of World. */
 export interface Hands {
   isValid(body: BodyId): boolean;
   bodyState(body: BodyId): Held;
@@ -16,33 +19,37 @@ export interface Hands {
   applyImpulse(body: BodyId, impulse: Vec2, point: Vec2): void;
 }
 
+/** A blast: a circle in the world, from whose middle bodies are thrown away. */
 export interface Blast {
   x: number;
   y: number;
   radius: number;
-  /** That a body in the middle gains. */
+  /** The speed that a body in the middle gains, in world units a second. */
   speed: number;
 }
 
-/** By a character (Mover) that met the body in the thud world. */
+/** The push of a character (Mover) against a body that it touched in the thud world. */
 export interface Push {
   body: BodyId;
-  /** Where it was met, in the body's frame, and in the world. */
+  /** The place where the character touched the body: in the body's frame, and in the world. */
   anchor: Vec2;
   met: Vec2;
-  /** Of its surface there, outward. */
+  /** The normal of the body's surface at that place, outward. */
   normal: Vec2;
-  /** The character's. */
+  /** The character's velocity. */
   velocity: Vec2;
   /** The largest impulse. */
   most: number;
-  /** A body whose anchor is further than this from where it was met is not in the way. */
+  /**
+   * If the anchor is now further than this from `met`, a length, the body is not pushed. (In Box2D
+   * the body may be elsewhere.)
+   */
   reach: number;
 }
 
 /**
- * As a Mover of thud does it (push in engine/src/api/mover.c): the impulse against the surface that
- * takes the place that was met up to the character's speed.
+ * Pushes a body as a Mover of thud does (push in engine/src/api/mover.c): with the impulse against
+ * the surface that brings the touched place to the character's speed along the normal.
  */
 export function push(hands: Hands, { body, anchor, normal, velocity, ...push }: Push): void {
   if (!hands.isValid(body)) return;
@@ -63,8 +70,8 @@ export function push(hands: Hands, { body, anchor, normal, velocity, ...push }: 
 }
 
 /**
- * Throws those of some bodies away whose centre is in a blast's circle: each gains `speed` in the
- * middle, less with its distance, and nothing at `radius`. What has no mass stays.
+ * Throws bodies away from a blast. A dynamic body whose centre of mass is in the circle gains the
+ * speed `speed` * (1 - distance / `radius`), away from the middle.
  */
 export function explode(
   hands: Hands,
@@ -78,20 +85,20 @@ export function explode(
     const distance = Math.hypot(dx, dy);
     if (state.kind !== "dynamic" || distance >= radius) continue;
     const impulse = state.mass * speed * (1 - distance / radius);
-    // In the very middle there is no direction but up.
+    // A body exactly in the middle is thrown upwards.
     const [nx, ny] = distance > 0 ? [dx / distance, dy / distance] : [0, 1];
     hands.applyImpulse(body, [impulse * nx, impulse * ny], state.center);
   }
 }
 
-/** A place in the world, in the body's frame. */
+/** Transforms a place from the world into the body's frame. */
 export function inFrame({ position, angle }: Pick<Held, "position" | "angle">, place: Vec2): Vec2 {
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
   const [x, y] = [place[0] - position[0], place[1] - position[1]];
   return [c * x + s * y, c * y - s * x];
 }
 
-/** A place in the body's frame, in the world. */
+/** Transforms a place from the body's frame into the world. */
 export function inWorld({ position, angle }: Pick<Held, "position" | "angle">, place: Vec2): Vec2 {
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
   return [position[0] + c * place[0] - s * place[1], position[1] + s * place[0] + c * place[1]];

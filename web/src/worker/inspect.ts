@@ -1,10 +1,13 @@
-/** What the world knows of one body, for the card of a body that the visitor points at. */
+/**
+ * The state of one body as the world reports it, for the card of the body that the visitor points
+ * at.
+ */
 import type { BodyState, JointKind, ShapeState, Vec2, World } from "thud";
 import { shapesOf } from "./lookup";
 
-/** Plain data: everything that stands on the card. */
+/** Everything that the card shows. Plain data. */
 export interface BodyReport {
-  /** Steps made when this was so. */
+  /** The number of steps made at the time of the report. */
   step: number;
   slot: number;
   state: BodyState;
@@ -19,10 +22,10 @@ export interface Tie {
   /** The slot of the other body. */
   other: number;
   enabled: boolean;
-  /** By how much it is open, a length and radians. */
+  /** How far the joint is open: a length, and radians. See JointState. */
   gap: number;
   angleGap: number;
-  /** What it bears, without a direction. */
+  /** Magnitudes of the force and of the torque that the joint bears. */
   force: number;
   torque: number;
 }
@@ -31,24 +34,26 @@ export interface Tie {
 export interface Touch {
   /** The slot of the other body. */
   other: number;
-  /** Out of the other body, into this one. */
+  /** The normal, out of the other body into this one. */
   normal: Vec2;
   points: number;
-  /** Of the deepest point; negative while it is apart. */
+  /** Overlap of the deepest point, a length; negative while the shapes are apart. */
   depth: number;
-  /** Of all points: mass times speed that the step gave along the normal, and across it. */
+  /**
+   * Impulses of the step, summed over all points: along the normal, and the magnitude across it.
+   */
   impulse: number;
   friction: number;
-  /** Its island was solved at once. */
+  /** Whether the contact's island was solved by the direct solver. */
   direct: boolean;
 }
 
-/** Null if no body has the slot any more. */
+/** The report of the body in a slot; null if the slot has no body with shapes. */
 export function inspect(world: World, step: number, slot: number): BodyReport | null {
   const shapes = shapesOf(world, slot).map((shape) => world.shapeState(shape));
   if (shapes.length === 0) return null;
   const { body } = shapes[0];
-  // Without points a pair is only about to touch again.
+  // A contact without points does not touch at present.
   const touching = world.contactsOf(body).filter(({ points }) => points.length > 0);
   const contacts = touching.map((contact): Touch => {
     const { bodyA, bodyB, normal, points, tangentImpulse, direct } = contact;

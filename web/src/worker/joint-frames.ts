@@ -1,4 +1,4 @@
-/** What frames tell of joints: which there are, when that changes, and how far they are open. */
+/** Adds joints to frames: the table of joints when it changed, and how far joints are open. */
 import { DIRECTIONS, JOINT_KINDS, JOINT_ROW as ROW } from "thud";
 import type { Frame } from "../scene/frame";
 import {
@@ -16,30 +16,39 @@ import {
 } from "../scene/joint-rows";
 import type { Session } from "./session";
 
-/** Milliseconds a frame that looking through the joints may take on average. */
+/** Milliseconds per frame that reading the joint table may take on average. Chosen. */
 const LOOKING = 1;
-/** Frames without looking at most: a joint that broke is to be seen soon, whatever the last look took. */
+/**
+ * Largest number of frames between two readings, however long one takes. Chosen, so that a joint
+ * that breaks disappears from the picture soon.
+ */
 const MOST_PAUSE = 10;
 
 const DISTANCE = JOINT_KINDS.indexOf("distance");
 const TURN = DIRECTIONS.indexOf("turn");
 
-/** Numbers a joint in the table's handles. */
+/** Numbers per joint in the handles of the joint table. */
 const HANDLES = 6;
 
 export class JointFrames {
-  /** What the page has. */
+  /** The rows that the page has, and the handles of the joint table at the last reading. */
   #rows = new Float32Array(0);
   #handles = new Uint32Array(0);
-  /** By row: whether a joint with limits has a spring as well, which the table does not tell. */
+  /**
+   * For each joint of the table, whether it is a distance joint that has limits and a spring as
+   * well. The table does not tell; the joint's options do.
+   */
   #sprung: readonly boolean[] = [];
-  /** Frames until it looks again. */
+  /** Frames until the table is read again. */
   #pause = 0;
   #last: Pick<Frame, "gaps"> = {};
 
   constructor(private readonly session: Session) {}
 
-  /** `open`: tells of each joint how far it is open, and its force. */
+  /**
+   * Adds the joints to a frame. `standing`: the scene is paused, and the table is read at once.
+   * `open`: adds each joint's gap and force.
+   */
   add(frame: Frame, standing: boolean, open: boolean): void {
     frame.gaps = this.#last.gaps;
     if (this.#pause-- > 0 && !standing) return;
@@ -57,6 +66,7 @@ export class JointFrames {
     this.#pause = Math.min(MOST_PAUSE, Math.floor((performance.now() - start) / LOOKING));
   }
 
+  /** Finds out which joints have a spring, if joints came or went. */
   #look(rows: Float32Array, handles: Uint32Array): void {
     if (equal(handles, this.#handles)) return;
     this.#handles = handles.slice();
@@ -76,7 +86,7 @@ export class JointFrames {
     });
   }
 
-  /** The rows of all but the visitor's hand, whose pull is drawn apart. */
+  /** The rows of the table without the joint of the visitor's pull, which the page draws apart. */
   #others(handles: Uint32Array): number[] {
     const hand = this.session.pull?.joint.index;
     const own: number[] = [];
@@ -85,7 +95,7 @@ export class JointFrames {
     return own;
   }
 
-  /** Only those that act. */
+  /** The rows as joint-rows.ts lays them out. A joint that is disabled gets the kind -1. */
   #pack(rows: Float32Array, own: readonly number[]): Float32Array<ArrayBuffer> {
     const packed = new Float32Array(own.length * JOINT);
     own.forEach((i, n) => {
@@ -93,7 +103,7 @@ export class JointFrames {
       const to = n * JOINT;
       const copy = (from: number, count: number, into: number) =>
         packed.set(rows.subarray(at + from, at + from + count), to + into);
-      // A kind that there is not is drawn by nobody.
+      // The page draws no joint whose kind is unknown.
       packed[to + KIND] = rows[at + ROW.enabled] === 0 ? -1 : rows[at + ROW.kind];
       packed[to + SLOT_A] = rows[at + ROW.slotA];
       packed[to + SLOT_B] = rows[at + ROW.slotB];
@@ -111,6 +121,7 @@ export class JointFrames {
   }
 }
 
+/** Gap, angle and force of each joint; see BEARING in joint-rows.ts. */
 function bearingsOf(rows: Float32Array, own: readonly number[]): Float32Array<ArrayBuffer> {
   const bearings = new Float32Array(BEARING * own.length);
   own.forEach((i, n) => {
@@ -121,6 +132,7 @@ function bearingsOf(rows: Float32Array, own: readonly number[]): Float32Array<Ar
   return bearings;
 }
 
+/** The largest and the mean gap of all joints; undefined without joints. */
 function sumUp(rows: Float32Array, own: readonly number[]): Frame["gaps"] {
   let [worst, sum, angle] = [0, 0, 0];
   for (const i of own) {

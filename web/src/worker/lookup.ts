@@ -2,7 +2,7 @@
 import type { BodyId, ShapeId, World } from "thud";
 import { bodyAt, ROW, SHAPE, shapeAt, TERRAIN } from "../scene/shape-table";
 
-/** Null if no body has the slot. */
+/** The body in a slot that has shapes; null if there is none. */
 export function bodyInSlot(world: World, slot: number): BodyId | null {
   const { count, handles } = world.shapeTable();
   for (let row = 0; row < count; row++) {
@@ -12,7 +12,7 @@ export function bodyInSlot(world: World, slot: number): BodyId | null {
   return null;
 }
 
-/** The shapes of the body in a slot; none if there is none. */
+/** The shapes of the body in a slot; empty if the slot has none. */
 export function shapesOf(world: World, slot: number): ShapeId[] {
   const { count, handles } = world.shapeTable();
   const shapes: ShapeId[] = [];
@@ -21,7 +21,7 @@ export function shapesOf(world: World, slot: number): ShapeId[] {
   return shapes;
 }
 
-/** Every terrain, and the body that has it. */
+/** Every terrain, and the body that it belongs to. */
 export function groundLines(world: World): { shape: ShapeId; body: BodyId }[] {
   const { count, rows, handles } = world.shapeTable();
   const found: { shape: ShapeId; body: BodyId }[] = [];

@@ -1,4 +1,4 @@
-/** Everything that measuring needs, loaded by the worker when it is first asked for. */
+/** Everything that measuring needs. The worker imports it when it is first asked to measure. */
 import type { Engine } from "thud";
 import { type Box2D, loadBox2D } from "../box2d/load";
 import { messageOf } from "../shared/error";
@@ -7,7 +7,10 @@ import type { Laboratory } from "./measure-trial";
 export { measure } from "./measure";
 export { findHoldings } from "./measure-heavier";
 
-/** Without Box2D thud is measured alone, and `withoutBox2D` says why. */
+/**
+ * Loads Box2D for measuring. If that fails, thud is measured alone, and `withoutBox2D` says why;
+ * else it is "".
+ */
 export async function prepare(
   engine: Engine,
   open: Laboratory["open"],

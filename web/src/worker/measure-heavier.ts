@@ -1,8 +1,12 @@
 /**
- * "Heavier": between which sizes of a scene an engine stops making its steps in time. The size is
- * doubled until it does not, and then halved in between. Whatever else the device does can only slow
- * a try, so that a miss is tried again; and the size that was held must hold once more at the end,
- * or a smaller one.
+ * The measurement "Heavier": the largest size of a scene at which an engine makes its steps in
+ * time. An engine "holds" a size if the median time of its steps stays within the budget in every
+ * second of the scene; else it "misses" the size.
+ *
+ * The size is doubled until it is missed; then the range between the largest size that was held and
+ * the smallest that was missed is narrowed, by trying the geometric mean of both. Other load of the
+ * device can only slow a try, so a size that was missed is tried a second time; and the largest
+ * size must be held once more at the end, else the next smaller one that was held is tried.
  */
 import { percentile } from "../shared/step-times";
 import type { Box2DSetting } from "./measure-settings";
@@ -10,45 +14,55 @@ import { type Laboratory, Trial, warmUp } from "./measure-trial";
 import type { SceneRequest } from "./protocol";
 import type { SceneSize } from "../scene/scene";
 
+/** A size that was tried, and what its steps took. */
 export interface Load {
   engine: "thud" | "box2d";
   size: number;
   bodies: number;
-  /** Median of a step in the slowest second; nothing sleeps. */
+  /** The largest median over one second of steps, in ms. No body sleeps. */
   milliseconds: number;
 }
 
-/** A range: what an engine holds lies from one to the other. */
+/** The result for one engine: the largest size that it holds lies between the two. */
 export interface Holding {
   engine: Load["engine"];
-  /** The largest that was held each time it was tried; null: not even the smallest size. */
+  /**
+   * The largest size that was held, also when tried again at the end; null: not even the smallest.
+   */
   held: Load | null;
-  /** The smallest that was not held; null: none, the scene has no more. */
+  /** The smallest size that was missed; null: the scene's largest size was held. */
   missed: Load | null;
 }
 
 export interface Heaviest {
   holdings: Holding[];
-  /** What Box2D is not given of the scene. */
+  /** What the scene has and Box2D is not given, in a few words each. */
   misses: string[];
 }
 
 export interface HeavierProgress {
-  /** What is being tried; of the slowest second so far. */
+  /** The size that is being tried, with its slowest second so far. */
   trying: Load;
-  /** What has been found out. */
+  /** The results so far. */
   holdings: Holding[];
 }
 
-/** Of the scene, in seconds: long enough for things to fall and pile up. */
+/** Length of a try, in seconds of the scene. Chosen: long enough for bodies to fall and pile up. */
 const SPAN = 4;
+/** Milliseconds that each engine runs before the first try; see warmUp. */
 const WARM_UP = 600;
-/** The answer is this near: sizes at most so far apart, as a ratio. */
+/**
+ * The search ends when the number of bodies at the missed size is at most this times that at the
+ * held one. Chosen.
+ */
 const NEAR = 1.1;
-/** Milliseconds between two messages. */
+/** Smallest time between two progress messages, in ms. Chosen. */
 const OFTEN = 150;
 
-/** `sizes` are the scene's; `hertz` is how often a step must be ready. */
+/**
+ * Finds the largest size that each engine holds. `sizes` are those of the scene; `hertz` is the
+ * number of steps that must be made per second, so the budget of a step is 1000 / `hertz` ms.
+ */
 export async function findHoldings(
   laboratory: Laboratory,
   request: SceneRequest,
@@ -65,7 +79,7 @@ export async function findHoldings(
     holdings.push(holding);
     const tell = (trying: Load) => report({ trying, holdings: structuredClone(holdings) });
     const tryOnce = (size: number) => tryLoad(laboratory, request, engine, size, hertz, misses, tell);
-    /** Those that were held at least once, upwards. */
+    /** The sizes that were held at least once, smallest first. */
     const held: Load[] = [];
     for (let size: number | null = first; size !== null; size = nextSize(holding, sizes)) {
       let tried = await tryOnce(size);
@@ -78,7 +92,10 @@ export async function findHoldings(
   return { holdings, misses: [...misses] };
 }
 
-/** Down to a size that is held again. */
+/**
+ * Tries the largest held size again; if it is missed now, the next smaller one, and so on. Sets
+ * `holding.held` to the size that was held again, or to null.
+ */
 async function confirm(
   holding: Holding,
   held: Load[],
@@ -94,7 +111,7 @@ async function confirm(
   }
 }
 
-/** Null when it is known well enough. */
+/** The size to try next; null when the range is narrow enough or has no size within it. */
 function nextSize({ held, missed }: Holding, { least, most }: SceneSize): number | null {
   if (!missed) {
     const size = Math.min(most, 2 * held!.size);
@@ -109,6 +126,7 @@ function nextSize({ held, missed }: Holding, { least, most }: SceneSize): number
   return between > held.size && between < missed.size ? between : null;
 }
 
+/** Runs the scene at a size until it ends or the median of one second exceeds 1000 / `hertz` ms. */
 async function tryLoad(
   laboratory: Laboratory,
   request: SceneRequest,

@@ -1,4 +1,7 @@
-/** One engine running a scene to be measured, without a visitor's hands, history or drawing. */
+/**
+ * A scene that one engine runs in order to be measured, without a visitor's commands, history or
+ * drawing.
+ */
 import type { Engine, World } from "thud";
 import type { Box2D } from "../box2d/load";
 import { Ruler } from "../box2d/ruler";
@@ -10,14 +13,15 @@ import type { SceneRequest } from "./protocol";
 import type { Session } from "./session";
 import { knownOf, type Watched } from "./watch";
 
-/** What measuring needs of the worker. */
+/** What measuring gets from the worker. */
 export interface Laboratory {
   engine: Engine;
-  /** Null: it could not be loaded, and thud is measured alone. */
+  /** Null if Box2D could not be loaded; thud is then measured alone. */
   box2d: Box2D | null;
   open(request: SceneRequest): Promise<Session>;
 }
 
+/** The input of each step: no keys, no pointer. */
 const IDLE: Pick<Input, "held" | "pointer"> = {
   held: noKeys(),
   pointer: null,
@@ -26,7 +30,7 @@ const IDLE: Pick<Input, "held" | "pointer"> = {
 export class Trial {
   readonly #session: Session;
   readonly #box2dWorld: Box2DWorld | null;
-  /** Whether the times and overlaps asked for are Box2D's. */
+  /** Whether `step` and `overlap` measure Box2D (true) or thud. */
   readonly #measuresBox2D: boolean;
   readonly #watched: Watched | undefined;
   /** Whether each engine can run without the other. */
@@ -34,7 +38,7 @@ export class Trial {
   #ruler: Ruler | null = null;
   #step = 0;
 
-  /** With `setting` Box2D is measured, else thud. */
+  /** Opens the scene. With `setting`, Box2D is measured; without, thud. */
   static async open(
     { box2d, open }: Laboratory,
     request: SceneRequest,
@@ -53,15 +57,16 @@ export class Trial {
     this.#session = session;
     this.#watched = watched;
     this.#measuresBox2D = setting !== undefined;
-    // Box2D follows what the scene's code and thud do to kinematic bodies, so that both must run
-    // there; then both do in thud's turn too, because each takes the other's place in the caches.
+    // The copy in Box2D follows what the scene's code and thud do to kinematic bodies. Where there
+    // is any, both engines must run to measure Box2D; and both run to measure thud, too, because
+    // each engine evicts the other's data from the processor's caches.
     this.#alone = !session.scene.update && !session.scene.stepped && !hasKinematic(session.world);
     this.#box2dWorld =
       box2d && (setting || !this.#alone)
         ? new Box2DWorld(box2d, session.world, { ...watched, ...setting })
         : null;
     watched?.forwardTo(this.#box2dWorld);
-    // A step in which all sleeps says nothing of what an engine holds, or how quick it is.
+    // A step in which all bodies sleep does not show what an engine can do.
     session.world.setSleeping(false);
     this.#box2dWorld?.setSleeping(false);
   }
@@ -73,6 +78,7 @@ export class Trial {
     this.#session.close();
   }
 
+  /** Number of bodies of the thud world. */
   get bodies(): number {
     return this.#session.world.stats().bodies;
   }
@@ -81,7 +87,7 @@ export class Trial {
     return this.#session.size;
   }
 
-  /** What Box2D is not given; empty where it does not run. */
+  /** What the scene has and Box2D is not given; empty where Box2D does not run. */
   get misses(): string[] {
     return this.#box2dWorld?.misses ?? [];
   }
@@ -90,7 +96,7 @@ export class Trial {
     return this.#session.timeStep;
   }
 
-  /** Milliseconds of the measured engine's step, and nothing else. */
+  /** Makes a step. Returns the milliseconds of the measured engine's step alone. */
   step(): number {
     const { scene, world } = this.#session;
     const box2dWorld = this.#box2dWorld;
@@ -102,7 +108,10 @@ export class Trial {
     return this.#measuresBox2D ? milliseconds : 1000 * world.stats().stepSeconds;
   }
 
-  /** In length scales, by the same geometry for both engines. */
+  /**
+   * The deepest and the mean overlap, in length scales, computed by the same geometry for both
+   * engines.
+   */
   overlap(): { worst: number; mean: number } {
     const { world, scene, lengthScale } = this.#session;
     const { x, y } = scene.view ?? { x: 0, y: 0 };
@@ -113,7 +122,10 @@ export class Trial {
     return { worst: worst / lengthScale, mean: mean / lengthScale };
   }
 
-  /** What thud itself reports of the last step; of Box2D null, which has no such report. */
+  /**
+   * The deepest overlap that thud itself reports of the last step, in length scales; null for
+   * Box2D, which reports none.
+   */
   get ownReport(): number | null {
     const { world, lengthScale } = this.#session;
     return this.#measuresBox2D ? null : Math.max(0, world.error().penetrationMax) / lengthScale;
@@ -127,7 +139,7 @@ function hasKinematic(world: World): boolean {
 }
 
 /**
- * Steps until so many milliseconds have passed: browsers translate WebAssembly anew, for speed,
+ * Makes steps of each engine for so many milliseconds: browsers compile WebAssembly to faster code
  * only after it has run for a while.
  */
 export async function warmUp(

@@ -1,9 +1,10 @@
 /**
- * The series behind "Measure": thud and Box2D at several settings each, over the first seconds of
- * the same scene, for what a step takes and how far bodies overlap.
+ * The measurement "Measure": the first seconds of one scene, by thud and by Box2D at several
+ * settings each. Measured are the time of a step and how far bodies overlap.
  *
- * Each setting runs once for the overlaps and some rounds for the times, always the same steps.
- * Rounds change their order, so that what else the machine does meets all settings alike.
+ * Each setting runs once for the overlaps, and then several rounds for the times, always the same
+ * steps. Every other round takes the settings in reverse order, so that slow drifts of the
+ * machine's speed affect all settings alike.
  */
 import { mean, percentile, START_UP, typical } from "../shared/step-times";
 import { BOX2D, labelOf, type SeriesSetting, THUD } from "./measure-settings";
@@ -12,54 +13,70 @@ import type { SceneRequest } from "./protocol";
 
 export interface SeriesRow {
   setting: SeriesSetting;
-  /** Milliseconds of a step, with nothing asleep, after the scene's start. */
+  /**
+   * The time of a step in ms, without sleep and without the scene's first steps: see `typical` of
+   * step-times.ts, and the 99th percentile.
+   */
   typical: number;
   p99: number;
-  /** Overlap in length scales: the deepest of all steps, and the mean depth of the contacts. */
+  /**
+   * Overlap in length scales: the deepest of all steps, and the mean over steps of the mean depth.
+   */
   worst: number;
   mean: number;
-  /** The deepest by thud's own report. */
+  /** The deepest overlap by thud's own report, in length scales; null for Box2D. */
   own: number | null;
   steps: number;
 }
 
 export interface Series {
-  /** Of a step, in seconds. */
+  /** The length of a step, in seconds. */
   timeStep: number;
   bodies: number;
-  /** That each setting was to make; a slow one makes fewer. */
+  /** The number of steps planned for each setting; a slow setting makes fewer. */
   steps: number;
   rows: SeriesRow[];
-  /** What Box2D is not given of the scene: its rows are of another one then. */
+  /**
+   * What the scene has and Box2D is not given: where not empty, Box2D's rows are of another scene.
+   */
   misses: string[];
-  /** Why Box2D is not among them; "" if it is. */
+  /** Why there are no rows of Box2D; "" if there are. */
   withoutBox2D: string;
 }
 
 export interface SeriesProgress {
-  /** Of the whole, 0 to 1. */
+  /** Share of the whole measurement that is done, 0 to 1. */
   done: number;
   doing: string;
 }
 
-/** Of the scene, in seconds. */
+/** Length of a run, in seconds of the scene. Chosen. */
 const SPAN = 2;
-/** Milliseconds after which a setting's first run is ended, with at least one step made. */
+/**
+ * Milliseconds after which a setting's run for the overlaps is ended, with at least one step made.
+ * Chosen.
+ */
 const PATIENCE = 4000;
+/** Milliseconds that each engine runs before it is measured; see warmUp. */
 const WARM_UP = 600;
-/** Milliseconds that the rounds for the times may take together, beyond the least of them. */
+/**
+ * Milliseconds that the rounds for the times are planned to take together. Chosen, as are the
+ * bounds on the number of rounds, which take precedence.
+ */
 const TIMING = 4000;
 const LEAST_ROUNDS = 2;
 const MOST_ROUNDS = 8;
-/** Of the progress: the share of the runs for the overlaps. */
+/** Share of the progress bar that the runs for the overlaps get. */
 const FIRST_PART = 0.5;
-/** Milliseconds between two messages. */
+/** Smallest time between two progress messages, in ms. Chosen. */
 const OFTEN = 100;
 
+/** The runs of one setting: its overlaps, and the times of its steps in ms. */
 interface Runs extends Pick<SeriesRow, "setting" | "worst" | "mean" | "own" | "steps"> {
   times: number[];
 }
 
+/** Measures the scene at all settings. `withoutBox2D` says why Box2D is missing, or "". */
 export async function measure(
   laboratory: Laboratory,
   request: SceneRequest,
@@ -121,12 +138,18 @@ export async function measure(
   return { ...series, rows, misses: [...misses], withoutBox2D };
 }
 
-/** Steps at the start whose times do not count; of a slow setting, which makes few, fewer. */
+/**
+ * Number of steps at the start of a run whose times do not count: START_UP, or a quarter of the
+ * steps of a slow setting, which makes few.
+ */
 function startUpOf(steps: number): number {
   return Math.min(START_UP, Math.floor(steps / 4));
 }
 
-/** Detection and broadphase stay as the visitor has them; a largest error would mix qualities. */
+/**
+ * Opens the scene at a setting. Detection and broadphase are those that the visitor has chosen. The
+ * largest error (maxError) is off, because it would make a quality do more work than its name says.
+ */
 function openFor(
   laboratory: Laboratory,
   request: SceneRequest,
@@ -141,6 +164,7 @@ function openFor(
   return Trial.open(laboratory, { ...request, choices });
 }
 
+/** Makes up to `most` steps and measures the overlap after each. */
 function runForError(
   trial: Trial,
   setting: SeriesSetting,

@@ -1,8 +1,11 @@
-/** Scene modules: a file of web/public/scenes, or the text that a visitor made of it. */
+/** Imports scene modules: a file of web/public/scenes, or a visitor's edited text of it. */
 import type { SceneModule } from "../scene/scene";
 import { SceneError } from "./trouble";
 
-/** `base` is the page's address; `code` takes the place of the file's text. */
+/**
+ * Imports the module of a scene. `base` is the page's address; `code` replaces the file's text.
+ * Throws a SceneError if the module exports no function.
+ */
 export async function importScene(
   base: string,
   name: string,

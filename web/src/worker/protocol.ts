@@ -9,36 +9,46 @@ import type { BodyReport } from "./inspect";
 import type { Series, SeriesProgress } from "./measure";
 import type { HeavierProgress, Heaviest } from "./measure-heavier";
 
-/** What the visitor has chosen for every world. */
+/** What the visitor has chosen for every world; see WorldOptions. */
 export interface Choices {
   quality: Quality;
-  /** 0: the quality's. */
+  /** 0: that of the quality. */
   substeps: number;
-  /** "auto": the quality's. */
+  /** "auto": that of the quality. */
   detection: Detection | "auto";
   broadphase: Broadphase;
-  /** In length scales; 0: none. */
+  /**
+   * Largest error that the engine may leave, in length scales (World.setMaxError); 0: no such
+   * limit.
+   */
   maxError: number;
 }
 
-/** What to run. */
+/** A scene to run, with its settings. */
 export interface SceneRequest {
-  /** Of web/public/scenes, without its ending. */
+  /** The name of the module's file in web/public/scenes, without ".js". */
   name: string;
-  /** The visitor's own text in place of the file's. */
+  /** The visitor's text, in place of the file's. */
   code?: string;
-  /** Files that `readText` finds before those of the page: a level that was dropped. */
+  /**
+   * Texts by file name, such as a level that the visitor dropped; `readText` looks here before it
+   * fetches a file of the page.
+   */
   files?: Readonly<Record<string, string>>;
-  /** Clamped to the scene's; without it the usual one. */
+  /** Clamped to the scene's sizes; undefined: the scene's usual size. */
   size?: number;
   seed: number;
   choices: Choices;
 }
 
-/** What the page knows of a scene that runs. */
+/**
+ * What the page is told of a scene that runs. The fields come from the module and from what its
+ * function returned (scene/scene.ts).
+ */
 export interface RunningScene {
+  /** The number of this run; messages of earlier runs are ignored. */
   run: number;
-  /** As its module says: a visitor's text may say another than the file's. */
+  /** The title in the module that runs, which a visitor's text may have changed. */
   title: string | null;
   size: number;
   sizes: SceneSize | null;
@@ -47,73 +57,96 @@ export interface RunningScene {
   lengthScale: number;
   timeStep: number;
   show: readonly OverlayName[];
-  /** With what each does, or "". */
+  /** The scene's keys, each with what it does; "" where the scene does not say. */
   keys: KeyWords;
   pointer: boolean;
   notes: readonly string[];
   controls: readonly Control[];
 }
 
-/** What the page sees, and what it wants drawn there by the engine. */
+/** What the page shows at present, and which overlays it needs. */
 export interface Look {
+  /**
+   * Poses and debug drawing are relative to `origin`. `lower` and `upper` are the corners of the
+   * visible part of the world.
+   */
   origin: Vec2;
   lower: Vec2;
   upper: Vec2;
   overlays: readonly OverlayName[];
-  /** The slot of a body that is looked at. */
+  /** The slot of the body that the visitor points at, or null. */
   focus: number | null;
 }
 
-/** How Box2D goes along. */
+/** How Box2D runs beside the scene. */
 export interface Box2DRequest {
   substeps: number;
 }
 
-/** Why a scene could not be run or stopped; `line` and `column` (from 1) are of its own text. */
+/** Why a scene could not be run, or was stopped. */
 export interface Trouble {
   message: string;
-  /** Of a file that the scene imports, as "scenes/artillery/tanks.js"; without it the scene's. */
+  /**
+   * The file in which the error is, such as "scenes/artillery/tanks.js"; undefined: the scene's own
+   * text.
+   */
   file?: string;
+  /** The place in that file, from 1. */
   line?: number;
   column?: number;
   details?: readonly string[];
-  /** It holds so much memory that its worker is to be ended. */
+  /** The scene holds so much memory that the page has to end its worker. */
   tooLarge?: boolean;
 }
 
+/** The world's hash after a step. */
 export interface StateHash {
   step: number;
   hash: string;
 }
 
-/** The present state's hash, as it is and as it came out again from a moment of the past. */
+/** The present state's hash, and the hash of the same step run again from a moment of the past. */
 export interface Rerun extends StateHash {
+  /** The step of that moment. */
   from: number;
   again: string;
 }
 
-/** Requests that are answered once each, some with news on the way; see Client.ask. */
+/**
+ * The questions that the page asks: for each, what is sent (`ask`) and what comes back (`answer`).
+ * Each is answered once; some send progress messages before. See Client.ask.
+ */
 export interface Questions {
+  /**
+   * Loads the engine. `wasm` and `rest` are the addresses of its two files, `page` is the page's.
+   */
   load: { ask: { wasm: string; rest?: string; page: string }; answer: void };
-  /** Brings the part of the engine that a first picture does not need. */
+  /** Loads the part of the engine, and of the worker, that the first picture does not need. */
   complete: { ask: Record<string, never>; answer: void };
+  /** Runs a scene in place of the present one. */
   run: { ask: SceneRequest; answer: RunningScene };
   choose: { ask: Pick<Choices, "quality" | "substeps" | "maxError">; answer: void };
-  /** Goes to a step of the past, or on from there; the future stays until a step is made. */
+  /**
+   * Goes to a step that was made before. Steps after it stay reachable until a new step is made.
+   */
   seek: { ask: { step: number; look: Look }; answer: Frame };
-  /** Loads Box2D and runs it beside this scene and all that follow; null ends that. */
+  /** Loads Box2D and runs it beside this scene and those that follow; null ends it. */
   box2d: { ask: Box2DRequest | null; answer: void };
   hash: { ask: Record<string, never>; answer: StateHash };
-  /** Makes steps without a display, and tells the state's hash after them. */
+  /** Makes so many steps without drawing. */
   advance: { ask: { steps: number }; answer: StateHash };
-  /** Goes back by so many steps, or as many as are kept, and runs to the present again. */
+  /** Goes back by so many steps, or as many as are kept, and runs to the present step again. */
   rerun: { ask: { steps: number }; answer: Rerun };
   /** See World.bisectionLimit. */
   bisectionLimit: { ask: Record<string, never>; answer: number };
-  /** A body's state; null if none has the slot. */
+  /** The state of the body in a slot; null if there is none. */
   inspect: { ask: { slot: number }; answer: BodyReport | null };
-  /** Takes a worker to itself; ending the worker ends it. */
+  /**
+   * Measures a scene ("Measure"). The worker does nothing else meanwhile; to cancel, the page ends
+   * it.
+   */
   measure: { ask: SceneRequest; answer: Series; progress: SeriesProgress };
+  /** Measures the largest sizes of a scene ("Heavier"), likewise. */
   heavier: {
     ask: { scene: SceneRequest; sizes: SceneSize; hertz: number };
     answer: Heaviest & { withoutBox2D: string };
@@ -128,7 +161,10 @@ export type Progress<Name extends QuestionName> = Questions[Name] extends { prog
 export type ToWorker =
   | { kind: "ask"; id: number; name: QuestionName; value: unknown }
   | { kind: "command"; command: Command }
-  /** Steps are made until `until`, or for as long as the page can wait; a frame answers. */
+  /**
+   * Asks for steps up to number `until`, as many as can be made in the time of a tick. The answer
+   * is a frame.
+   */
   | { kind: "tick"; run: number; until: number; look: Look };
 
 export type ToPage =

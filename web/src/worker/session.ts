@@ -1,4 +1,4 @@
-/** A running scene: its world, its time, and the visitor's hands in it. */
+/** A running scene: its world, its present step and its past, and what the visitor holds in it. */
 import type { Vec2, World } from "thud";
 import type { Sample } from "../scene/frame";
 import {
@@ -20,51 +20,69 @@ import { unseen } from "./watch";
 
 type PointerCommand = Extract<Command, { kind: "pointer" }>;
 
-/** What the visitor's hands hold; plain data, kept with every moment of the past. */
+/**
+ * What the visitor holds: a body, keys and the pointer. Plain data, kept with every moment of the
+ * past.
+ */
 interface Hands {
   pull: Pull | null;
   held: Record<KeyName, boolean>;
   pointer: Input["pointer"];
 }
 
-/** Another engine that goes along; see box2d/companion.ts. */
+/**
+ * Another engine that runs beside the scene. It is called at the points of a step that are named
+ * here; see box2d/companion.ts.
+ */
 export interface Companion {
-  /** The first thing of a step. */
+  /** At the beginning of a step, before the scene's code. */
   begin(): void;
-  /** Does something to the world that it does to its own bodies in its own way. */
+  /**
+   * Runs `act`, which changes the thud world, without the companion copying the change: the
+   * companion is given a command of its own for it.
+   */
   apart(act: () => void): void;
+  /** The companion's own version of a blast. */
   explode(blast: Blast): void;
-  /** Just before the world's step: follows what the scene did. */
+  /** Just before the world's step: copies what the scene's code did. */
   sync(): void;
-  /** After the world's step, makes the same. */
+  /** After the world's step: makes the companion's step, and returns its sample. */
   step(): Sample["box2d"];
-  /** The world ends or goes to another time, from which it begins anew. */
+  /** The world is closed, or goes to another time. The next `begin` copies the world anew. */
   end(): void;
-  /** Of the last two steps, laid out as World.poses; to be given away. */
+  /**
+   * Poses before and after the last step, laid out like World.poses; the buffers are the caller's.
+   */
   poses(origin: Vec2): { before: Float32Array; now: Float32Array };
 }
 
 export class Session {
   readonly world: World;
   readonly history = new History();
-  /** Steps since the scene began. */
+  /** Number of steps made since the scene began. */
   step = 0;
+  /** What the scene's `paint` returned last. */
   paint: Paint | null = null;
+  /** The samples of the steps since the last frame. */
   samples: Sample[] = [];
   companion: Companion | null = null;
-  /** Why there is no companion although one is wanted. */
+  /** Why no companion runs although the page wants one. */
   box2dTrouble: string | null = null;
   readonly #hands: Hands = { pull: null, held: noKeys(), pointer: null };
-  /** What the visitor does at this moment, wherever in time the scene is. */
+  /**
+   * What the visitor really holds now. It differs from `#hands` while the scene shows a step of the
+   * past. `pulls`: whether the visitor pulls a body; `adjustment`: the last choices.
+   */
   readonly #present: Pick<Hands, "held" | "pointer"> & {
     pulls: boolean;
     adjustment: Adjustment | null;
   } = { pulls: false, held: { ...this.#hands.held }, pointer: null, adjustment: null };
-  /** The hands are those of a moment that was gone to. */
+  /** Whether `#hands` are those of a moment of the past, from which no step has been made yet. */
   #sought = false;
-  /** Since the last step. */
+  /** The commands since the last step. */
   #done: Command[] = [];
 
+  /** `others`: what else the scene made that the world does not own. */
   constructor(
     readonly run: number,
     readonly scene: Scene,
@@ -73,7 +91,6 @@ export class Session {
     readonly lengthScale: number,
     readonly timeStep: number,
     readonly title: string | null,
-    /** Whatever else the scene made and its world does not own. */
     readonly others: readonly { close(): void }[],
   ) {
     this.world = scene.world;
@@ -91,19 +108,21 @@ export class Session {
     return this.#hands.pull;
   }
 
-  /** Does something to the world; a step later it is in the journal. */
+  /** Applies a command to the world at once; the next step puts it into the journal. */
   do(command: Command): void {
     this.#apply(command);
     this.#heed(command);
     this.#note(command);
   }
 
+  /** Adds a command to those of this step, or puts it in place of the last one. */
   #note(command: Command): void {
     const last = this.#done.at(-1);
     if (last && replaces(command, last, this.#done.at(-2))) this.#done.pop();
     this.#done.push(command);
   }
 
+  /** Makes a step, and keeps a moment where the history wants one. */
   makeStep(): void {
     if (this.#sought) this.#takeOver();
     const commands = this.#done;
@@ -123,14 +142,17 @@ export class Session {
     if (this.history.wants(this.step, 1000 * stepSeconds, bytes)) this.#keepMoment();
   }
 
-  /** Goes to a step of the past, or on from there; false if it is out of reach. */
+  /**
+   * Goes to a step of the past, or forward again to a later one that was made. False if that step
+   * is not kept, or was never made.
+   */
   seek(step: number): boolean {
     const moment = this.history.before(step);
     if (!moment || step > this.history.last) return false;
-    // What was done since the last step is no part of the past.
+    // Commands since the last step are undone: they are not in the journal.
     const edited = this.#done.length > 0;
     this.#done = [];
-    // A body that is held stays behind.
+    // The visitor lets go of a body that is held.
     this.#present.pulls = false;
     this.#sought = true;
     if (step !== this.step || edited) this.companion?.end();
@@ -140,8 +162,8 @@ export class Session {
   }
 
   /**
-   * Runs the last steps again, from the newest moment that lies at least so far back, with the
-   * same commands. Leaves everything as it is.
+   * Runs the last steps again with the same commands, from the newest moment at least `steps` steps
+   * back (or the oldest one), and compares the hashes. The present state is restored afterwards.
    */
   rerun(steps: number): Rerun {
     const present = this.#moment();
@@ -151,7 +173,7 @@ export class Session {
     this.companion?.end();
     this.#goTo(moment);
     this.#runAgain(step);
-    // What was done since the last step belongs to the present.
+    // Commands since the last step are applied again, as they are part of the present state.
     for (const command of this.#done) this.#apply(command);
     const again = this.world.hash();
     this.#goTo(present);
@@ -162,7 +184,7 @@ export class Session {
     return { step: this.step, hash: this.world.hash() };
   }
 
-  /** On to a step of the past, with the commands of the journal. */
+  /** Runs on to a step of the past, with the commands of the journal. */
   #runAgain(step: number): void {
     while (this.step < step) {
       for (const command of this.history.commandsAt(this.step)) this.#apply(command);
@@ -170,7 +192,7 @@ export class Session {
     }
   }
 
-  /** What the visitor does now, as far as the past has no part in it. */
+  /** Notes what the visitor holds now. */
   #heed(command: Command): void {
     const present = this.#present;
     if (command.kind === "grab") present.pulls = true;
@@ -180,8 +202,10 @@ export class Session {
     else if (command.kind === "choose") present.adjustment = command;
   }
 
-  /** From a moment of the past time goes on with what the visitor does and has chosen now: what was
-   * held then and let go later would be held for ever. */
+  /**
+   * Goes on from a moment of the past with what the visitor holds and has chosen now. Without this,
+   * a key or a body that was held at that moment, and is not now, would be held for ever.
+   */
   #takeOver(): void {
     this.#sought = false;
     const { pulls, held, pointer, adjustment } = this.#present;
@@ -199,6 +223,10 @@ export class Session {
     }
   }
 
+  /**
+   * One step: the pull, the scene's code, and the world's step. `companion` is null while steps are
+   * run again.
+   */
   #advance(companion: Companion | null): void {
     const hands = this.#hands;
     if (hands.pull && !holds(this.world, hands.pull)) this.#release();
@@ -256,7 +284,10 @@ export class Session {
     if (pull) letGo(this.world, pull);
   }
 
-  /** By hand each engine's bodies are taken as they are there. */
+  /**
+   * Runs `act`, a blast in the thud world, without the companion copying it: the companion applies
+   * the blast to its own bodies, which may be in other places.
+   */
   #apart(act: () => void): void {
     if (this.companion) this.companion.apart(act);
     else act();
@@ -274,6 +305,7 @@ export class Session {
     };
   }
 
+  /** Restores a moment. */
   #goTo(moment: Moment): void {
     const rest = structuredClone(moment.rest) as { hands: Hands; state: object | null };
     const { state } = this.scene;
@@ -285,6 +317,7 @@ export class Session {
     this.paint = this.scene.paint?.() ?? null;
   }
 
+  /** Gives the scene the pointer, which it may use at once, also while it is paused. */
   #point(command: PointerCommand): void {
     const pointer = pointerOf(command);
     this.#hands.pointer = pointer;
@@ -293,7 +326,10 @@ export class Session {
     this.paint = this.scene.paint?.() ?? null;
   }
 
-  /** Seen also while the scene stands. */
+  /**
+   * Sets one of the scene's controls. The picture is updated at once, also while the scene is
+   * paused.
+   */
   #set({ name, value }: Extract<Command, { kind: "set" }>): void {
     const { controls = [], state } = this.scene;
     if (!state || !controls.some((control) => control.name === name)) return;
@@ -302,20 +338,24 @@ export class Session {
   }
 
   #adjust(choices: Adjustment): void {
-    // Between two qualities, one of which may be without what holds a largest error.
+    // The error limit is off while the quality changes: draft, which has no direct solver, cannot
+    // have one.
     this.world.setMaxError(0);
     this.world.setQuality(choices.quality, choices.substeps);
     this.world.setMaxError(maxErrorOf(choices) * this.lengthScale);
   }
 }
 
+/** The state of the pointer after a command. */
 function pointerOf({ x, y, down }: PointerCommand): NonNullable<Input["pointer"]> {
   return { x, y, down };
 }
 
 /**
- * Of moves, or settings of one control, without a step between them only the last counts; a press or
- * release is none, nor is the pointer's first move after it.
+ * Whether a command takes the place of the one before it (`last`) in the same step. Of several
+ * moves of the pointer, or of several settings of one control, only the last has an effect. A
+ * pointer command replaces the last one only if the last two have the same `down`, so that presses
+ * and releases are kept.
  */
 function replaces(command: Command, last: Command, before?: Command): boolean {
   if (command.kind === "pointer")
@@ -324,12 +364,15 @@ function replaces(command: Command, last: Command, before?: Command): boolean {
   return command.kind === "drag" && last.kind === "drag";
 }
 
-/** In length scales. Draft has no direct solver, and so nothing that could hold one. */
+/** The largest error to be set, in length scales. 0 (off) for draft, which has no direct solver. */
 export function maxErrorOf({ quality, maxError }: Pick<Choices, "quality" | "maxError">): number {
   return quality === "draft" ? 0 : maxError;
 }
 
-/** A visitor's scene may have closed some of them before, and its own `close` may throw. */
+/**
+ * Closes what a scene made. Errors are only logged: a scene may have closed some of it before, and
+ * its own `close` may throw.
+ */
 export function closeAll(made: Iterable<{ close?(): void }>): void {
   for (const one of made)
     try {
@@ -339,6 +382,7 @@ export function closeAll(made: Iterable<{ close?(): void }>): void {
     }
 }
 
+/** A copy of the scene's state. Throws a SceneError if it is not plain data. */
 function copyOf(state: object | undefined): object | null {
   try {
     return structuredClone(state ?? null);
@@ -351,7 +395,9 @@ function copyOf(state: object | undefined): object | null {
   }
 }
 
-/** The same object with other contents: scenes hold on to it. */
+/**
+ * Replaces the contents of an object, which stays the same because scenes keep a reference to it.
+ */
 function replace(target: object, source: object): void {
   for (const key of Object.keys(target))
     if (!(key in source)) delete (target as Record<string, unknown>)[key];

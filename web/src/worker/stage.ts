@@ -1,4 +1,7 @@
-/** Sets a scene up: gives its module what it asks for and takes the world that it makes. */
+/**
+ * Starts a scene: gives the scene's function what it needs, and makes a Session of the world that
+ * it returns.
+ */
 import type { Engine, Mover, World, WorldOptions } from "thud";
 import type { KeyWords, Scene, SceneModule, View } from "../scene/scene";
 import { FIRST_SCENE } from "../scene/first";
@@ -23,15 +26,20 @@ export function optionsOf(choices: Choices): WorldOptions {
   };
 }
 
+/** Imports that tests replace; by default those of createSetting, and bringMover. */
 interface Loaders extends Pick<SettingOptions, "loadReader" | "loadGeometry"> {
   loadMover?(): Promise<typeof Mover | undefined>;
 }
 
-/** Where it cannot be had, scenes without movers run all the same. */
+/** Loads the class Mover. If that fails, scenes without movers still run. */
 async function bringMover(): Promise<typeof Mover | undefined> {
   return import("thud").then(({ Mover }) => Mover).catch(() => undefined);
 }
 
+/**
+ * Runs the scene's function. Throws what it throws, or a SceneError if what it returns is wrong;
+ * what it created is then closed.
+ */
 export async function setUp(
   run: number,
   module: SceneModule,
@@ -50,7 +58,8 @@ export async function setUp(
     mover: first ? undefined : await loadMover(),
     ...loaders,
   });
-  // The world that a scene returns is run; others, and movers, are freed with it.
+  // All worlds and movers that the scene makes. Those that it does not return are closed with the
+  // session.
   const worlds = new Map<World, Pick<WorldOptions, "lengthScale" | "timeStep">>();
   const movers: Mover[] = [];
   const { createWorld, buildLevel, createMover } = setting;
@@ -79,7 +88,8 @@ export async function setUp(
       });
     checkScene(scene);
     const { lengthScale = 1, timeStep = 1 / 60 } = options;
-    // Given in length scales, which the scene alone knows.
+    // The error limit is chosen in length scales; the length scale is an option of the scene's
+    // world.
     scene.world.setMaxError(maxErrorOf(request.choices) * lengthScale);
     const others = [...movers, ...worlds.keys()].filter((other) => other !== scene.world);
     const sizes = module.size ?? null;
@@ -91,6 +101,10 @@ export async function setUp(
   }
 }
 
+/**
+ * What the page is told of the scene. A view that the scene does not give is computed from its
+ * bodies.
+ */
 export function describe(session: Session): RunningScene {
   const { run, title, size, sizes, scene, lengthScale, timeStep } = session;
   const view = scene.view ?? fit(session);
@@ -111,12 +125,15 @@ export function describe(session: Session): RunningScene {
   };
 }
 
-/** A list of keys says nothing of what they do. */
+/** The keys with what each does; "" for a scene that gives only a list of keys. */
 function keyWords(keys: NonNullable<Scene["keys"]>): KeyWords {
   return Array.isArray(keys) ? Object.fromEntries(keys.map((name) => [name, ""])) : keys;
 }
 
-/** As wide as what moves in a view, within reason. */
+/**
+ * Width of a view that has none: 2.2 times the largest distance from its middle to a dynamic body,
+ * of those no further away than its height; at most twice the height.
+ */
 function widthOf({ world }: Session, { x, y, height }: View): number {
   const { shapes } = readShapes(world);
   const poses = world.poses(1, x, y);
@@ -129,7 +146,7 @@ function widthOf({ world }: Session, { x, y, height }: View): number {
   return Math.min(2.2 * reach, 2 * height);
 }
 
-/** Around the bodies that move; around all if none does. */
+/** A view of all dynamic bodies, or of all bodies if none is dynamic. */
 function fit({ world }: Session): View {
   const { shapes } = readShapes(world);
   const poses = world.poses(1, 0, 0);

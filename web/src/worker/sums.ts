@@ -1,19 +1,25 @@
-/** Minkowski sums for the page to draw: of a scene's pairs, and of one body with its neighbour. */
+/**
+ * Minkowski sums for the page to draw: of the scene's pairs of bodies, and of the body that the
+ * visitor points at with its nearest neighbour.
+ */
 import { minkowskiSum, type ShapeId, type SolidShape, type Vec2, type World } from "thud";
 import type { Sum } from "../scene/frame";
 import { shapesOf } from "./lookup";
 
-/** A shape where it stands. */
+/** A shape and the place of its centre in the world. */
 interface Placed {
   solid: SolidShape;
   center: Vec2;
 }
 
-/** Neighbours are looked for so many sizes away, and then twice as far, and so on. */
+/**
+ * The nearest neighbour is looked for within a radius of so many sizes of the body; if there is
+ * none, the radius is doubled, DOUBLINGS - 1 times at most. Chosen.
+ */
 const FIRST_REACH = 1.5;
 const DOUBLINGS = 5;
 
-/** Of the first two bodies, the next two, and so on. */
+/** Sums of the first two bodies, of the next two, and so on, by slot. */
 export function sumsOfPairs(world: World, pairs: number, origin: Vec2): Sum[] {
   const bodies = Array.from({ length: 2 * pairs }, (_, slot) => shapesOf(world, slot));
   return Array.from({ length: pairs }, (_, i) => [bodies[2 * i][0], bodies[2 * i + 1][0]]).flatMap(
@@ -25,7 +31,7 @@ export function sumsOfPairs(world: World, pairs: number, origin: Vec2): Sum[] {
   );
 }
 
-/** Of the body in a slot with the nearest shape of another; none if nothing is near. */
+/** The sum of the body in a slot with the nearest shape of another body; empty if none is near. */
 export function sumsOfBody(world: World, slot: number, origin: Vec2): Sum[] {
   const own = shapesOf(world, slot);
   const first = own[0] && place(world, own[0]);
@@ -43,13 +49,13 @@ export function sumsOfBody(world: World, slot: number, origin: Vec2): Sum[] {
   return [];
 }
 
-/** From the point to the edge of the sum; negative inside. */
+/** Signed distance from the point to the edge of the sum; negative inside. */
 function distanceOf({ point, edge, overlaps }: Sum): number {
   const distance = Math.hypot(point[0] - edge[0], point[1] - edge[1]);
   return overlaps ? -distance : distance;
 }
 
-/** Null for ground, which has no sum. */
+/** Null for terrain, of which the engine has no sum. */
 function place(world: World, id: ShapeId): Placed | null {
   const shape = world.shapeState(id);
   if (shape.kind === "terrain") return null;
@@ -66,10 +72,12 @@ function place(world: World, id: ShapeId): Placed | null {
   return { solid: { kind, halfWidth, halfHeight, angle: angle + shape.angle }, center };
 }
 
+/** Half the diagonal of a box, or the radius. */
 function sizeOf(solid: SolidShape): number {
   return solid.kind === "circle" ? solid.radius : Math.hypot(solid.halfWidth, solid.halfHeight);
 }
 
+/** The sum, relative to `origin`. */
 function sumOf(world: World, a: Placed, b: Placed, origin: Vec2): Sum {
   const offset: Vec2 = [b.center[0] - a.center[0], b.center[1] - a.center[1]];
   const { overlaps, edge, outline } = minkowskiSum(world.engine, a.solid, b.solid, offset);

@@ -1,17 +1,20 @@
-/** What went wrong in a scene, with its place in the scene's text. */
+/** Errors in a scene, with their place in the scene's text. */
 import type { Trouble } from "./protocol";
 
-/** Something wrong in a scene's own text. */
+/** An error in a scene's own text. */
 export class SceneError extends Error {
   constructor(readonly trouble: Trouble) {
     super(trouble.message);
   }
 }
 
-/** A place of a stack: of a text that was imported from memory, or of a file of the scenes. */
+/**
+ * A place in an error's stack: in a text that was imported from a blob URL, or in a file of the
+ * scenes.
+ */
 const PLACE = /(?:blob:[^\s)]*?|\/(scenes\/[\w/.-]+?\.js)(?:\?[^\s:)]*)?):(\d+):(\d+)/;
 
-/** What went wrong while a scene was built or ran. */
+/** Describes an error that was thrown while a scene was set up or ran. */
 export function troubleOf(error: unknown): Trouble {
   if (error instanceof SceneError) return error.trouble;
   if (!(error instanceof Error)) return { message: `The scene threw ${String(error)}` };

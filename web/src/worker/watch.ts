@@ -1,11 +1,13 @@
 /**
- * Watches the worlds of an engine from their first body on: which of its methods a scene calls, what
- * it and its bodies were made with, which a world does not tell afterwards, and what its follower,
- * another engine's copy, is to do as well. Every call is seen, whatever it is: what becomes of it is
- * the follower's to say, and what no follower knows of is missing there (box2d/follow.ts).
+ * Records which methods of a world a scene calls, and passes each call on to a follower, another
+ * engine's copy of the world. It also remembers the options that a world and its bodies were made
+ * with, which the engine does not tell afterwards. Each method of a watched world is wrapped, so
+ * that every call is recorded; which calls the follower can copy is decided in box2d/follow.ts, and
+ * the others are counted as missing.
  *
- * A character (Mover) pushes bodies inside the engine. It is watched too, and pushes the
- * follower's by the same rule; its own body is kinematic, and the follower reads its pose.
+ * A character (Mover) pushes bodies inside the engine, without a call. So its `move` is wrapped as
+ * well, and the bodies that it pushed are pushed in the follower by the same rule. The character's
+ * own body is kinematic; the follower reads its pose.
  */
 import {
   type BodyId,
@@ -24,32 +26,38 @@ import { SceneError } from "./trouble";
 
 /** What a thud world does not tell of itself. */
 export interface Known {
-  /** What it was made with, or has been set to since. */
+  /** The options that the world was made with, with later changes. */
   options: WorldOptions;
-  /** What its bodies were made with, or set to since: their damping, sleep and detection count. */
+  /** The options that a body was made with, with later changes of damping, sleep and detection. */
   bodyOptions(body: BodyId): BodyOptions | undefined;
-  /** The names of all methods that were called, but for what was done apart. */
+  /** The names of all methods that were called, except within `apart`. */
   readonly called: ReadonlySet<string>;
 }
 
-/** Another engine's copy of a world. */
+/** Another engine's copy of a world, which follows the calls. */
 export interface Follower extends Hands {
-  /** A method of the world was called and did not throw. */
+  /** A method of the world was called, and returned `result`. */
   heed(method: string, result: unknown, args: readonly unknown[]): void;
 }
 
 export interface Watched extends Known {
-  /** Whether there ever was a joint. */
+  /** Whether createJoint was ever called. */
   readonly tied: boolean;
-  /** It hears of every call from now on. Null ends it. */
+  /** From now on every call is passed to the follower; null: to none. */
   forwardTo(follower: Follower | null): void;
-  /** Runs `act` unseen: the follower gets a command of its own (`explode`), or begins anew. */
+  /**
+   * Runs `act` without recording its calls. The follower is told in another way (`explode`), or
+   * copies the world anew.
+   */
   apart(act: () => void): void;
-  /** A character of this world, as it is made. */
+  /** To be called when a character of this world is created. */
   watchMover(mover: Mover, options: MoverOptions): void;
 }
 
-/** Of the engine's memory: a scene that makes bodies without end would take the whole tab with it. */
+/**
+ * Largest size of the engine's memory in bytes. A scene that creates bodies without end would
+ * otherwise crash the whole tab. Chosen.
+ */
 const MOST_BYTES = 2 ** 30;
 
 function tooLarge(): SceneError {
@@ -59,7 +67,7 @@ function tooLarge(): SceneError {
 
 const worlds = new WeakMap<World, Watched>();
 
-/** Of worlds that are made from now on. */
+/** Watches all worlds that are created from now on. */
 export function watchWorlds(engine: Engine): void {
   const { createWorld } = engine;
   engine.createWorld = (options = {}) => {
@@ -69,25 +77,25 @@ export function watchWorlds(engine: Engine): void {
   };
 }
 
-/** What is known of a world, if it was watched from its making on. */
+/** What was recorded of a world; undefined if it was created before `watchWorlds`. */
 export function knownOf(world: World): Watched | undefined {
   return worlds.get(world);
 }
 
-/** Does to a world what no scene does, and what its follower learns of in another way. */
+/** Runs `act` without recording its calls; see `apart`. */
 export function unseen(world: World, act: () => void): void {
   const known = knownOf(world);
   if (known) known.apart(act);
   else act();
 }
 
-/** Of a new world. */
+/** Wraps the methods of a new world, which was created with the options `made`. */
 export function watch(world: World, made: WorldOptions): Watched {
   const options = { ...made };
   const bodies = new Map<number, { body: BodyId; options: BodyOptions }>();
   const called = new Set<string>();
   let follower: Follower | null = null;
-  /** How many calls deep in what is done apart. */
+  /** Depth of nested `apart` calls. */
   let hidden = 0;
   const apart = <T>(act: () => T): T => {
     hidden++;
@@ -97,12 +105,14 @@ export function watch(world: World, made: WorldOptions): Watched {
       hidden--;
     }
   };
+  /** Called after each recorded call. Throws if the engine holds too much memory. */
   const heed = (method: string, result: unknown, args: readonly unknown[]) => {
     if (world.engine.buffer.byteLength > MOST_BYTES) throw tooLarge();
     called.add(method);
     keep(method, result, args);
     follower?.heed(method, result, args);
   };
+  /** Keeps the options that a call gave to the world or to a body. */
   const keep = (method: string, result: unknown, [first, second, third]: readonly unknown[]) => {
     if (method === "createBody" || method === "spawn") {
       const body = bodyOf(result);
@@ -121,9 +131,9 @@ export function watch(world: World, made: WorldOptions): Watched {
     const own = methods[method];
     methods[method] = (...args) => {
       const act = () => own.apply(world, args);
-      // What is tried there is undone.
+      // What `whatIf` tries is undone afterwards, so it is not recorded.
       const result = method === "whatIf" ? apart(act) : act();
-      // A refused call has thrown, and changed nothing.
+      // A call that the engine refuses has thrown before this line, and changed nothing.
       if (hidden === 0) heed(method, result, args);
       return result;
     };
@@ -155,12 +165,12 @@ export function watch(world: World, made: WorldOptions): Watched {
   };
 }
 
-/** What the other methods are made of. */
+/** Methods that other methods call, and scenes do not. */
 const INTERNAL = new Set(
   ["constructor", "on", "onWorld", "refuse", "freeRoom", "shapeIds", "makeSolid"],
 );
 
-/** Of all classes that the world is of. */
+/** The names of the methods of all classes that the world inherits from. */
 function methodsOf(world: World): Set<string> {
   const names = new Set<string>();
   let of = Object.getPrototypeOf(world) as object;
@@ -170,28 +180,33 @@ function methodsOf(world: World): Set<string> {
   return names;
 }
 
-/** By its handle or its number. */
+/** A body given by its handle, or by its handle as a number (handleOf). */
 function bodyOf(ref: unknown): BodyId {
   return typeof ref === "number" ? handleOf(ref, "body") : (ref as BodyId);
 }
 
-/** The options that are set again by these. */
+/** The world's options that these methods set. */
 const WORLD_SETTERS: Readonly<Record<string, keyof WorldOptions>> = {
   setGravity: "gravity",
   setTimeStep: "timeStep",
   setSleeping: "sleeping",
 };
-/** By their second argument, and their third; a body's state does not tell them. */
+/**
+ * The options that these methods set by their second and third argument. World.bodyState does not
+ * tell them.
+ */
 const BODY_SETTERS: Readonly<Record<string, [keyof BodyOptions, (keyof BodyOptions)?]>> = {
   setDamping: ["linearDamping", "angularDamping"],
   setDetection: ["detection"],
   setMaySleep: ["maySleep"],
 };
 
-/** thud's own, in radians. */
+/** Default of MoverOptions.maxSlope in the engine, in radians. */
 const MAX_SLOPE = 0.9;
 
-/** Of the bodies that a move met: each once, and none that can be stood on. */
+/**
+ * The pushes of one move: one for each dynamic body that the character touched and cannot stand on.
+ */
 function pushesOf(
   world: World,
   { shape, up = [0, 1], maxSlope = MAX_SLOPE, pushForce = 0 }: MoverOptions,

@@ -1,6 +1,6 @@
 /**
- * The worker in which physics runs, so that the page stays alive whatever a scene costs. It makes
- * steps when the page asks for them, and answers questions in the order they come.
+ * The worker in which physics runs, so that a slow step never blocks the page. It makes steps when
+ * the page asks for them, and answers questions in the order in which they arrive.
  */
 import type { Engine } from "thud";
 import { load } from "thud/first";
@@ -13,7 +13,7 @@ import type { Session } from "./session";
 import { describe, setUp } from "./stage";
 import { troubleOf } from "./trouble";
 
-/** Milliseconds of one tick, after which a frame goes out even if steps are left to make. */
+/** Milliseconds of one tick, after which a frame is sent even if steps remain. Chosen. */
 const PATIENCE = 24;
 
 let engine: Engine;
@@ -21,7 +21,7 @@ let companions: Companions;
 let base: string;
 let session: Session | null = null;
 let frames: Frames;
-/** Scenes that were asked for. */
+/** Number of scenes that were asked for. */
 let runs = 0;
 
 type Answers = {
@@ -31,6 +31,7 @@ type Answers = {
   ) => Promise<Questions[Name]["answer"]> | Questions[Name]["answer"];
 };
 
+/** The functions that answer the page's questions; see `Questions` in protocol.ts. */
 const answers: Answers = {
   async load({ wasm, rest, page }) {
     base = page;
@@ -40,7 +41,7 @@ const answers: Answers = {
 
   async complete() {
     await engine.complete();
-    // Without them errors tell less, and sums are not drawn: nothing to stop for.
+    // The page works without these two: error messages are then shorter, and sums are not drawn.
     const explained = import("thud/explain").then(({ explainErrors }) => explainErrors());
     await Promise.allSettled([explained, bringSums()]);
   },
@@ -103,17 +104,23 @@ const answers: Answers = {
   },
 };
 
+/** Imports and sets up a scene. */
 async function open(request: SceneRequest, run = 0): Promise<Session> {
   const module = await importScene(base, request.name, request.code);
   const readText = (file: string) => readFile(file, request.files);
   return setUp(run, module, engine, request, readText);
 }
 
+/** The running session. Throws if there is none. */
 function needSession(): Session {
   if (!session) throw new Error("No scene runs.");
   return session;
 }
 
+/**
+ * The text of a file, for a scene's `readText`: one of the visitor's files (`own`), or a file
+ * within the page's folder. Throws for any other.
+ */
 async function readFile(
   file: string,
   own: Readonly<Record<string, string>> | undefined,
@@ -132,6 +139,7 @@ function post(message: ToPage, transfer: ArrayBuffer[] = []): void {
   self.postMessage(message, { transfer });
 }
 
+/** Answers a question, with the trouble if it throws. */
 async function answer(id: number, name: QuestionName, value: never): Promise<void> {
   try {
     const result = await answers[name](value, (progress) =>
@@ -144,7 +152,7 @@ async function answer(id: number, name: QuestionName, value: never): Promise<voi
   }
 }
 
-/** Makes steps up to a number, for as long as the page may wait. */
+/** Makes steps up to number `until`, for PATIENCE milliseconds at most. */
 function tick(running: Session, until: number): void {
   const end = performance.now() + PATIENCE;
   while (running.step < until && performance.now() < end) running.makeStep();
@@ -159,7 +167,7 @@ self.onmessage = ({ data }: MessageEvent<ToWorker>) => {
   try {
     if (data.kind === "command") session.do(data.command);
     else {
-      // Asked for before the page knew of this scene, they are no steps of it.
+      // A tick that the page sent before it knew of this scene makes no steps of it.
       const start = performance.now();
       if (data.run === session.run) tick(session, data.until);
       const made = performance.now();
