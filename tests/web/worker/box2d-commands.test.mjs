@@ -242,6 +242,35 @@ test("pushes_at_points_and_turns_are_done_to_the_rival_too", () => {
   });
 });
 
+test("force_on_a_body_that_just_came_acts_on_the_rival_too", () => {
+  withRival({ gravity: [0, 0] }, () => {}, (world, rival, _, known) => {
+    known.forwardTo(rival);
+    const ball = addBall(world, [0, 0]);
+    world.applyForce(ball, [60 * world.bodyState(ball).mass, 0]);
+    const bar = addBall(world, [9, 0]);
+    world.applyForceAt(bar, [0, 60], [9.5, 0]);
+    step(world, rival, 1);
+    near(rival.bodyState(ball).velocity[0], 1, 1e-3);
+    near(rival.bodyState(bar).angularVelocity, world.bodyState(bar).angularVelocity, 1e-2);
+    step(world, rival, 1);
+    near(rival.bodyState(ball).velocity[0], 1, 1e-3);
+  });
+});
+
+test("size_and_kind_that_change_at_once_do_so_in_the_rival", () => {
+  withRival({ gravity: [0, 0] }, (world) => addBall(world, [0, 0]), (world, rival, ball) => {
+    const [shape] = world.shapesOf(ball);
+    world.setKind(ball, "kinematic");
+    world.setRadius(shape, 2);
+    rival.sync();
+    // A circle of radius 0.5 overlaps one of radius 2 at a distance of 2.
+    const other = addBall(world, [2, 0]);
+    rival.sync();
+    near(rival.penetration(), 0.5, 1e-3);
+    assert.ok(rival.isValid(other));
+  });
+});
+
 test("character_pushes_the_rivals_box_as_it_pushes_thuds", () => {
   withRival({ gravity: [0, 0] }, (world) => addBox(world, [1, 0.2]), (world, rival, box, known) => {
     // Without a body of its own: all that moves the box is the push.

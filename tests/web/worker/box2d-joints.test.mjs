@@ -127,6 +127,27 @@ test("joint_breaks_in_each_engine_by_what_it_bears_there", () => {
   });
 });
 
+test("joint_that_broke_in_box2d_alone_stays_broken_as_bodies_come", () => {
+  const build = (world) => {
+    const bodyA = world.createBody();
+    const bodyB = addBall(world, [0, 5]);
+    world.createJoint({ kind: "weld", bodyA, bodyB, at: [0, 5], breakForce: 20 });
+    return bodyB;
+  };
+  withRival({}, build, (world, rival, ball, known) => {
+    known.forwardTo(rival);
+    // Box2D's ball alone is pulled by more than the joint bears.
+    rival.sync();
+    rival.applyForce(ball, [0, -100]);
+    step(world, rival, 2);
+    addBall(world, [9, 9]);
+    step(world, rival, 60);
+    assert.equal(world.joints().length, 1);
+    near(world.bodyState(ball).position[1], 5, 0.01);
+    assert.ok(rival.bodyState(ball).position[1] < 2, `${rival.bodyState(ball).position[1]}`);
+  });
+});
+
 test("gears_are_left_out_and_told", () => {
   const build = (world) => {
     const bodyA = world.createBody();

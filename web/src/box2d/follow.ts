@@ -11,7 +11,8 @@ type Method = keyof World;
 
 /**
  * Methods that are applied to Box2D's body, too. If the body is not copied yet, nothing is done:
- * the copy will be made from the state of the thud body.
+ * the copy will be made from the state of the thud body. Only forces, which act in the next step
+ * and are no part of that state, are applied to the copy once it is made.
  */
 const TO_BODY: { [Name in Method]?: (box2d: Box2DWorld, body: BodyId, ...args: never[]) => void } = {
   setTransform: (box2d, body, position: Vec2, angle?: number) =>
@@ -41,6 +42,9 @@ const TO_BODY: { [Name in Method]?: (box2d: Box2DWorld, body: BodyId, ...args: n
   setMaySleep: change,
   setMass: change,
 };
+
+/** Those of TO_BODY whose effect the state of the thud body does not tell. */
+const FORCES = new Set<Method>(["applyForce", "applyForceAt"]);
 
 /** Gives Box2D's body the properties that the thud body has now. */
 function change(box2d: Box2DWorld, body: BodyId): void {
@@ -218,7 +222,9 @@ export function follow(
   if (!leavesAll(name)) box2d.lookAgain();
   if (name in TO_BODY) {
     const body = idOf(first, "body") as BodyId;
-    if (box2d.isValid(body)) TO_BODY[name]!(box2d, body, ...rest);
+    const apply = () => box2d.isValid(body) && TO_BODY[name]!(box2d, body, ...rest);
+    if (box2d.isValid(body)) apply();
+    else if (FORCES.has(name)) box2d.afterCopy(apply);
   } else if (name in TO_WORLD) {
     TO_WORLD[name]!(box2d, first, ...rest);
   } else if (TO_SHAPE.has(name)) {

@@ -32,6 +32,8 @@ export class Joints {
   readonly #touched = new Map<string, JointId>();
   /** Names (keys of `#made`) of joints that can break in Box2D, by the index of Box2D's joint. */
   readonly #brittle = new Map<number, string>();
+  /** Names of joints that broke in Box2D; they stay broken there for as long as thud has them. */
+  readonly #broken = new Set<string>();
   /** What Box2D's joint lacks, for joints that Box2D has not, or has without some part. */
   readonly #lacks = new Map<string, readonly string[]>();
 
@@ -82,7 +84,11 @@ export class Joints {
     for (let i = 0; i < events.count; i++)
       names.push(this.#brittle.get(events.GetJointEvent(i).jointId.index1));
     events.delete();
-    for (const name of names) if (name !== undefined) this.#remove(name);
+    for (const name of names) {
+      if (name === undefined) continue;
+      this.#remove(name);
+      this.#broken.add(name);
+    }
   }
 
   /**
@@ -107,7 +113,8 @@ export class Joints {
   #follow(name: string, joint: JointId): void {
     const { source } = this;
     const options = source.isValid(joint) ? source.jointOptions(joint) : null;
-    if (!options?.enabled) return this.#remove(name);
+    if (!options) this.#broken.delete(name);
+    if (!options?.enabled || this.#broken.has(name)) return this.#remove(name);
     if (options.kind === "gear") return void this.#lacks.set(name, ["gears"]);
     const rest = textOf(options);
     const known = this.#made.get(name);

@@ -59,22 +59,23 @@ export class Mirror {
       this.#handles = handles.slice();
       this.#rows = rows.slice();
       if (!sameShapes) this.#follow(membersOf(this.#handles));
-      for (const { body, shape, kind } of changed)
-        if (kind) this.#twin.changeBody(body);
-        else this.#twin.changeShape(shape);
+      for (const { body, shape, ofBody, ofShape } of changed) {
+        if (ofBody) this.#twin.changeBody(body);
+        if (ofShape) this.#twin.changeShape(shape);
+      }
     }
     for (const ground of this.#grounds.values()) this.#followGround(ground);
   }
 
   /**
-   * The shapes that existed at the last call and have other properties now. `kind`: the body's kind
-   * changed.
+   * The shapes that existed at the last call and have another row now. `ofBody`: the body's kind
+   * changed; `ofShape`: anything else did.
    */
   #changed(
     handles: Uint32Array,
     rows: Float32Array,
     count: number,
-  ): { shape: ShapeId; body: BodyId; kind: boolean }[] {
+  ): { shape: ShapeId; body: BodyId; ofBody: boolean; ofShape: boolean }[] {
     const before = new Map<number, number>();
     for (let row = 0; 4 * row < this.#handles.length; row++)
       before.set(this.#handles[4 * row], row);
@@ -87,8 +88,13 @@ export class Mirror {
         rows.subarray(row * ROW, (row + 1) * ROW),
       ];
       if (equal(old, now)) continue;
-      const kind = old[BODY] !== now[BODY];
-      changed.push({ shape: shapeAt(handles, row), body: bodyAt(handles, row), kind });
+      const ofShape = old.some((value, column) => column !== BODY && value !== now[column]);
+      changed.push({
+        shape: shapeAt(handles, row),
+        body: bodyAt(handles, row),
+        ofBody: old[BODY] !== now[BODY],
+        ofShape,
+      });
     }
     return changed;
   }

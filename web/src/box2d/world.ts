@@ -93,6 +93,8 @@ export class Box2DWorld implements Follower, Twin {
   #heeds = false;
   /** Whether a call since the last `sync` requires that both worlds are compared. */
   #stale = false;
+  /** What is done at the end of the next `sync`. */
+  #waiting: (() => void)[] = [];
   #ruler: Ruler | null = null;
 
   constructor(box2d: Box2D, source: World, settings: Box2DOptions = {}) {
@@ -155,6 +157,12 @@ export class Box2DWorld implements Follower, Twin {
     if (this.#stale || !this.#heeds) this.#follow();
     this.#stale = false;
     for (const entry of this.#entries.values()) if (entry.kind === "kinematic") this.#steer(entry);
+    for (const apply of this.#waiting.splice(0)) apply();
+  }
+
+  /** Calls `apply` once the next `sync` has copied the bodies that came. */
+  afterCopy(apply: () => void): void {
+    this.#waiting.push(apply);
   }
 
   /** Compares both worlds, and copies what changed. */
