@@ -87,6 +87,7 @@ function withHeaders(response: Response): Response {
   return new Response(body, { status, statusText, headers });
 }
 
+/** The full address of a file named relative to the page. */
 function addressOf(url: string): string {
   return new URL(url, self.registration.scope).href;
 }

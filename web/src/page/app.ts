@@ -101,6 +101,7 @@ export class App {
     });
   }
 
+  /** Adds a listener; the returned function removes it. */
   listen(listener: Listener): () => void {
     this.#listeners.add(listener);
     return () => this.#listeners.delete(listener);
@@ -182,6 +183,7 @@ export class App {
     await this.open(scene, { ...more, camera });
   }
 
+  /** Replaces the worker by a new one with the engine loaded; no scene runs in it yet. */
   async #startWorker(): Promise<void> {
     // A `#run` that still waits for the old worker must not report that as an error.
     this.#runs++;
@@ -323,6 +325,7 @@ export class App {
     });
   }
 
+  /** Replaces the browser's address, or adds it to the history if another scene runs now. */
   #write(address: string): void {
     const method = this.#goesOn ? "pushState" : "replaceState";
     this.#goesOn = false;

@@ -96,6 +96,7 @@ export class Client {
     return answer as Promise<Questions[Name]["answer"]>;
   }
 
+  /** Sends a command, which has no answer; an error in it is reported as `trouble`. */
   do(command: Command): void {
     this.#send({ kind: "command", command });
   }
@@ -105,12 +106,13 @@ export class Client {
     return this.#ticking;
   }
 
-  /** Asks for steps of the scene `run` up to step `until`, and for a frame of what `look` says. */
+  /** Requests steps of scene number `run` up to step `until`, and then a frame. */
   tick(run: number, until: number, look: Look): void {
     this.#ticking = true;
     this.#send({ kind: "tick", run, until, look });
   }
 
+  /** Creates a worker. */
   #start(): Worker {
     const worker = new Worker(new URL("../worker/worker.ts", import.meta.url), {
       type: "module",
@@ -146,6 +148,7 @@ export class Client {
     this.#listeners.stuck();
   }
 
+  /** Passes a message of the worker to the question or the listener that it is for. */
   #receive(message: ToPage): void {
     if (this.#stuck) this.#listeners.answers?.();
     this.#stuck = false;

@@ -4,6 +4,7 @@ import { byId } from "./dom";
 const NAMES = ["scenes", "help"] as const;
 export type DialogName = (typeof NAMES)[number];
 
+/** Opens a dialog, and dispatches the event "open" to it. */
 export function openDialog(name: DialogName): void {
   const dialog = byId<HTMLDialogElement>(name);
   if (dialog.open) return;

@@ -50,10 +50,12 @@ export class Dock {
     });
   }
 
+  /** The name of the open panel; null: none. */
   get open(): string | null {
     return this.#open;
   }
 
+  /** Opens a panel, or closes it if it is open. */
   toggle(name: string): void {
     if (this.#open === name) this.close();
     else void this.show(name);
@@ -123,6 +125,7 @@ export class Dock {
     if (this.#open) this.#made.get(this.#open)?.closed?.();
   }
 
+  /** The page's buttons that open panels. */
   #buttons(): HTMLElement[] {
     return [...document.querySelectorAll<HTMLElement>("button[data-panel]")];
   }

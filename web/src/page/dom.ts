@@ -22,6 +22,7 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
+/** A button of a choice bar. */
 export interface Choice<T extends string> {
   value: T;
   label: string;

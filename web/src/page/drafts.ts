@@ -4,6 +4,7 @@
  * loses nothing.
  */
 
+/** Beginning of the storage's keys; the scene's name follows. */
 const PREFIX = "thud draft ";
 
 /** The draft of a scene; null if there is none or the browser denies access to the storage. */

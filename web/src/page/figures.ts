@@ -9,6 +9,7 @@ export class Figures {
   /** Figures and message as shown, as JSON: an equal frame changes no element. */
   #shown = "";
 
+  /** Hides everything, as another scene begins. */
   reset(): void {
     this.#root.hidden = this.#line.hidden = true;
     this.#shown = "";

@@ -59,6 +59,7 @@ export function addGallery(app: App, openFiles: (brought: Brought[]) => void): v
   if (dialog.open) showCurrent(dialog);
 }
 
+/** The button of a scene, with its picture, title and description. */
 function cardOf(entry: SceneEntry, run: () => void): HTMLButtonElement {
   const picture = make("img", {
     src: thumbnailFile(entry.name),

@@ -6,6 +6,7 @@ import type { App } from "./app";
 import { byId } from "./dom";
 import { notice } from "./messages";
 
+/** The key in the local storage that exists once the hint has disappeared. */
 const KEY = "thud-hint-seen";
 const FIRST =
   "A physics engine in which you choose between speed and accuracy, and see both measured beside " +

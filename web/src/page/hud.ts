@@ -17,6 +17,7 @@ const BUDGET_TEXT = "60 Hz: 16.7 ms";
 /** Seconds between two changes of the texts, so that they can be read. Chosen. */
 const REFRESH = 0.25;
 
+/** The figures: name, label, and description in the legend. */
 const VALUES = [
   ["ms", "step", "Time that a step takes: the median of the last 60."],
   [
@@ -76,6 +77,7 @@ export class Hud {
     delete this.#root.dataset.steps;
   }
 
+  /** Adds the times of new steps. */
   add(samples: readonly Sample[]): void {
     for (const { milliseconds } of samples) this.#times.push(milliseconds);
     const old = Math.max(0, this.#times.length - COURSE);
@@ -93,6 +95,7 @@ export class Hud {
     if (this.#sinceRefresh >= REFRESH && this.#seconds > 0) this.#refresh();
   }
 
+  /** Updates the texts and the chart. */
   #refresh(): void {
     const { stats, error } = this.#frame!;
     const middle = percentile(this.#times.slice(-60), 0.5);

@@ -1,6 +1,6 @@
 /**
- * The notes of a level on what of its map is left out: a notice with the first note, and a dialog
- * with all of them, which a button in the dialog of scenes opens as well.
+ * The notes of a level on parts of its map that are left out: a notice with the first note, and a
+ * dialog with all of them, which a button in the dialog of scenes opens as well.
  */
 import { byId, make } from "./dom";
 import { notice } from "./messages";
@@ -31,6 +31,7 @@ export function showNotes(notes: readonly string[]): void {
   byId("notice").append(all);
 }
 
+/** Adds the button to the dialog of scenes. */
 function addOpener(): HTMLButtonElement {
   const button = make("button", { id: "notes-button", class: "wide" });
   byId("open-level").before(button);

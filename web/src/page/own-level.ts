@@ -26,7 +26,7 @@ interface Found {
   file: File;
 }
 
-/** The level in what was brought; throws if there is no map, or a file is too large or
+/** The level in the visitor's files; throws if there is no map, or a file is too large or
  * unreadable. */
 export async function findLevel(brought: readonly Brought[]): Promise<OwnLevel> {
   const found: Found[] = [];

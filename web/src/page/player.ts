@@ -71,6 +71,7 @@ export class Player {
     return this.#frames.at(-1)?.step ?? 0;
   }
 
+  /** The time that is shown, in steps. */
   get place(): number {
     return this.#place;
   }

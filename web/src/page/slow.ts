@@ -15,7 +15,7 @@ const MUCH = 0.2;
 const LITTLE = 0.05;
 /** Milliseconds between two changes of the text. Chosen. */
 const EVERY = 1000;
-/** Milliseconds for which the advice stands in the line too. Chosen. */
+/** Milliseconds for which the line shows the advice too. Chosen. */
 const READ = 12_000;
 /** Number of last frames from which the cause is found. Chosen. */
 const LAST = 60;
@@ -38,7 +38,7 @@ export function watch(app: App): void {
   let frames: Frame[] = [];
   /** When the text last changed, on the clock of performance.now(). */
   let shown = 0;
-  /** Until this time the advice stands in the line. */
+  /** Until this time the line shows the advice. */
   let whole = 0;
   /** Kinds of causes that were announced for this scene. */
   const told = new Set<string>();

@@ -256,6 +256,7 @@ export class Stage {
     this.#app.do({ kind: "drag", x, y });
   }
 
+  /** The canvas has lost the focus: releases the held body and hides the crosshair. */
   #endCrosshair(): void {
     if (this.#crosshair === "holds") this.#app.do({ kind: "release" });
     this.#crosshair = "off";
@@ -275,6 +276,7 @@ export class Stage {
     return true;
   }
 
+  /** The mouse has moved: calls `onHover` with the body within 3 CSS pixels. */
   #hover(at: { x: number; y: number; screenX: number; screenY: number } | null): void {
     if (!this.onHover) return;
     const slot = at && this.#bodyAt(at.x, at.y, 3 / this.view.camera.scale, false);

@@ -3,6 +3,7 @@
 export const THEMES = ["system", "dark", "light"] as const;
 export type ThemeChoice = (typeof THEMES)[number];
 
+/** The key of the visitor's choice in the local storage. */
 const KEY = "thud-theme";
 const systemIsLight = matchMedia("(prefers-color-scheme: light)");
 /** In this mode the browser replaces the page's colours by the system's, so that the drawing must
@@ -21,6 +22,7 @@ export function chosenTheme(): ThemeChoice {
   return THEMES.find((theme) => theme === stored) ?? "system";
 }
 
+/** Stores the visitor's choice; `applyTheme` makes it visible. */
 export function chooseTheme(theme: ThemeChoice): void {
   try {
     localStorage.setItem(KEY, theme);
@@ -34,6 +36,7 @@ let notStored: ThemeChoice | null = null;
 /** While the page is printed its theme is light. */
 let printing = false;
 
+/** Whether the theme that applies now is the dark one. */
 export function isDark(): boolean {
   if (printing) return false;
   if (systemColours.matches) return !systemIsLight.matches;
@@ -41,7 +44,7 @@ export function isDark(): boolean {
   return choice === "system" ? !systemIsLight.matches : choice === "dark";
 }
 
-/** Sets the theme of the document and tells it to the listeners. */
+/** Sets the document's theme and calls the listeners. */
 export function applyTheme(): void {
   const dark = isDark();
   document.documentElement.dataset.theme = dark ? "dark" : "light";

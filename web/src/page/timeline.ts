@@ -102,6 +102,7 @@ export class Timeline {
     return `${(step * this.#secondsAStep).toFixed(1)} s`;
   }
 
+  /** Shows the time of a step beside the slider, and to screen readers. */
   #show(step: number): void {
     this.#label.textContent = this.#textOf(step);
     // A screen reader reads each change of the focused slider: no change while the scene runs.

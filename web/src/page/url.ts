@@ -7,6 +7,7 @@ import { BROADPHASES, DETECTIONS, QUALITIES } from "thud";
 import { OVERLAYS, type OverlayName } from "../scene/overlays";
 import type { Choices } from "../worker/protocol";
 
+/** Speeds that the page offers, in simulated seconds per second. */
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4] as const;
 export const DETECTION_CHOICES = ["auto", ...DETECTIONS] as const;
 /** Limits of overlap that the page offers, in length scales; 0 is no limit. */
@@ -29,6 +30,7 @@ export const SPLITS = ["side", "over", "none"] as const;
 /** Numbers of substeps of Box2D that the page offers; its manual recommends 4. */
 export const BOX2D_SUBSTEPS = [1, 2, 4, 8, 16] as const;
 
+/** Choices of the panel Versus. */
 export interface Versus {
   split: (typeof SPLITS)[number];
   substeps: (typeof BOX2D_SUBSTEPS)[number];
@@ -73,6 +75,7 @@ export interface OwnLevel {
   files: Record<string, string>;
 }
 
+/** All that the address can hold. */
 export interface State {
   scene: string;
   /** The level of the scene "own_level", which runs levels of visitors; null in other scenes. */

@@ -10,6 +10,7 @@ export function askForBox2D({ client, state }: App): Promise<void> {
   return client.ask("box2d", { substeps: state.versus.substeps });
 }
 
+/** Ends Box2D, for the scene that runs and those that follow. */
 export function endBox2D({ client }: App): void {
   client.ask("box2d", null).catch((error) => {
     // Where the worker has been terminated, Box2D has ended with it.

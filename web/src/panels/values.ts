@@ -101,6 +101,7 @@ function groupsOf(controls: readonly Control[], made: ReadonlyMap<string, Made>)
 
 type Set = (name: string, value: Setting) => void;
 
+/** Creates a control; `set` is called with its name and value when the visitor changes it. */
 function makeControl(control: Control, set: Set): Made {
   if (control.kind === "choice") return makeChoice(control, set);
   if (control.kind === "matrix") return makeMatrix(control, set);

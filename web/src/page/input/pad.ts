@@ -78,6 +78,7 @@ export class Pad {
     return changed;
   }
 
+  /** The game's key that a key of the keyboard stands for; undefined for none. */
   #nameOf({ code }: KeyboardEvent): KeyName | undefined {
     const name = CODES[code];
     // In a scene without the key "fire", Space acts as "up" (jump).
@@ -85,6 +86,7 @@ export class Pad {
     return name;
   }
 
+  /** A key of the keyboard goes down: holds the game's key, and keeps the event from the page. */
   #press(event: KeyboardEvent): void {
     const name = this.#nameOf(event);
     if (!name || !this.#wanted.has(name)) return;
@@ -114,6 +116,7 @@ export class Pad {
     for (const name of KEY_NAMES) this.#hold(name, false);
   }
 
+  /** An on-screen button holds its key while a pointer presses it. */
   #listenTo(button: HTMLElement): void {
     const name = button.dataset.key as KeyName;
     button.addEventListener("pointerdown", (event) => {

@@ -99,6 +99,7 @@ class CodePanel implements Panel {
     );
   }
 
+  /** The text of the scene's module as edited. */
   get #text(): string {
     return this.#editor.textOf(this.#path);
   }
@@ -156,8 +157,9 @@ class CodePanel implements Panel {
     this.#refresh();
   }
 
-  // ---- what the visitor does ----
+  // ---- actions of the visitor ----
 
+  /** The text in the editor has changed. */
   #changed(): void {
     const text = this.#text;
     // The link's code becomes the visitor's draft only when it is changed or run.
@@ -204,7 +206,7 @@ class CodePanel implements Panel {
     );
   }
 
-  // ---- what comes of it ----
+  // ---- events of the app ----
 
   /** A scene has started. */
   #ran(): void {
@@ -241,6 +243,7 @@ class CodePanel implements Panel {
     this.#refresh();
   }
 
+  /** Hides the error and its mark. */
   #forgetTrouble(): void {
     this.#failed = null;
     this.#trouble.hide();
@@ -257,6 +260,7 @@ class CodePanel implements Panel {
     if (fits && file === this.#tabs.shown) this.#editor.mark(message, line, column);
   }
 
+  /** Shows the file in which the error is, and moves the cursor to it. */
   #goToTrouble(line: number, column?: number): void {
     this.#tabs.choose(this.#failed?.trouble.file ?? this.#path);
     this.#editor.goTo(line, column);

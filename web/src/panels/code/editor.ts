@@ -67,6 +67,7 @@ export class Editor {
     return this.#states.has(path);
   }
 
+  /** Shows a file that has been added. */
   show(path: string): void {
     if (path === this.#shown) return;
     if (this.#states.has(this.#shown)) this.#states.set(this.#shown, this.#view.state);
@@ -74,6 +75,7 @@ export class Editor {
     this.#view.setState(this.#states.get(path)!);
   }
 
+  /** The text of a file; "" if there is no such file. */
   textOf(path: string): string {
     return this.#stateOf(path)?.doc.toString() ?? "";
   }
@@ -158,6 +160,7 @@ export class Editor {
     return true;
   }
 
+  /** Sets whether the Tab key leaves the editor (true) or indents. */
   #setEscaped(escaped: boolean): void {
     this.#escaped = escaped;
     this.#view.setTabFocusMode(escaped);

@@ -17,6 +17,7 @@ export class Tabs {
     this.element.addEventListener("keydown", (event) => this.#press(event));
   }
 
+  /** The path of the file that is shown. */
   get shown(): string {
     return this.#shown;
   }
@@ -36,6 +37,7 @@ export class Tabs {
     this.choose(paths.includes(this.#shown) ? this.#shown : paths[0]);
   }
 
+  /** Selects the tab of a file and has the file shown. */
   choose(path: string): void {
     this.#shown = path;
     [...this.element.children].forEach((tab, i) => {

@@ -19,6 +19,7 @@ const AWAY = 16;
 const ALL_BITS = 0xffffffff;
 /** Rows of the tables of contacts and of joints at most. Chosen. */
 const MOST_ROWS = 12;
+/** The text while no body is shown. */
 const HOW = isTouch()
   ? "Tap a body to see its state."
   : "Point at a body to see its state; a click keeps it here. Q takes the body at the crosshair.";
@@ -87,6 +88,7 @@ export class BodyPart {
     this.#card.remove();
   }
 
+  /** Another body, or none, is under the pointer, or the pointer has moved. */
   #hover(hovered: Hovered | null): void {
     const same = hovered?.slot === this.#hovered?.slot;
     this.#hovered = hovered;
@@ -191,6 +193,7 @@ export class BodyPart {
     });
   }
 
+  /** Shows a report on the card, if it is of the body under the pointer. */
   #showCard(report: BodyReport | null): void {
     const hovered = this.#hovered;
     this.#card.hidden = !report || hovered?.slot !== report.slot;
@@ -226,6 +229,7 @@ export class BodyPart {
   }
 }
 
+/** The head of a table with these columns. */
 function headOf(...texts: string[]): HTMLElement {
   const cells = texts.map((text) => make("th", { scope: "col" }, text));
   return make("thead", {}, make("tr", {}, ...cells));
@@ -255,6 +259,7 @@ function wordsOf({ state }: BodyReport): string {
   return state.awake ? "awake" : "asleep";
 }
 
+/** The rows of a body's state; those that say nothing for its kind or are defaults are left out. */
 function rowsOf(report: BodyReport): Row[] {
   const { state } = report;
   const rows: Row[] = [
@@ -281,6 +286,7 @@ function rowsOf(report: BodyReport): Row[] {
   return rows;
 }
 
+/** The rows of a shape's state, without defaults. */
 function shapeRows(shape: ShapeState): Row[] {
   const rows: Row[] = [];
   if (shape.kind === "circle") rows.push(["radius", numberText(shape.radius)]);
@@ -303,6 +309,7 @@ function shapeRows(shape: ShapeState): Row[] {
   return rows;
 }
 
+/** 32 bits as a hexadecimal number. */
 function bits(value: number): string {
   return `0x${(value >>> 0).toString(16)}`;
 }

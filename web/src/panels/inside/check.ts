@@ -19,7 +19,7 @@ import {
   referenceOf,
 } from "./proof";
 
-/** Steps after which hashes are compared; the references have the same. */
+/** Steps after which hashes are compared: those of which web/tools/hashes.mjs writes references. */
 const STEPS = [1, 2, 3, 4, 5].map((i) => i * EVERY);
 /** Seconds that the rewind check goes back. Chosen. */
 const BACK = 5;
@@ -119,7 +119,7 @@ export class CheckPart {
     }
   }
 
-  // ---- elsewhere ----
+  // ---- comparison with other machines ----
 
   /** The button: starts the check, or ends one that runs. */
   async #toggle(): Promise<void> {
@@ -235,6 +235,7 @@ export class CheckPart {
     this.#rewound.textContent = "";
   }
 
+  /** Shows a verdict; its kind selects the colour. */
   #tell(verdict: Verdict, text: string): void {
     this.#verdict.dataset.verdict = verdict;
     this.#verdict.textContent = text;

@@ -39,6 +39,7 @@ export function createPanel(app: App, stage: Stage): Panel {
     (value) => show(value),
   );
   bar.element.classList.add("parts");
+  /** Shows a part and hides the others. */
   function show(part: PartName): void {
     bar.show(part);
     for (const name of PARTS) elements[name].hidden = name !== part;

@@ -7,6 +7,7 @@ import type { Stage } from "../../page/stage";
 import { isDark, onTheme } from "../../page/theme";
 import type { OverlayName } from "../../scene/overlays";
 
+/** The texts of an overlay. */
 interface Text {
   name: OverlayName;
   title: string;

@@ -13,6 +13,7 @@ export interface Reference {
   native: { size: number; step: number; hash: string } | null;
 }
 
+/** A scene's entry in hashes.json. */
 interface Known {
   hashes: string[];
   native?: { size: number; hash: string };

@@ -164,6 +164,7 @@ export class StepPart {
     return cssColour(rampColour(stage / Math.max(1, this.#names.length - 1)));
   }
 
+  /** Updates the tables, the chart and the bars. */
   #show(stats: Stats): void {
     const last = this.#times.at(-1) ?? [];
     const ofStage = (stage: number) => this.#times.map((times) => times[stage]);

@@ -74,6 +74,7 @@ export class Box2DChoice {
     this.#line.textContent = trouble;
   }
 
+  /** Ends Box2D. */
   #end(): void {
     this.#line.textContent = "";
     endBox2D(this.#app);

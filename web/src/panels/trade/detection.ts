@@ -1,7 +1,7 @@
 /**
  * A line in the panel Trade on the limits of detection since the scene began: how often bodies were
- * held back at a collision, and the time that they lost; how often bodies were too fast for
- * bisection.
+ * held back (stopped before the end of a step), and the time that they lost; how often bodies were
+ * too fast for bisection.
  */
 import type { App } from "../../page/app";
 import { make } from "../../page/dom";
@@ -62,6 +62,7 @@ export function createDetectionCount(app: App): HTMLElement {
   return line;
 }
 
+/** "once" or "12 times". */
 function times(count: number): string {
   return count === 1 ? "once" : `${countText(count)} times`;
 }

@@ -22,6 +22,7 @@ export class Laboratory {
     app.listen({ run: () => this.cancel() });
   }
 
+  /** Whether a measurement runs. */
   get busy(): boolean {
     return this.#client !== null;
   }

@@ -7,6 +7,7 @@ import { make } from "../../page/dom";
 import { errorText, timeText } from "./text";
 
 export interface PlanePoint {
+  /** Identifies the point from one `show` to the next. */
   key: string;
   engine: "thud" | "box2d";
   label: string;
@@ -42,6 +43,7 @@ interface Dot {
   text: SVGElement;
 }
 
+/** A rectangle in the units of the viewBox. */
 interface Box {
   x: number;
   y: number;
@@ -172,6 +174,7 @@ export class Plane {
     set(text, { x: at.x - x, y: at.y + at.height - 3 - y });
   }
 
+  /** Creates the elements of a point and their listeners: a circle for thud, a square for Box2D. */
   #addDot({ key, engine }: PlanePoint): Dot {
     const element = svg("g", { "data-point": key });
     const mark =
@@ -240,6 +243,7 @@ export class Plane {
   }
 }
 
+/** A point's description. */
 function figuresOf({ label, time, error }: PlanePoint): string {
   return `${label}: ${timeText(time)} a step, worst overlap ${errorText(error)}`;
 }
@@ -298,12 +302,14 @@ function plainPower(power: number): string {
   return `10${digits.join("")}`;
 }
 
+/** Creates an SVG element with attributes. */
 function svg(name: string, attributes: Record<string, string | number>): SVGElement {
   const element = document.createElementNS("http://www.w3.org/2000/svg", name);
   set(element, attributes);
   return element;
 }
 
+/** Sets attributes; numbers are rounded to two decimals. */
 function set(element: SVGElement, attributes: Record<string, string | number>): void {
   for (const [key, value] of Object.entries(attributes)) {
     const text = typeof value === "number" ? String(Number(value.toFixed(2))) : value;

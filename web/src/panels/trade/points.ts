@@ -8,6 +8,7 @@ import { percentile, START_UP, typical } from "../../shared/step-times";
 import type { Choices } from "../../worker/protocol";
 import { choicesText } from "./text";
 
+/** The point of a setting. */
 export interface TriedPoint {
   key: string;
   engine: "thud" | "box2d";

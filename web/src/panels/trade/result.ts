@@ -70,15 +70,18 @@ function browserName(agent: string): string {
   return system ? `${name} on ${system}` : name;
 }
 
+/** The scene's title with what differs from the defaults. */
 export function titleOf({ title, setUp }: Result): string {
   return setUp ? `${title}, ${setUp}` : title;
 }
 
+/** "Firefox 140 on Linux, 8 processors, July 4, 2026". */
 export function whereMeasured({ browser, processors, date }: Result): string {
   const day = new Date(date).toLocaleDateString("en", { dateStyle: "long" });
   return `${browser}, ${processors} processors, ${day}`;
 }
 
+/** The columns of the table of a result. */
 export const COLUMNS = ["setting", "ms", "p99", "worst", "mean"] as const;
 
 /** The cells of a row, in the order of COLUMNS; a row cut short has its number of steps. */
@@ -179,6 +182,7 @@ function lengthen(data: unknown): Result | null {
   return Number.isNaN(Date.parse(result.date)) ? null : result;
 }
 
+/** Whether a value is an array of this length whose elements all satisfy `is`. */
 function isListOf<T>(list: unknown, length: number, is: (x: unknown) => x is T): list is T[] {
   return Array.isArray(list) && list.length === length && list.every(is);
 }

@@ -93,12 +93,14 @@ function rowOf({ setting }: SeriesRow): string {
   return setting.substeps > 0 ? "soft" : "qualities";
 }
 
+/** A row of the result as a point of the plot. */
 function pointOf(row: SeriesRow): PlanePoint {
   const label = labelOf(row.setting);
   const { engine } = row.setting;
   return { key: label, engine, label, time: row.typical, error: row.worst, row: rowOf(row) };
 }
 
+/** The table of a result, in an element that scrolls. */
 function tableOf(result: Result): HTMLElement {
   const heads = COLUMNS.map((text) => make("th", { scope: "col" }, text));
   const body = result.rows.map((row) => {
@@ -155,6 +157,7 @@ function actions(app: App, result: Result): HTMLElement {
   );
 }
 
+/** Downloads a result as a JSON file. */
 function download(result: Result): void {
   try {
     const blob = new Blob([JSON.stringify(result, null, 2)], { type: "application/json" });

@@ -110,6 +110,7 @@ function planePoint(app: App, point: TriedPoint, current: string): PlanePoint {
   return { key, engine, label, time: typical, error: worst, live: here, go };
 }
 
+/** The plot's figures as a table. */
 function triedTable(body: HTMLElement): HTMLElement {
   const heads = ["setting", "ms", "p99", "worst", "steps"].map((text) =>
     make("th", { scope: "col" }, text),
@@ -126,6 +127,7 @@ function triedTable(body: HTMLElement): HTMLElement {
   );
 }
 
+/** A row of that table. */
 function rowOf({ engine, label, typical, p99, worst, steps }: TriedPoint): HTMLElement {
   const slowest = p99 === null ? "–" : plainTime(p99);
   const cells = [plainTime(typical), slowest, errorText(worst), countText(steps)];

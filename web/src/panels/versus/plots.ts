@@ -17,6 +17,7 @@ const HEIGHT = 118;
 const LEAST_TIME = 0.01;
 const LEAST_DEPTH = 1e-5;
 
+/** One of the plots. */
 interface Plot {
   title: string;
   /** The description for screen readers. */
@@ -33,6 +34,7 @@ export function engineColour(engine: Engine, theme: Theme): string {
   return engine === "thud" ? theme.inks.accent : cssColour(theme.box2d);
 }
 
+/** The colours of the page's present theme. */
 export function themeNow(): Theme {
   return isDark() ? DARK : LIGHT;
 }
@@ -96,6 +98,7 @@ export class Plots {
     return Math.max(120, this.element.clientWidth);
   }
 
+  /** Fits the plots to the element's width. */
   #resize(): void {
     if (this.element.clientWidth === 0) return;
     for (const { chart } of this.#shown)
@@ -103,6 +106,7 @@ export class Plots {
   }
 }
 
+/** The options of uPlot for a plot. */
 function optionsOf(plot: Plot, width: number): UPlot.Options {
   const { least, budget } = plot;
   const axis: UPlot.Axis = {

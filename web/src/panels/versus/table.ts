@@ -4,6 +4,7 @@ import { BUDGET } from "../../shared/step-times";
 import { type Engine, ENGINES, type Figures, NAMES } from "./tally";
 import { compareDepths, compareTimes, type Comparison } from "./words";
 
+/** A row of the table: how it is labelled, and how its text is made from an engine's figures. */
 interface Row {
   label: string;
   hint: string;
@@ -14,6 +15,7 @@ interface Row {
   shown?(figures: Figures): boolean;
 }
 
+/** The text of a figure that is not known. */
 const NOTHING = "–";
 const ENERGY = new Intl.NumberFormat("en", {
   notation: "compact",
@@ -163,6 +165,7 @@ export class Table {
   }
 }
 
+/** A time with its unit, to about three significant digits. */
 function milliseconds(value: number | null): string {
   if (value === null) return NOTHING;
   return `${value.toFixed(value < 1 ? 3 : value < 10 ? 2 : 1)} ms`;

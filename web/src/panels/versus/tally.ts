@@ -108,6 +108,7 @@ export class Tally {
     }
   }
 
+  /** The present figures of an engine. */
   figures(engine: Engine): Figures {
     const { times, sum, count, now, ever, bodies, awake, joints } = this.#sums[engine];
     const some = times.length > 0;
@@ -124,11 +125,13 @@ export class Tally {
     };
   }
 
+  /** Change of an engine's energy since the first measured step. */
   #energyChange(engine: Engine): number {
     const { energy, firstEnergy } = this.#sums[engine];
     return energy - firstEnergy;
   }
 
+  /** Adds the milliseconds of a step, for thud and Box2D, at a simulated time in seconds. */
   #addTimes(seconds: number, pair: readonly [number, number]): void {
     // Times count only of steps in which both engines have bodies awake.
     const { thud, box2d } = this.#sums;
@@ -171,6 +174,7 @@ function newCourse(): Course {
   return { seconds: [], values: [[], []] };
 }
 
+/** Appends a point to both engines' curves. */
 function addTo({ seconds, values }: Course, at: number, [first, second]: readonly number[]): void {
   keep(seconds, at, COURSE);
   keep(values[0], first, COURSE);

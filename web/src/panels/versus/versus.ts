@@ -25,6 +25,7 @@ import { MEANING, movedText, verdict } from "./words";
 const PLOTS_EVERY = 150;
 const TABLE_EVERY = 800;
 
+/** The choices of the layout: label and hint of each. */
 const LAYOUTS: { [split in Versus["split"]]: { label: string; title: string } } = {
   side: { label: "Two views", title: "Side by side; on a phone, one above the other" },
   over: { label: "Overlaid", title: "Box2D's bodies as outlines over thud's" },
@@ -92,6 +93,7 @@ class VersusPanel implements Panel {
     endBox2D(this.app);
   }
 
+  /** Builds the panel's elements. */
   #build(): void {
     const { app } = this;
     const { versus } = app.state;
@@ -187,6 +189,7 @@ class VersusPanel implements Panel {
     this.#showFigures();
   }
 
+  /** Updates the table, the verdict and the notes on the comparison. */
   #showFigures(): void {
     const tally = this.#tally;
     const { state, scene } = this.app;

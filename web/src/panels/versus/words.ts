@@ -1,7 +1,7 @@
 /** The result of the comparison of thud and Box2D in words, and which of two figures is better. */
 import { type Engine, ENGINES, type Figures, NAMES } from "./tally";
 
-/** The text under the verdict: what it means. */
+/** The text under the verdict, which explains it. */
 export const MEANING =
   "Same scene, same drags, same device. Overlap is how deep the worst pair of bodies sinks in, " +
   "on average since both began. It does not tell how lifelike the motion is.";
@@ -67,6 +67,7 @@ export function movedText(metres: number): string {
   );
 }
 
+/** The result of comparing two figures. */
 export interface Comparison {
   /** The engine with the smaller value; null: about the same. */
   better: Engine | null;
