@@ -13,6 +13,7 @@ import { Client, TroubleError } from "./client";
 import { Player } from "./player";
 import { type State, USUAL, USUAL_OVERLAYS, USUAL_VERSUS, writeState } from "./url";
 
+/** What `App` calls when something happens; a listener has only the functions that it needs. */
 export interface Listener {
   /** A scene has started, or the same scene has started again. */
   run?(scene: RunningScene): void;
@@ -56,6 +57,7 @@ export class App {
     panel: null,
     claim: null,
   };
+  /** What the worker says of the running scene; null: none runs. */
   scene: RunningScene | null = null;
   /** The address's scene was paused only because the visitor's system asks for reduced motion. */
   waitsForMotion = false;

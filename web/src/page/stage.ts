@@ -16,14 +16,15 @@ import { listenToPointers, type Tool } from "./input/pointers";
  * seconds the share exp(-FOLLOW_RATE t) of the distance is left. Chosen. */
 const FOLLOW_RATE = 6;
 /** Radius of an explosion and of a crater: `sizes` times the half width of a typical body, but at
- * least `pixels` CSS pixels. `speed`: length scales per second that an explosion gives at its
- * centre. Chosen. */
+ * least `pixels` CSS pixels. `speed`: the speed that an explosion gives to bodies at its centre, in
+ * length scales (sizes of a typical body, which the scene states) per second. Chosen. */
 const BLAST = { pixels: 60, sizes: 8, speed: 18 };
 const CRATER = { pixels: 16, sizes: 3.5 };
 /** CSS pixels from the crosshair within which a body counts as under it. Chosen. */
 const CROSSHAIR_REACH = 24;
 
-/** A body under the mouse, and where the mouse is: in the world, and in CSS pixels. */
+/** A body under the mouse by its slot (its index in `Frame.now`), and where the mouse is: in the
+ * world (x, y), and in CSS pixels (screenX, screenY). */
 export interface Hovered {
   slot: number;
   x: number;
@@ -35,7 +36,7 @@ export interface Hovered {
 export class Stage {
   readonly view: View;
   tool: Tool = "hand";
-  /** How Box2D's bodies are drawn while it runs along. */
+  /** How Box2D's bodies are drawn while Box2D runs the same scene. */
   split: DrawOptions["split"] = "none";
   /** The slot of the body that is outlined; null: none. */
   outlined: number | null = null;
@@ -198,6 +199,7 @@ export class Stage {
 
   /** Uses a tool at a place of the world. */
   apply(tool: Exclude<Tool, "hand">, x: number, y: number): void {
+    // In a scene without moving bodies a typical one is taken to have a half width of 0.5.
     const size = this.#app.shapes?.typicalSize || 0.5;
     const { scale } = this.view.camera;
     if (tool === "blast") {

@@ -10,7 +10,8 @@ import type { Choices } from "../worker/protocol";
 /** Speeds that the page offers, in simulated seconds per second. */
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4] as const;
 export const DETECTION_CHOICES = ["auto", ...DETECTIONS] as const;
-/** Limits of overlap that the page offers, in length scales; 0 is no limit. */
+/** Limits of overlap that the page offers, in length scales (sizes of a typical body, which the
+ * scene states); 0 is no limit. */
 export const MAX_ERRORS = [0, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001] as const;
 
 /** Greatest step whose hash a link may ask to compare: a minute at 60 Hz. Chosen. */

@@ -7,8 +7,9 @@ import { CIRCLE, DYNAMIC, ROW } from "../../scene/shape-table";
 export type Placed = Pick<Frame, "origin" | "now">;
 
 /**
- * The slot of the body whose shape has the smallest signed distance to the point (x, y) of the
- * world, negative inside the shape; null if that exceeds `reach`. Circles and boxes only.
+ * The slot of the body (its index in `Frame.now`) whose shape has the smallest signed distance to
+ * the point (x, y) of the world, negative inside the shape; null if that exceeds `reach`, a length
+ * in world units. Only circles and boxes are searched; `dynamicOnly`: only dynamic bodies.
  */
 export function pick(
   shapes: Shapes,

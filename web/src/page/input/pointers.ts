@@ -4,6 +4,7 @@
  */
 import type { Camera, Pane } from "../../draw/camera";
 
+/** The tools: the hand pulls bodies, the others add bodies, explode and dig. */
 export const TOOLS = ["hand", "circle", "box", "blast", "dig"] as const;
 export type Tool = (typeof TOOLS)[number];
 
@@ -73,6 +74,7 @@ export function listenToPointers(
   };
   const reachOf = ({ pointerType }: PointerEvent) =>
     (pointerType === "mouse" ? REACH.mouse : REACH.touch) / camera.scale;
+  /** A first pointer is pressed: starts what it does, and returns the mode. */
   const begin = (event: PointerEvent, at: Pointer): typeof mode => {
     if (event.button !== 0 || event.shiftKey) return "pan";
     const [x, y] = inWorld(at);

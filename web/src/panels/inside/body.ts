@@ -40,7 +40,7 @@ export class BodyPart {
   readonly #joints = make("table", { id: "body-joints" });
   readonly #release = make("button", { class: "wide" }, "Let go of it");
   #hovered: Hovered | null = null;
-  /** The slot of the pinned body; null: none. */
+  /** The slot (index in `Frame.now`) of the pinned body; null: none. */
   #pinned: number | null = null;
   /** A question to the worker is open. */
   #asking = false;

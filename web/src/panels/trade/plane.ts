@@ -13,7 +13,7 @@ export interface PlanePoint {
   label: string;
   /** Milliseconds per step. */
   time: number;
-  /** The worst overlap in length scales. */
+  /** The worst overlap in length scales, which are sizes of a typical body. */
   error: number;
   /** The setting runs at present, so that the point moves. */
   live?: boolean;

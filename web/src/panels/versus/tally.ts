@@ -63,6 +63,7 @@ interface Sums {
 }
 
 export class Tally {
+  /** Curves of milliseconds per step, deepest overlap and change of energy. */
   readonly times: Course = newCourse();
   readonly penetrations: Course = newCourse();
   readonly energies: Course = newCourse();
