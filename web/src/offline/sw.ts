@@ -37,7 +37,8 @@ self.addEventListener("message", ({ data }) => {
 });
 self.addEventListener("fetch", (event) => {
   const { origin } = new URL(event.request.url);
-  // The page's policy forbids such requests by itself, but a worker's policy is up to the host.
+  // The page's own policy forbids requests to other hosts, but that of its workers is a header,
+  // which the host may not send.
   if (origin !== self.location.origin) event.respondWith(Response.error());
   else if (event.request.method === "GET") event.respondWith(answer(event.request));
 });
