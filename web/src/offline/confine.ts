@@ -1,14 +1,15 @@
-/** Whether a visitor's code would be kept from other hosts. */
+/** Tests whether the content security policy would keep a visitor's code from other hosts. */
 
 /**
- * Whether a worker of that script is held to a policy that lets it reach this host alone (see
- * tools/headers.mjs): code that came with a link is to run only then, or after a question. A host
- * that sends no such policy leaves it to the service worker, which is not there yet on a first
- * visit: then this waits for it, `patience` milliseconds at most.
+ * Whether a worker of this script gets a policy that lets it reach this page's host alone (see
+ * tools/headers.mjs). Code from a link runs only then, or after the visitor was warned. If the host
+ * does not send the policy, the service worker adds it. On a first visit no service worker is in
+ * control yet: then this waits for it, at most `patience` milliseconds.
  */
 export async function isConfined(script: string | URL, patience = 5000): Promise<boolean> {
   const workers = "serviceWorker" in navigator ? navigator.serviceWorker : null;
-  // Looked at first: one that takes control while the host answers has not answered itself.
+  // Read before fetching: if a service worker takes control during the fetch, the response is still
+  // the host's, and must be fetched again.
   const controlled = Boolean(workers?.controller);
   if (await hasPolicy(script)) return true;
   if (!workers || controlled) return false;
@@ -20,6 +21,7 @@ export async function isConfined(script: string | URL, patience = 5000): Promise
   return workers.controller !== null && hasPolicy(script);
 }
 
+/** Whether the response for the script has the policy; false if it cannot be fetched. */
 async function hasPolicy(script: string | URL): Promise<boolean> {
   try {
     const response = await fetch(script);

@@ -1,2 +1,2 @@
-/** What the page tells the service worker: to replace the one of the former build now. */
+/** The message from the page to a waiting service worker: replace that of the former build now. */
 export const TAKE_OVER = "take over";

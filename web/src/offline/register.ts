@@ -1,24 +1,24 @@
-/** Makes the page installable and usable offline, where the browser has service workers. */
+/** Registers the service worker (sw.ts), which makes the page installable and usable offline. */
 import { TAKE_OVER } from "./messages";
 
 /**
- * Call it once the first picture is there, since it fetches what a later visit needs. Does nothing
- * where there are no service workers (an address without https, some private windows).
+ * Call it after the first picture, since the service worker fetches all files that later visits
+ * need. Does nothing in browsers without service workers (no https, some private windows).
  *
  * `onUpdate` is called when a newer build is ready; its argument reloads the page with it.
  */
 export async function keepOffline(onUpdate: (reload: () => void) => void): Promise<void> {
-  // The development server's files change under the page.
+  // Files of the development server change while the page is open, and must not be cached.
   if (!import.meta.env.PROD || !("serviceWorker" in navigator)) return;
   let registration: ServiceWorkerRegistration;
   try {
     registration = await navigator.serviceWorker.register("./sw.js", { updateViaCache: "none" });
   } catch {
-    // Switched off, or the host lacks the file: the page works, only not without a network.
+    // Switched off, or the host lacks the file: the page works, but not without a network.
     return;
   }
   const offer = (worker: ServiceWorker | null): void => {
-    // Where no worker is in control, the new one is the first, and no newer build.
+    // If no service worker is in control, this one is the first, not that of a newer build.
     if (worker?.state === "installed" && navigator.serviceWorker.controller)
       onUpdate(() => replaceBy(worker));
   };
@@ -27,10 +27,11 @@ export async function keepOffline(onUpdate: (reload: () => void) => void): Promi
   offer(registration.waiting);
   follow(registration.installing);
   registration.addEventListener("updatefound", () => follow(registration.installing));
-  // Browsers look for a newer build by themselves, but some only long after the page was opened.
+  // Browsers look for a newer service worker by themselves, but some only long after opening.
   await registration.update().catch(() => {});
 }
 
+/** Lets a waiting service worker take control, and then reloads the page. */
 function replaceBy(worker: ServiceWorker): void {
   navigator.serviceWorker.addEventListener("controllerchange", () => location.reload(), {
     once: true,

@@ -1,21 +1,21 @@
 /**
- * The service worker: keeps the page's files, so that it opens without a network, and lets no
- * request of the page or its workers leave for another host. tools/offline-plugin.mjs puts the
- * build's files into `BUILD` and writes the result to dist/sw.js.
+ * The service worker. It caches the page's files, so that the page opens without a network, and
+ * refuses requests of the page and its workers to other hosts. tools/offline-plugin.mjs puts the
+ * list of the build's files into `BUILD` and writes the result to dist/sw.js.
  */
 import { hasSimd } from "../wasm/simd";
 import { TAKE_OVER } from "./messages";
 
 interface BuildFile {
-  /** Relative to this worker. */
+  /** The address, relative to this worker. */
   url: string;
-  /** As in the integrity attribute: a file of another build is refused. */
+  /** A hash as in the integrity attribute, by which a file of another build is refused. */
   integrity: string;
 }
 
 declare const BUILD: {
   version: string;
-  /** Of thud and Box2D only the flavour is kept that this browser runs. */
+  /** Files for every browser; with them are cached either those with SIMD or the scalar ones. */
   files: BuildFile[];
   simd: BuildFile[];
   scalar: BuildFile[];
@@ -24,7 +24,8 @@ declare const BUILD: {
 };
 declare const self: ServiceWorkerGlobalScope;
 
-/** Caches belong to a whole host, which may have other pages, and this page at other paths. */
+/** The beginning of cache names. A host's caches are shared by its pages, of which some may be this
+ * page at another path, so the names contain the path. */
 const PREFIX = `thud ${self.registration.scope} `;
 const CACHE = PREFIX + BUILD.version;
 const INDEX = addressOf("index.html");
@@ -36,25 +37,28 @@ self.addEventListener("message", ({ data }) => {
 });
 self.addEventListener("fetch", (event) => {
   const { origin } = new URL(event.request.url);
-  // The page's policy forbids such requests by itself, but a worker's policy is up to the host.
+  // The page's own policy forbids requests to other hosts, but that of its workers is a header,
+  // which the host may not send.
   if (origin !== self.location.origin) event.respondWith(Response.error());
   else if (event.request.method === "GET") event.respondWith(answer(event.request));
 });
 
-/** All or nothing: while any file is missing, what was there before stays. */
+/** Caches all files. If one cannot be fetched the installation fails, and the former service worker
+ * and its cache stay. */
 async function install(): Promise<void> {
   const cache = await caches.open(CACHE);
   const files = [...BUILD.files, ...(hasSimd() ? BUILD.simd : BUILD.scalar)];
   await Promise.all(files.map((file) => keep(cache, file)));
 }
 
-/** Of former builds nothing stays. */
+/** Deletes the caches of former builds, and takes control of the open pages. */
 async function activate(): Promise<void> {
   for (const name of await caches.keys())
     if (name.startsWith(PREFIX) && name !== CACHE) await caches.delete(name);
   await self.clients.claim();
 }
 
+/** The response to a GET request: from the cache, or else from the host. */
 async function answer(request: Request): Promise<Response> {
   const cache = await caches.open(CACHE);
   const address = request.url.replace(/[?#].*$/, "");
@@ -62,16 +66,17 @@ async function answer(request: Request): Promise<Response> {
   return withHeaders((await cache.match(isPage ? INDEX : address)) ?? (await fetch(request)));
 }
 
-/** Fetches a file and keeps it; an error or a file of another build is never kept. */
+/** Fetches a file and caches it; throws on an error or if it is a file of another build. */
 async function keep(cache: Cache, { url, integrity }: BuildFile): Promise<void> {
   const address = addressOf(url);
-  // Asks the host even where the browser's own cache would answer, maybe with an older file.
+  // Asks the host even if the browser's own cache has the file, which may be an older one.
   const response = await fetch(address, { integrity, cache: "no-cache" });
   if (!response.ok) throw new TypeError(`${address}: ${response.status} ${response.statusText}`);
   await cache.put(address, response);
 }
 
-/** What serve.mjs sends and a simple host does not; see tools/headers.mjs. */
+/** The response with the headers that serve.mjs sends and a simple host does not; see
+ * tools/headers.mjs. */
 function withHeaders(response: Response): Response {
   if (response.type === "error" || response.type.startsWith("opaque")) return response;
   const headers = new Headers(response.headers);
@@ -83,6 +88,7 @@ function withHeaders(response: Response): Response {
   return new Response(body, { status, statusText, headers });
 }
 
+/** The full address of a file named relative to the page. */
 function addressOf(url: string): string {
   return new URL(url, self.registration.scope).href;
 }

@@ -1,6 +1,7 @@
 /**
- * The running page: what is chosen, the scene that runs, its time. Controls and panels act through
- * it and listen to it; they do not know each other.
+ * `App`: the state of the running page. It holds the visitor's choices, the running scene, the
+ * client of the physics worker and the player that times the display, and it keeps the state in the
+ * page's address. Controls and panels call its methods and follow it as listeners.
  */
 import type { Frame, Sample, Shapes } from "../scene/frame";
 import { findScene } from "../scene/registry";
@@ -12,29 +13,30 @@ import { Client, TroubleError } from "./client";
 import { Player } from "./player";
 import { type State, USUAL, USUAL_OVERLAYS, USUAL_VERSUS, writeState } from "./url";
 
+/** What `App` calls when something happens; a listener has only the functions that it needs. */
 export interface Listener {
-  /** A scene begins, or begins anew. */
+  /** A scene has started, or the same scene has started again. */
   run?(scene: RunningScene): void;
-  /** A frame is about to be drawn; only when it is another than the last. */
+  /** A new frame has come from the worker; the player draws it when its time comes. */
   frame?(frame: Frame): void;
-  /** Steps were made. */
+  /** The worker has made steps; one sample for each. */
   samples?(samples: readonly Sample[]): void;
-  /** Something was chosen. */
+  /** `App.state` has changed. */
   state?(state: Readonly<State>): void;
-  /** The scene cannot be run, or stopped with an error. `running`: it had begun. */
+  /** An error: the scene cannot be started, or, with `running`, it had started and has stopped. */
   trouble?(trouble: Trouble, running: boolean): void;
-  /** Code came with the page's address, or is not offered any more. */
+  /** Code from the page's address waits for the visitor's decision; null: it no longer does. */
   offer?(code: string | null): void;
-  /** The worker has not answered for a long time. */
+  /** The worker has not answered for a long time (STUCK in client.ts). */
   stuck?(): void;
-  /** After all it does. */
+  /** The worker has answered after `stuck` was called. */
   answers?(): void;
 }
 
-/** What a scene may be opened with. */
+/** Parts of the state that `open` sets besides the scene's name; those left out are reset. */
 type Opening = Partial<Pick<State, "code" | "size" | "seed" | "camera" | "claim" | "level">>;
 
-/** What a scene began with. */
+/** The part of the state that determines what the running scene was started with. */
 type Begun = Pick<State, "scene" | "code" | "size" | "seed" | "level">;
 
 export class App {
@@ -55,39 +57,42 @@ export class App {
     panel: null,
     claim: null,
   };
+  /** What the worker says of the running scene; null: none runs. */
   scene: RunningScene | null = null;
-  /** It stands still because less motion is wanted, and for no other reason. */
+  /** The address's scene was paused only because the visitor's system asks for reduced motion. */
   waitsForMotion = false;
-  /** Of the running scene, as the last frame with shapes had them. */
+  /** Shapes of the running scene, from the last frame that carried them. */
   shapes: Shapes | null = null;
-  /** By scene. They come after the first picture. */
+  /** Descriptions by scene name. Null until they are loaded, after the first picture. */
   abouts: Readonly<Record<string, string>> | null = null;
-  /** Code of a link that has not been run; the address keeps it. */
+  /** Code from a link that the visitor has not run yet. The address keeps it. */
   offeredCode: string | null = null;
-  /** The engine's files, for further workers. */
+  /** The engine's files, from which further workers load it. */
   wasm: ChosenWasm = { wasm: "", simd: true };
   readonly #listeners = new Set<Listener>();
   readonly #look: () => Look;
-  /** Single steps that are asked for and not yet made. */
+  /** Single steps that were requested and are not made yet. */
   #owed = 0;
-  /** An error stopped the scene, and not the visitor: the next one runs. */
+  /** An error paused the scene, not the visitor: the next scene is not paused. */
   #halted = false;
-  /** Whether the standing picture must be made anew. */
+  /** The frame that is shown must be made again although no step is due. */
   #stale = false;
-  /** What runs: `state` goes back to it if what is to come after it cannot be run. */
+  /** What the running scene was started with. `state` returns to it if the next one fails to
+   * start. */
   #running: Begun | null = null;
-  /** Of scenes that are asked for one after the other the last one runs. */
+  /** Number of the latest request to run a scene; results of earlier requests are ignored. */
   #runs = 0;
-  /** Of addresses that are written one after the other the last one stays. */
+  /** Number of the latest address to be written; earlier ones that are ready later are dropped. */
   #addresses = 0;
-  /** The address is another one, of which is not known yet what it says. */
+  /** The browser shows a new address that has not been parsed yet; nothing is written meanwhile. */
   #left = false;
-  /** The next scene is that of the address, and not another after it. */
+  /** The next scene that starts is the address's own, so it adds no entry to the history. */
   #arrives = true;
-  /** The next address is that of another scene: Back goes to the one before. */
+  /** The next write of the address adds an entry to the history: Back returns to the scene
+   * before. */
   #goesOn = false;
 
-  /** `look` tells what the page sees and what shall be drawn there by the engine. */
+  /** `look` returns the visible part of the world and the overlays that the engine shall draw. */
   constructor(look: () => Look) {
     this.#look = look;
     this.client = new Client({
@@ -98,11 +103,13 @@ export class App {
     });
   }
 
+  /** Adds a listener; the returned function removes it. */
   listen(listener: Listener): () => void {
     this.#listeners.add(listener);
     return () => this.#listeners.delete(listener);
   }
 
+  /** Loads the engine into the worker. Must be done before a scene is run. */
   async load(wasm: ChosenWasm): Promise<void> {
     this.wasm = wasm;
     await this.client.load(wasm);
@@ -110,7 +117,7 @@ export class App {
 
   // ---- scenes ----
 
-  /** Runs another scene; true if it does. */
+  /** Runs another scene. True once it runs; false if it failed or another was requested since. */
   async open(scene: string, more: Opening = {}): Promise<boolean> {
     const { state } = this;
     state.scene = scene;
@@ -123,24 +130,25 @@ export class App {
     return this.#run();
   }
 
-  /** Text of files that `readText` finds before those of the page. */
+  /** The level's files by name. The scene's `readText` looks in them before the page's files. */
   get files(): Record<string, string> | undefined {
     return this.state.level?.files;
   }
 
-  /** What is chosen now, as a worker is asked to run it. */
+  /** The current choices, as a worker's request to run the scene. */
   get request(): SceneRequest {
     const { scene, code, size, seed, choices } = this.state;
     return { name: scene, code: code ?? undefined, files: this.files, size, seed, choices };
   }
 
-  /** Runs the scene from its beginning, with what is chosen now. */
+  /** Runs the scene from its beginning with the current choices. Returns as `open` does. */
   async restart(): Promise<boolean> {
-    // What was claimed was about what had been chosen then.
+    // A link's claim holds only for the choices that came with it.
     this.state.claim = null;
     return this.#run();
   }
 
+  /** Asks the worker to run `request`. Of overlapping calls only the last one takes effect. */
   async #run(): Promise<boolean> {
     const number = ++this.#runs;
     try {
@@ -159,15 +167,15 @@ export class App {
     }
   }
 
-  /** Ends a worker that does not answer, and starts with this scene. */
+  /** Terminates a worker that does not answer, and runs a scene in a new one. */
   async revive(scene: string): Promise<void> {
     await this.#startWorker();
     await this.open(scene);
   }
 
   /**
-   * Ends a visitor's code that does not answer. Goes back to what ran before it, if it never began,
-   * else to the scene as it comes.
+   * Terminates a visitor's code that does not answer. If that code had not started yet, the scene
+   * that ran before it is run again; otherwise the same scene without the visitor's changes.
    */
   async endCode(): Promise<void> {
     const { camera, code: ended } = this.state;
@@ -177,35 +185,36 @@ export class App {
     await this.open(scene, { ...more, camera });
   }
 
+  /** Replaces the worker by a new one with the engine loaded; no scene runs in it yet. */
   async #startWorker(): Promise<void> {
-    // What the old one was asked to run is not missed.
+    // A `#run` that still waits for the old worker must not report that as an error.
     this.#runs++;
     this.client.restart();
-    // No frame can be asked for until a scene runs in the new one.
+    // Frames cannot be requested until a scene runs in the new worker.
     this.scene = null;
     await this.load(this.wasm);
   }
 
-  /** Of what runs: a visitor's code is told from the scene that it was. */
+  /** The running scene's title, with ", edited" where the visitor's code runs. */
   get title(): string {
     const { code, level } = this.state;
     const title = findScene(this.state.scene)?.title ?? level?.name ?? "";
     return code === null ? title : `${this.scene?.title ?? title}, edited`;
   }
 
-  /** What to look at; "" also as long as `abouts` are not there. */
+  /** The scene's description; "" if it has none or `abouts` are not loaded yet. */
   get about(): string {
     return this.abouts?.[this.state.scene] ?? "";
   }
 
-  /** The address is another one: nothing is written there before `begin` tells what it says. */
+  /** The browser shows a new address: nothing is written there until `begin` gets its state. */
   leaveAddress(): void {
     this.#left = true;
   }
 
-  /** What an address says, before its scene. */
+  /** Takes over the state parsed from an address, except for its scene, which `open` runs. */
   begin({ choices, versus, speed, paused, overlays, result }: Partial<State>): void {
-    // What was to be written of the scene before is not of this address.
+    // A write that is still pending belongs to the address before.
     this.#addresses++;
     this.#left = false;
     this.#arrives = true;
@@ -215,21 +224,22 @@ export class App {
     if (versus) Object.assign(this.state.versus, versus);
     if (overlays) this.state.overlays = overlays;
     this.state.speed = this.player.speed = speed ?? 1;
-    // Whoever asked for less motion starts it deliberately.
+    // Where reduced motion is asked for, the scene stays paused until the visitor starts it.
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.waitsForMotion = still && paused === undefined;
     this.state.paused = this.player.paused = paused ?? still;
   }
 
-  /** Code that came with a link: shown, and run when the visitor says so. Null: not any more. */
+  /** Offers code that came with a link: it runs only when the visitor says so. Null: ends that. */
   offerCode(code: string | null): void {
     this.offeredCode = code;
     this.#tell((listener) => listener.offer?.(code));
     this.chosen();
   }
 
+  /** The worker has started `scene`: updates the state and the listeners, requests a frame. */
   #begin(scene: RunningScene): void {
-    // The scene has bounds for it.
+    // The worker has clamped the size to the scene's range; a scene of one size has none.
     if (this.state.size !== undefined) this.state.size = scene.sizes ? scene.size : undefined;
     const { scene: name, code, size, seed, level } = this.state;
     this.scene = scene;
@@ -247,18 +257,20 @@ export class App {
     this.requestFrame();
   }
 
+  /** Returns `state` to that of the scene that still runs. */
   #keepRunning(): void {
     if (this.#running) Object.assign(this.state, this.#running);
   }
 
-  /** Ends the scene that runs, for what the page found out about it. */
+  /** Stops the running scene for an error that the page, not the worker, has found. */
   end(trouble: Trouble): void {
     this.#stop(trouble, true);
   }
 
+  /** Reports an error to the listeners, and pauses the scene if it was `running`. */
   #stop(trouble: Trouble, running: boolean): void {
     if (trouble.tooLarge) {
-      // Its memory goes with it.
+      // Terminating the worker frees its memory.
       this.client.close();
       this.scene = null;
     }
@@ -268,7 +280,10 @@ export class App {
 
   // ---- choices ----
 
-  /** What can be changed in a running world is; anything else starts the scene anew. */
+  /**
+   * Changes choices. Detection and broadphase are fixed when a world is created, so another one
+   * restarts the scene; the other choices are set in the running world.
+   */
   choose(change: Partial<Choices>): void {
     const { choices } = this.state;
     const anew =
@@ -292,6 +307,7 @@ export class App {
     this.#stand(paused, false);
   }
 
+  /** Pauses or resumes; `halted`: an error is the reason. */
   #stand(paused: boolean, halted: boolean): void {
     this.state.paused = this.player.paused = paused;
     this.#halted = halted;
@@ -299,45 +315,48 @@ export class App {
     this.chosen();
   }
 
-  /** Tells everybody that `state` has changed, and keeps it in the address. */
+  /** Tells the listeners that `state` has changed, and writes it into the address. */
   chosen(): void {
     this.#tell((listener) => listener.state?.(this.state));
     const number = ++this.#addresses;
     const code = this.state.code ?? this.offeredCode;
-    // What an error stopped runs when the page is loaded again.
+    // A scene that an error paused is not paused after the page is reloaded.
     const paused = this.state.paused && !this.#halted;
     void writeState({ ...this.state, code, paused }).then((address) => {
       if (number === this.#addresses && !this.#left) this.#write(address);
     });
   }
 
+  /** Replaces the browser's address, or adds it to the history if another scene runs now. */
   #write(address: string): void {
     const method = this.#goesOn ? "pushState" : "replaceState";
     this.#goesOn = false;
     const { level } = this.state;
     try {
-      // Levels that are too long for an address are found again with Back nevertheless.
+      // The history entry keeps the level too, so that Back finds one too long for the address.
       history[method]({ level }, "", address);
     } catch {
+      // The browser's limit on the size of such an entry is exceeded.
       history[method]({}, "", address);
     }
   }
 
   // ---- time ----
 
+  /** Sends a command to the worker. While paused, a new frame is requested to show its effect. */
   do(command: Command): void {
     this.client.do(command);
     if (this.state.paused) this.refresh();
   }
 
-  /** One step, shown at once; the scene stands still after it. */
+  /** Pauses the scene and makes one step, which is shown at once. */
   stepOnce(): void {
     if (!this.state.paused) this.setPaused(true);
     this.#owed++;
     this.requestFrame();
   }
 
-  /** Goes to a step of the past, or on again. */
+  /** Shows a recorded step, earlier or later than the present one. */
   async seek(step: number): Promise<void> {
     const frame = await this.client.ask("seek", { step, look: this.#look() });
     this.#keepShapes(frame);
@@ -345,7 +364,7 @@ export class App {
     this.#tell((listener) => listener.frame?.(frame));
   }
 
-  /** Once a frame of the display: asks the worker for what is needed next. */
+  /** Called once per picture of the display: asks the worker for the next steps, if any are due. */
   requestFrame(): void {
     if (!this.scene || this.client.ticking) return;
     const { player } = this;
@@ -357,11 +376,12 @@ export class App {
     this.#stale = false;
   }
 
-  /** The standing picture must be made anew: another overlay, another part of the world. */
+  /** Has the shown frame made again, since overlays or the visible part of the world changed. */
   refresh(): void {
     this.#stale = true;
   }
 
+  /** A frame has come from the worker. */
   #take(frame: Frame): void {
     if (frame.run !== this.scene?.run) return;
     this.#keepShapes(frame);
@@ -372,7 +392,7 @@ export class App {
     this.#owed = Math.max(0, this.#owed - made);
     if (frame.samples.length > 0) this.#tell((listener) => listener.samples?.(frame.samples));
     this.#tell((listener) => listener.frame?.(frame));
-    // Where the worker is behind, it does not wait for the display.
+    // A worker that is behind gets its next request now, not with the display's next picture.
     if (!player.paused) this.requestFrame();
   }
 

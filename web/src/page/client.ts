@@ -1,4 +1,7 @@
-/** The page's end of the physics worker: questions with answers, commands, ticks and frames. */
+/**
+ * The page's end of the messages to a physics worker (worker/protocol.ts): questions, which have
+ * one answer each; commands, which have none; and ticks, each of which a frame answers.
+ */
 import type { Frame } from "../scene/frame";
 import type { Command } from "../worker/commands";
 import type {
@@ -12,34 +15,38 @@ import type {
 } from "../worker/protocol";
 import type { ChosenWasm } from "../wasm/choose";
 
-/** Milliseconds without an answer after which a scene counts as stuck. */
+/** Milliseconds without a message from the worker after which it counts as stuck. Chosen; texts of
+ * the page say "eight seconds". */
 const STUCK = 8000;
 
-/** What the worker could not do. */
+/** The worker answered a question with an error. */
 export class TroubleError extends Error {
   constructor(readonly trouble: Trouble) {
     super(trouble.message);
   }
 }
 
-/** The worker was ended, or ended by itself, which `ClientListeners.trouble` hears of. */
+/** A question has no answer because its worker was terminated, or failed to load or run; of a
+ * failure `ClientListeners.trouble` is called too. */
 export class EndedError extends Error {}
 
 export interface ClientListeners {
   frame(frame: Frame): void;
   trouble(trouble: Trouble): void;
-  /** Nothing came back for a long time; `stop` ends the worker. */
+  /** An answer is due and no message came for STUCK; `close` or `restart` terminates the worker. */
   stuck(): void;
-  /** After all something comes back. */
+  /** A message has come after `stuck` was called. */
   answers?(): void;
 }
 
+/** A question whose answer has not come; `report` gets its progress messages. */
 interface Waiting {
   resolve(value: unknown): void;
   reject(error: Error): void;
   report(progress: unknown): void;
 }
 
+/** One worker and the questions that wait for it. */
 export class Client {
   readonly #listeners: ClientListeners;
   readonly #waiting = new Map<number, Waiting>();
@@ -54,17 +61,18 @@ export class Client {
     this.#worker = this.#start();
   }
 
-  /** Loads the engine; before anything else. */
+  /** Loads the engine into the worker; must come before any other question. */
   load({ wasm, rest }: ChosenWasm): Promise<void> {
     return this.ask("load", { wasm, rest, page: document.baseURI });
   }
 
-  /** Ends what runs and starts afresh; `load` must be called again. */
+  /** Terminates the worker and creates another one, which must `load` the engine again. */
   restart(): void {
     this.close();
     this.#worker = this.#start();
   }
 
+  /** Terminates the worker and rejects all open questions with `EndedError`. */
   close(): void {
     this.#worker.terminate();
     clearTimeout(this.#timer);
@@ -74,6 +82,7 @@ export class Client {
     for (const { reject } of waiting) reject(new EndedError("The physics worker was ended."));
   }
 
+  /** Asks a question; rejects with `TroubleError` or `EndedError`. */
   ask<Name extends QuestionName>(
     name: Name,
     value: Questions[Name]["ask"],
@@ -87,20 +96,23 @@ export class Client {
     return answer as Promise<Questions[Name]["answer"]>;
   }
 
+  /** Sends a command, which has no answer; an error in it is reported as `trouble`. */
   do(command: Command): void {
     this.#send({ kind: "command", command });
   }
 
-  /** Whether a tick is under way; another would only queue up. */
+  /** Whether a tick is unanswered; another one would only queue up. */
   get ticking(): boolean {
     return this.#ticking;
   }
 
+  /** Requests steps of scene number `run` up to step `until`, and then a frame. */
   tick(run: number, until: number, look: Look): void {
     this.#ticking = true;
     this.#send({ kind: "tick", run, until, look });
   }
 
+  /** Creates a worker. */
   #start(): Worker {
     const worker = new Worker(new URL("../worker/worker.ts", import.meta.url), {
       type: "module",
@@ -122,7 +134,7 @@ export class Client {
     if (message.kind !== "command" && this.#timer === 0) this.#watch();
   }
 
-  /** A scene that never ends a step must not take the page with it. */
+  /** Restarts the timeout that finds a stuck worker; stops it if no answer is due. */
   #watch(): void {
     clearTimeout(this.#timer);
     this.#timer =
@@ -136,6 +148,7 @@ export class Client {
     this.#listeners.stuck();
   }
 
+  /** Passes a message of the worker to the question or the listener that it is for. */
   #receive(message: ToPage): void {
     if (this.#stuck) this.#listeners.answers?.();
     this.#stuck = false;

@@ -1,4 +1,4 @@
-/** The buttons under the scene, and every key. */
+/** The buttons under the scene and the page's keyboard shortcuts: what each of them does. */
 import { DETECTION_CHOICES, SPEEDS } from "./url";
 import { BROADPHASES, QUALITIES } from "thud";
 import type { App } from "./app";
@@ -12,9 +12,9 @@ import { TOOLS, type Tool } from "./input/pointers";
 import type { Stage } from "./stage";
 import { OVERLAYS, type OverlayName } from "../scene/overlays";
 
-/** Pixels that an arrow key moves the view. */
+/** CSS pixels that an arrow key moves the view. Chosen. */
 const PAN = 60;
-/** As in the native viewer, where it has the overlay. */
+/** The key of each overlay; the native viewer uses the same keys for the overlays that it has. */
 const OVERLAY_KEYS: Readonly<Record<OverlayName, readonly [cap: string, what: string]>> = {
   contacts: ["1", "contact points"],
   normals: ["2", "contact normals"],
@@ -32,6 +32,7 @@ const OVERLAY_KEYS: Readonly<Record<OverlayName, readonly [cap: string, what: st
   impulses: ["U", "depths and impulses"],
 };
 
+/** Connects buttons and keys with the app, the stage and the dock. */
 export function addControls(app: App, stage: Stage, dock: Dock): void {
   const togglePause = () => {
     app.setPaused(!app.state.paused);
@@ -52,7 +53,7 @@ export function addControls(app: App, stage: Stage, dock: Dock): void {
       .querySelector(`button[data-tool=${tool}]`)!
       .addEventListener("click", () => setTool(tool));
   setTool("hand");
-  // Where the row scrolls, browsers leave a button half out of sight when it gets the focus.
+  // Where the row of buttons scrolls, browsers leave a button that gets the focus half hidden.
   byId("controls").addEventListener("focusin", ({ target }) =>
     (target as HTMLElement).scrollIntoView({ block: "nearest", inline: "nearest" }),
   );
@@ -67,7 +68,7 @@ export function addControls(app: App, stage: Stage, dock: Dock): void {
   listenToKeys(keysOf(app, stage, dock, togglePause, setTool));
 }
 
-/** Not everywhere may a page fill the screen. */
+/** The button for full screen; hidden where the browser does not allow it. */
 function addFullScreen(button: HTMLElement): void {
   button.hidden = !document.fullscreenEnabled;
   button.addEventListener("click", () => {
@@ -81,16 +82,18 @@ function addFullScreen(button: HTMLElement): void {
   );
 }
 
-/** The neighbour of a value in a list; the value itself at its ends. */
+/** The value `by` places further in a list; beyond its ends the first or last one. */
 function near<T>(values: readonly T[], value: T, by: number): T {
   const at = values.indexOf(value) + by;
   return values[Math.min(values.length - 1, Math.max(0, at))];
 }
 
+/** The value after this one in a list; after the last comes the first. */
 function next<T>(values: readonly T[], value: T): T {
   return values[(values.indexOf(value) + 1) % values.length];
 }
 
+/** All shortcuts, in the order in which the help lists them. */
 function keysOf(
   app: App,
   stage: Stage,

@@ -1,13 +1,14 @@
-/** What the running scene looks like in words, for those who do not see it. */
+/** Describes the running scene in words, for screen readers. */
 import type { Frame } from "../scene/frame";
 import type { App } from "./app";
 import { byId } from "./dom";
 import { count, length } from "./format";
 
-/** Milliseconds. The text is read when the scene gets the focus; it is not announced. */
+/** Milliseconds between two updates while the scene runs. A screen reader reads the text when the
+ * scene gets the focus; changes are not announced. Chosen. */
 const REFRESH = 3000;
 
-/** Keeps the description of the scene up to date. */
+/** Keeps the text of the element "state" up to date. */
 export function describeScene(app: App): void {
   let last = -Infinity;
   const tell = () => {
@@ -20,7 +21,7 @@ export function describeScene(app: App): void {
   app.listen({
     run: () => (last = -Infinity),
     frame() {
-      // The last frame before a pause, and each of a visitor who goes through time, is told.
+      // While paused, each frame is described at once, as when the visitor moves the time slider.
       if (app.state.paused || performance.now() - last >= REFRESH) tell();
     },
     state: tell,
@@ -40,7 +41,7 @@ function inWords(
   const begun = seconds > 0;
   const figures = (paint?.figures ?? []).map(({ label, value }) => `${label} ${value}`);
   const bodies = `${count(stats.bodies)} ${stats.bodies === 1 ? "body" : "bodies"}`;
-  // Before its first step nothing is awake or overlaps yet.
+  // Before the first step no body counts as awake and no overlap has been measured.
   const parts = [
     begun || !paused
       ? `${title}, ${paused ? "paused" : "running"} at ${seconds.toFixed(1)} s`

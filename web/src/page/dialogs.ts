@@ -1,9 +1,10 @@
-/** The dialogs and the buttons that open them. */
+/** The dialogs in index.html (scenes, help) and the buttons that open them. */
 import { byId } from "./dom";
 
 const NAMES = ["scenes", "help"] as const;
 export type DialogName = (typeof NAMES)[number];
 
+/** Opens a dialog, and dispatches the event "open" to it. */
 export function openDialog(name: DialogName): void {
   const dialog = byId<HTMLDialogElement>(name);
   if (dialog.open) return;
@@ -13,13 +14,17 @@ export function openDialog(name: DialogName): void {
   showCurrent(dialog);
 }
 
-/** Where one is: arrows and Enter go on from there, and no keyboard comes up on a phone. */
+/**
+ * Focuses the entry of the running scene and scrolls to it, so that arrow keys and Enter continue
+ * from there. Focusing the search field instead would open the keyboard of a phone.
+ */
 export function showCurrent(dialog: HTMLDialogElement): void {
   const current = dialog.querySelector<HTMLElement>('[aria-current="true"]');
   current?.focus({ preventScroll: true });
   current?.scrollIntoView({ block: "nearest" });
 }
 
+/** Connects the buttons that open and close the dialogs. */
 export function addDialogs(): void {
   for (const name of NAMES) {
     const dialog = byId<HTMLDialogElement>(name);
@@ -27,7 +32,8 @@ export function addDialogs(): void {
     opener.addEventListener("click", () => openDialog(name));
     dialog.addEventListener("close", () => {
       opener.setAttribute("aria-expanded", "false");
-      // Opened by key with nothing in focus, a dialog would keep it and hear the page's keys.
+      // A dialog that was opened by key while nothing had the focus would keep the focus when
+      // closed, and would receive the keys that are meant for the page.
       const focused = document.activeElement as HTMLElement | null;
       if (focused && dialog.contains(focused)) focused.blur();
     });

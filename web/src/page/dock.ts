@@ -1,19 +1,25 @@
-/** The place for panels beside the scene: one is open at a time, loaded when first wanted. */
+/**
+ * `Dock`: the place for panels beside the scene. One panel is open at a time; its module is
+ * imported when it is first opened.
+ */
 import { messageOf } from "../shared/error";
 import type { App } from "./app";
 import { byId, make } from "./dom";
 import { say } from "./messages";
 
-/** A panel fills an element of its own, once, and is told when it is seen. */
+/** A panel builds its element once; `opened` and `closed` are called when it is shown and
+ * hidden. */
 export interface Panel {
   readonly element: HTMLElement;
-  /** A scene that comes with the panel waits for what is returned, for some seconds. */
+  /** The page's first scene waits for the returned promise (at most LONGEST_WAIT in main.ts) if the
+   * address opens the panel too. */
   opened?(): void | Promise<void>;
   closed?(): void;
 }
 
 export interface PanelKind {
   title: string;
+  /** Imports the panel's module and returns the function that creates the panel. */
   load(): Promise<(app: App) => Panel>;
 }
 
@@ -23,10 +29,10 @@ export class Dock {
   readonly #made = new Map<string, Panel>();
   readonly #changed: () => void;
   #open: string | null = null;
-  /** What had the focus when the panel opened. */
+  /** The element outside the dock that had the focus when a panel was opened. */
   #focusBefore: Element | null = null;
 
-  /** `changed` hears that the dock takes another part of the page. */
+  /** `changed` is called when the part of the page that the dock covers may have changed. */
   constructor(app: App, kinds: Readonly<Record<string, PanelKind>>, changed: () => void) {
     this.#app = app;
     this.#kinds = kinds;
@@ -37,25 +43,30 @@ export class Dock {
     dock.querySelector(".close")!.addEventListener("click", () => this.close());
     document.addEventListener("keydown", (event) => {
       if (event.key !== "Escape" || event.defaultPrevented || !this.#open) return;
-      // Wherever the focus is: a panel that was opened by key may not have it yet.
+      // Escape closes the panel wherever the focus is: after opening by key it may be outside.
       if ((event.target as HTMLElement).closest("dialog[open], #failure")) return;
       event.preventDefault();
       this.close();
     });
   }
 
+  /** The name of the open panel; null: none. */
   get open(): string | null {
     return this.#open;
   }
 
+  /** Opens a panel, or closes it if it is open. */
   toggle(name: string): void {
     if (this.#open === name) this.close();
     else void this.show(name);
   }
 
-  /** Until the panel is there with all that it needs. */
+  /**
+   * Opens a panel; resolves when it is shown and its `opened` has finished. `focus`: moves the
+   * focus to the panel's title. A name that is no panel's is ignored.
+   */
   async show(name: string, focus = true): Promise<void> {
-    // A name of an address may be one that every object has.
+    // The name may come from the address, and be an inherited one such as "constructor".
     const kind = Object.hasOwn(this.#kinds, name) ? this.#kinds[name] : null;
     if (!kind || this.#open === name) return;
     const { activeElement } = document;
@@ -78,14 +89,14 @@ export class Dock {
         return;
       }
     }
-    // Another one may have been opened while this one was loaded.
+    // Another panel may have been opened while this one was imported.
     if (this.#open !== name) return;
     byId("dock-body").replaceChildren(panel.element);
     this.#changed();
     const ready = panel.opened?.();
     this.#app.chosen();
     say(`${kind.title} opened`);
-    // Not on a button: Space is the scene's pause until the panel's own controls are reached.
+    // The title gets the focus and no button, so that Space still pauses the scene.
     if (focus) byId("dock-title").focus();
     await ready;
   }
@@ -102,21 +113,24 @@ export class Dock {
     if (hadFocus) this.#giveFocusBack();
   }
 
-  /** To what had it before, or to the scene: on the panel's button Space would open it again. */
+  /** Focuses the element that had the focus before, or else the scene's canvas. */
   #giveFocusBack(): void {
     const before = this.#focusBefore;
     if (before instanceof HTMLElement && before !== document.body) before.focus();
     else byId("overlay").focus();
   }
 
+  /** Tells the open panel that it is hidden. */
   #leave(): void {
     if (this.#open) this.#made.get(this.#open)?.closed?.();
   }
 
+  /** The page's buttons that open panels. */
   #buttons(): HTMLElement[] {
     return [...document.querySelectorAll<HTMLElement>("button[data-panel]")];
   }
 
+  /** Sets aria-expanded of the buttons: true for the open panel's. */
   #mark(): void {
     for (const button of this.#buttons())
       button.setAttribute("aria-expanded", String(button.dataset.panel === this.#open));

@@ -1,5 +1,6 @@
-/** Small helpers for elements of the page. */
+/** Helpers that find and create the page's elements. */
 
+/** The element with an id, which must exist. */
 export function byId<T extends HTMLElement = HTMLElement>(id: string): T {
   return document.getElementById(id) as T;
 }
@@ -21,13 +22,15 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
+/** A button of a choice bar. */
 export interface Choice<T extends string> {
   value: T;
   label: string;
   title?: string;
 }
 
-/** A set of radio buttons that looks like one bar. `act` hears only of what the visitor does. */
+/** A set of radio buttons that looks like one bar. `act` is called when the visitor chooses; `show`
+ * selects a value without calling it. */
 export function choiceBar<T extends string>(
   name: string,
   legend: string,

@@ -1,11 +1,13 @@
 /**
- * Texts of scenes that the visitor has changed, kept for as long as the tab is open: another scene,
- * an endless loop or loading the page again loses nothing.
+ * Drafts: the visitor's edited texts of scenes, in the browser's session storage. They last as long
+ * as the tab, so that opening another scene, terminating an endless loop or reloading the page
+ * loses nothing.
  */
 
+/** Beginning of the storage's keys; the scene's name follows. */
 const PREFIX = "thud draft ";
 
-/** Null where there is none, or where the browser keeps nothing. */
+/** The draft of a scene; null if there is none or the browser denies access to the storage. */
 export function readDraft(scene: string): string | null {
   try {
     return sessionStorage.getItem(PREFIX + scene);
@@ -14,7 +16,7 @@ export function readDraft(scene: string): string | null {
   }
 }
 
-/** Null: the text is the file's again. */
+/** Stores a draft; null removes it, since the text equals the file's again. */
 export function keepDraft(scene: string, text: string | null): void {
   try {
     if (text === null) sessionStorage.removeItem(PREFIX + scene);

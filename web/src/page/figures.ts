@@ -1,4 +1,4 @@
-/** What a game tells in words: its figures at the top, and its message. */
+/** The texts of a game: its figures (score, lives, …) at the top of the page, and its message. */
 import type { Paint } from "../scene/scene";
 import { byId, make } from "./dom";
 import { say } from "./messages";
@@ -6,14 +6,17 @@ import { say } from "./messages";
 export class Figures {
   readonly #root = byId("figures");
   readonly #line = byId("message");
+  /** Figures and message as shown, as JSON: an equal frame changes no element. */
   #shown = "";
 
+  /** Hides everything, as another scene begins. */
   reset(): void {
     this.#root.hidden = this.#line.hidden = true;
     this.#shown = "";
   }
 
-  /** True where the figures came or went: what stands under them has moved. */
+  /** Shows a frame's figures and message. True if the figures appeared or disappeared: the layout
+   * below them has moved. */
   show(paint: Paint | null): boolean {
     const { figures = [], message = "" } = paint ?? {};
     const moved = this.#root.hidden !== (figures.length === 0);

@@ -8,14 +8,14 @@ export function duration(milliseconds: number): string {
   return `${(milliseconds / 1000).toFixed(1)} s`;
 }
 
-/** A length with two digits that count, to a ten-thousandth: "0.0069", "0.12", "3.4". */
+/** A length with two significant digits, at most four decimals: "0.0069", "0.12", "3.4". */
 export function length(metres: number): string {
   if (metres < 0.00005) return metres > 0 ? "< 0.0001" : "0";
   const digits = Math.max(0, 1 - Math.floor(Math.log10(metres)));
   return metres.toFixed(Math.min(4, digits));
 }
 
-/** A whole number with its thousands apart. */
+/** A whole number with separators between thousands: "5,050". */
 export function count(number: number): string {
   return number.toLocaleString("en");
 }

@@ -1,6 +1,6 @@
 /**
- * The dialog with all scenes, each with a picture and what to look at; and levels from a file. Comes
- * after the first picture, or when it is wanted.
+ * The gallery: the dialog that lists all scenes with picture and description, searches them, and
+ * opens levels from files. Imported after the first picture, or when the dialog is opened.
  */
 import { ABOUTS } from "../scene/abouts";
 import { GROUPS, type SceneEntry, SCENES, thumbnailFile } from "../scene/registry";
@@ -13,7 +13,7 @@ export { ABOUTS };
 
 interface Card {
   button: HTMLButtonElement;
-  /** What a search looks through, in lower case. */
+  /** The text that a search looks through, in lower case. */
   text: string;
 }
 
@@ -23,7 +23,8 @@ interface GroupOfCards {
   cards: Card[];
 }
 
-/** `openFiles` gets files and folders; of a folder that is dropped only its entry is known at once. */
+/** Builds the dialog. `openFiles` gets the files that the visitor chooses, and the file-system
+ * entries of files and folders that are dropped on the page. */
 export function addGallery(app: App, openFiles: (brought: Brought[]) => void): void {
   const dialog = byId<HTMLDialogElement>("scenes");
   const run = (entry: SceneEntry) => {
@@ -58,6 +59,7 @@ export function addGallery(app: App, openFiles: (brought: Brought[]) => void): v
   if (dialog.open) showCurrent(dialog);
 }
 
+/** The button of a scene, with its picture, title and description. */
 function cardOf(entry: SceneEntry, run: () => void): HTMLButtonElement {
   const picture = make("img", {
     src: thumbnailFile(entry.name),
@@ -78,7 +80,7 @@ function cardOf(entry: SceneEntry, run: () => void): HTMLButtonElement {
   return button;
 }
 
-/** Shows what has every word that is typed; Enter runs the first. */
+/** The search shows the cards that contain every typed word; Enter runs the first of them. */
 function addSearch(dialog: HTMLDialogElement, groups: readonly GroupOfCards[]): void {
   const field = byId<HTMLInputElement>("scene-search");
   const filter = () => {
@@ -108,7 +110,8 @@ function addSearch(dialog: HTMLDialogElement, groups: readonly GroupOfCards[]): 
   });
 }
 
-/** Arrows go from card to card as they lie on the page; the search lies above the first row. */
+/** Arrow keys move the focus to the neighbouring card on the page, and between the first row and
+ * the search field above it. */
 function addArrows(dialog: HTMLDialogElement): void {
   dialog.addEventListener("keydown", (event) => {
     const target = event.target as HTMLElement;
@@ -128,7 +131,8 @@ function addArrows(dialog: HTMLDialogElement): void {
   });
 }
 
-/** Undefined for a key that leads nowhere, null for the search above the first row. */
+/** The card that a key leads to from card `at`; null for the search field above the first row,
+ * undefined for a key that moves no focus. */
 function neighbour(
   cards: readonly HTMLElement[],
   at: number,
@@ -152,6 +156,7 @@ function neighbour(
     .sort((a, b) => Math.abs(a.box.left - left) - Math.abs(b.box.left - left))[0].card;
 }
 
+/** The cards that match the search, in the order of the page. */
 function visibleCards(): HTMLButtonElement[] {
   return [...document.querySelectorAll<HTMLButtonElement>("[data-entry]:not([hidden])")];
 }
@@ -164,6 +169,7 @@ function markScene(name: string): void {
   }
 }
 
+/** Shows a sign while files are dragged over the page, and opens those that are dropped. */
 function listenToDrops(openFiles: (brought: Brought[]) => void): void {
   const sign = byId("drop");
   document.addEventListener("dragover", (event) => {

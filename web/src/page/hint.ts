@@ -1,11 +1,12 @@
 /**
- * What this is and how to play, in one line, for whoever is here for the first time; gone for good
- * once done, with a line that leads on.
+ * The hint of a first visit: a line that says what the page is and how to begin. It disappears for
+ * good when the visitor closes it or drags a body; after dragging a notice says what to try next.
  */
 import type { App } from "./app";
 import { byId } from "./dom";
 import { notice } from "./messages";
 
+/** The key in the local storage that exists once the hint has disappeared. */
 const KEY = "thud-hint-seen";
 const FIRST =
   "A physics engine in which you choose between speed and accuracy, and see both measured beside " +
@@ -13,7 +14,7 @@ const FIRST =
 const NEXT =
   "Let go to throw it. Next, open Trade to set how accurate it is, or Versus to see it in Box2D.";
 
-/** True while the hint is shown. */
+/** Shows the hint on a first visit; returns whether it is shown. */
 export function addHint(app: App): boolean {
   if (wasSeen()) return false;
   const hint = byId("hint");
@@ -21,20 +22,20 @@ export function addHint(app: App): boolean {
   hint.hidden = false;
   const button = hint.querySelector("button")!;
   const goAway = () => {
-    // The focus of a button that goes away goes to what the hint is about.
+    // The focus of the button, which is hidden now, moves to the scene.
     if (document.activeElement === button) byId("overlay").focus();
     hint.hidden = true;
     stopListening();
     try {
       localStorage.setItem(KEY, "1");
     } catch {
-      // Storage is switched off: the next visit is a first one again.
+      // Storage is switched off: the next visit shows the hint again.
     }
   };
   button.addEventListener("click", goAway);
   const stopListening = app.listen({
     run(scene) {
-      // A game tells by itself how it is played.
+      // A game shows its own instructions.
       hint.hidden = scene.pointer || Object.keys(scene.keys).length > 0;
     },
     frame({ pull }) {

@@ -1,7 +1,7 @@
-/** How a game is played, in words: by the keys there are, or the buttons of a touch screen. */
+/** Instructions of a game in words: its keys, or its buttons on a touch screen. */
 import { KEY_NAMES, type KeyName, type KeyWords } from "../scene/scene";
 
-/** What is on a key, or on a button of the screen, and the key that does the same. */
+/** The cap of each key, also shown on its on-screen button, and the other key that acts alike. */
 const CAPS: Readonly<Record<KeyName, readonly [cap: string, other?: string]>> = {
   left: ["←", "A"],
   right: ["→", "D"],
@@ -11,12 +11,12 @@ const CAPS: Readonly<Record<KeyName, readonly [cap: string, other?: string]>> = 
   restart: ["Enter"],
 };
 
-/** Fingers, and probably no keys. */
+/** Whether the device's main input is a touch screen, so that it probably has no keyboard. */
 export function isTouch(): boolean {
   return matchMedia("(hover: none) and (pointer: coarse)").matches;
 }
 
-/** "Keys: ← → or A D to walk, ↑ or W or Space to jump."; "" where nothing is told of the keys. */
+/** "Keys: ← → or A D to walk, ↑ or W or Space to jump."; "" if the scene describes no key. */
 export function howToPlay(keys: KeyWords): string {
   const touch = isTouch();
   const names = KEY_NAMES.filter((name) => keys[name] && !(touch && name === "restart"));
@@ -25,7 +25,7 @@ export function howToPlay(keys: KeyWords): string {
     const alike = names.filter((name) => keys[name] === word);
     const caps = alike.map((name) => (touch && name === "fire" ? "✸" : CAPS[name][0]));
     const others = alike.flatMap((name) => CAPS[name][1] ?? []);
-    // Where nothing is fired, Space is the key up; see pad.ts.
+    // In a scene without the key "fire", Space acts as "up"; see pad.ts.
     const space = alike.includes("up") && !("fire" in keys) ? ["Space"] : [];
     const ways = touch ? [caps.join(" ")] : [caps.join(" "), others.join(" "), ...space];
     return `${ways.filter(Boolean).join(" or ")} to ${word}`;

@@ -1,17 +1,23 @@
-/** Figures over the scene: time a step with its course and budget, error, bodies, frames. */
+/**
+ * `Hud`: the figures over the scene. Time per step, with a chart of the last steps and the budget
+ * at 60 Hz; the deepest overlap and the widest joint gap; numbers of bodies and contacts; pictures
+ * per second.
+ */
 import type { Frame, Sample } from "../scene/frame";
 import { BUDGET, percentile, START_UP } from "../shared/step-times";
 import { byId, make } from "./dom";
 import { count, duration, length } from "./format";
 
-/** Steps that the course shows. */
+/** Steps in the chart. Chosen; the texts below say 120 too. */
 const COURSE = 120;
-/** In heights of its text: from here on the budget is written at its line. */
+/** Height of the chart, in heights of its text, from which the line of the budget has a label.
+ * Chosen. */
 const LEAST_FOR_TEXT = 2.4;
 const BUDGET_TEXT = "60 Hz: 16.7 ms";
-/** Seconds; texts change this often, so that they can be read. */
+/** Seconds between two changes of the texts, so that they can be read. Chosen. */
 const REFRESH = 0.25;
 
+/** The figures: name, label, and description in the legend. */
 const VALUES = [
   ["ms", "step", "Time that a step takes: the median of the last 60."],
   [
@@ -35,11 +41,14 @@ export class Hud {
   readonly #root = byId("hud");
   readonly #canvas = this.#root.querySelector("canvas")!;
   readonly #values = new Map<ValueName, HTMLElement>();
+  /** Milliseconds of the last COURSE steps, oldest first. */
   #times: number[] = [];
-  /** So many of them belong to the scene's start. */
+  /** How many of the first times belong to the scene's start, and do not count for p99. */
   #startUp = START_UP;
   #frame: Frame | null = null;
+  /** Seconds since the texts changed. */
   #sinceRefresh = REFRESH;
+  /** Pictures since the last change of the texts, and the seconds between them. */
   #pictures = 0;
   #seconds = 0;
 
@@ -59,14 +68,16 @@ export class Hud {
     );
   }
 
+  /** Another scene begins. */
   reset(): void {
     this.#times = [];
     this.#startUp = START_UP;
     this.#sinceRefresh = REFRESH;
-    // No picture of the scene that begins is there yet.
+    // The attribute data-steps is absent until the first picture of the new scene.
     delete this.#root.dataset.steps;
   }
 
+  /** Adds the times of new steps. */
   add(samples: readonly Sample[]): void {
     for (const { milliseconds } of samples) this.#times.push(milliseconds);
     const old = Math.max(0, this.#times.length - COURSE);
@@ -74,7 +85,7 @@ export class Hud {
     this.#startUp = Math.max(0, this.#startUp - old);
   }
 
-  /** Once for each picture, with the frame that it shows. */
+  /** Called for each picture with the frame that it shows and the seconds since the one before. */
   show(frame: Frame, seconds: number): void {
     this.#frame = frame;
     this.#pictures++;
@@ -84,6 +95,7 @@ export class Hud {
     if (this.#sinceRefresh >= REFRESH && this.#seconds > 0) this.#refresh();
   }
 
+  /** Updates the texts and the chart. */
   #refresh(): void {
     const { stats, error } = this.#frame!;
     const middle = percentile(this.#times.slice(-60), 0.5);
@@ -101,7 +113,7 @@ export class Hud {
     this.#drawCourse();
   }
 
-  /** Only where there are joints. */
+  /** Shows the joint gap, or hides it in a world without joints. */
   #showGap(): void {
     const gaps = this.#frame?.gaps;
     this.#values.get("gap")!.parentElement!.hidden = !gaps;
@@ -112,7 +124,8 @@ export class Hud {
     this.#values.get(name)!.textContent = text;
   }
 
-  /** Bars of the last steps; the line is the budget, at three quarters of the height or lower. */
+  /** Draws a bar for each of the last steps, and a line at the budget. The line is at three
+   * quarters of the height, or lower where a bar needs more room. */
   #drawCourse(): void {
     const canvas = this.#canvas;
     const context = canvas.getContext("2d");
@@ -138,11 +151,11 @@ export class Hud {
     if (clientHeight < LEAST_FOR_TEXT * textHeight) return;
     context.fillStyle = style.getPropertyValue("--legend");
     context.font = `${textHeight}px ${style.fontFamily}`;
-    // Under its line, unless the line is low.
+    // The label is below the line, or above it if there is too little room below.
     const below = line < clientHeight - 1.2 * textHeight;
     context.textBaseline = below ? "top" : "bottom";
     const y = below ? line + 3 : line - 1;
-    // It lies over the bars, and is to be read nevertheless.
+    // A halo around the label keeps it readable over the bars.
     context.strokeStyle = style.getPropertyValue("--halo");
     context.lineWidth = 4;
     context.lineJoin = "round";
@@ -151,6 +164,7 @@ export class Hud {
   }
 }
 
+/** A row of the legend in the help. */
 function legendRow(label: string, title: string): HTMLElement {
   return make("div", {}, make("dt", {}, label), make("dd", {}, title));
 }

@@ -1,14 +1,17 @@
-/** What a level does without: a line, and a list of all of it that stays at hand under Scenes. */
+/**
+ * The notes of a level on parts of its map that are left out: a notice with the first note, and a
+ * dialog with all of them, which a button in the dialog of scenes opens as well.
+ */
 import { byId, make } from "./dom";
 import { notice } from "./messages";
 
-/** Lines of a list: a browser is slow with more. */
+/** Notes in the list at most; browsers are slow with longer lists. Chosen. */
 const MOST_LINES = 2000;
 
 let dialog: HTMLDialogElement | null = null;
 let opener: HTMLButtonElement | null = null;
 
-/** Tells what there is to tell of a scene, which may be nothing. */
+/** Shows the notes of a scene that begins, in place of those of the scene before; may be empty. */
 export function showNotes(notes: readonly string[]): void {
   const [first, ...more] = notes;
   dialog?.close();
@@ -28,6 +31,7 @@ export function showNotes(notes: readonly string[]): void {
   byId("notice").append(all);
 }
 
+/** Adds the button to the dialog of scenes. */
 function addOpener(): HTMLButtonElement {
   const button = make("button", { id: "notes-button", class: "wide" });
   byId("open-level").before(button);

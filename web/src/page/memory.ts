@@ -1,14 +1,14 @@
 /**
- * Bounds the memory of a visitor's code: a scene that keeps ever more JavaScript objects would take
- * the whole tab with it. The engine's own memory is bounded in the worker (worker/watch.ts), which
- * cannot see what its heap of objects holds; the page can, where it is isolated from other origins
- * (tools/headers.mjs) and the browser measures it, as Chromium does. Loaded with the first such code.
+ * Limits the memory of a visitor's code: a scene that creates ever more JavaScript objects would
+ * crash the whole tab. The worker limits the engine's own memory (worker/watch.ts), but cannot
+ * measure its JavaScript heap; the page can where it is cross-origin isolated (tools/headers.mjs)
+ * and the browser measures it, as Chromium does. Imported when a visitor's code first runs.
  */
 import type { App } from "./app";
 
-/** Of the page and its workers together, in bytes. */
+/** Limit for the page and its workers together, in bytes. Chosen, as in worker/watch.ts. */
 const MOST_BYTES = 2 ** 30;
-/** Milliseconds between two measurements, of which each takes Chromium some 15 s. */
+/** Milliseconds from one measurement to the next; each takes about 15 s in Chromium. Chosen. */
 const PAUSE = 1000;
 
 type Measuring = Performance & {
@@ -17,7 +17,7 @@ type Measuring = Performance & {
 
 let watching = false;
 
-/** Until none of a visitor's code runs. */
+/** Measures again and again until no visitor's code runs; stops a scene that exceeds the limit. */
 export async function watchMemory(app: App): Promise<void> {
   if (watching) return;
   watching = true;
@@ -26,7 +26,7 @@ export async function watchMemory(app: App): Promise<void> {
       const { run } = app.scene;
       const measured = await (performance as Measuring).measureUserAgentSpecificMemory?.();
       if (!measured) return;
-      // What was measured may be of the scene before.
+      // If another scene has started since, the measurement may be of the one before.
       if (measured.bytes > MOST_BYTES && app.state.code !== null && app.scene?.run === run)
         app.end({ message: "It holds more than 1 GB, so it was ended.", tooLarge: true });
       await new Promise((done) => setTimeout(done, PAUSE));

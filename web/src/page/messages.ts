@@ -1,42 +1,51 @@
-/** What the page tells: a line that goes by itself, words for screen readers, and failures. */
+/**
+ * The page's messages: a notice that disappears by itself, announcements to screen readers, and
+ * failures that cover the page.
+ */
 import { byId, make } from "./dom";
 
-/** Lines of what is said that are kept: a screen reader may be behind by some. */
+/** Announcements that stay in the log, since a screen reader may be some behind. Chosen. */
 const SAID = 3;
-/** Details of a failure that are listed: a browser is slow with more. */
+/** Details of a failure that are listed at most; browsers are slow with longer lists. Chosen. */
 const MOST_DETAILS = 2000;
 
 let noticeTimer = 0;
 
-/** A line over the controls that goes by itself, and is said. */
+/** Shows a line over the controls for some seconds and announces it; "" hides it. */
 export function notice(text: string, seconds = 7): void {
   const line = byId("notice");
   clearTimeout(noticeTimer);
   line.textContent = text;
   line.hidden = text === "";
   noticeTimer = window.setTimeout(() => (line.hidden = true), seconds * 1000);
-  // What is told of a scene is said with its name already.
+  // Not announced twice: the last announcement may already end with this text.
   const said = byId("status").lastElementChild?.textContent ?? "";
   if (!said.endsWith(text)) say(text);
 }
 
-/** For screen readers, by a log: they read each line that it gets, however soon the next comes. */
+/** Announces a text to screen readers. It is appended to an element of role "log", of which they
+ * read each new line even if the next one follows at once. */
 export function say(text: string): void {
   const log = byId("status");
   log.append(make("p", {}, text));
   if (log.children.length > SAID) log.firstElementChild!.remove();
 }
 
+/** The button of a failure: its label, and what it does after the failure is hidden. */
 export interface WayOn {
   label: string;
   go(): void;
 }
 
+/** Number of the latest failure. */
 let failures = 0;
-/** What had the focus before a failure took it. */
+/** The element that had the focus before a failure took it. */
 let focusBefore: Element | null = null;
 
-/** A message that must be read; without a way on it stays. What is returned takes it back. */
+/**
+ * Shows a failure over the page. `wayOn` is its button; without one the failure stays. The returned
+ * function hides it, unless another failure has replaced it.
+ */
 export function fail(
   title: string,
   text: string,
@@ -61,7 +70,7 @@ export function fail(
     hide();
     wayOn?.go();
   };
-  // An open dialog would lie over it, and keep the keys.
+  // An open dialog would cover the failure and keep the keyboard.
   for (const dialog of document.querySelectorAll("dialog")) dialog.close();
   if (failure.hidden) focusBefore = document.activeElement;
   failure.hidden = false;
@@ -72,7 +81,7 @@ export function fail(
   };
 }
 
-/** Nothing behind a failure can be reached until it is read. */
+/** Makes everything behind a failure unreachable for pointer and keyboard, or reachable again. */
 function setInert(inert: boolean): void {
   document.querySelector("main")!.inert = inert;
 }

@@ -1,22 +1,23 @@
 /**
- * A level of the visitor's own: of files or a folder, the map and what it refers to. Loaded when
- * the first is brought.
+ * Reads a level from the visitor's files or folder: finds the map of the Tiled editor among them
+ * and collects the files that it refers to. Imported when the first level is opened.
  */
 import { type Level, readLevel } from "thud/level";
 import { messageOf } from "../shared/error";
 
-/** Larger files are no maps, and more than that no folder of maps. */
+/** Bytes of a file, and number of files, that are read at most. Chosen far above those of maps. */
 const LARGEST_FILE = 2 ** 26;
 const MOST_FILES = 5000;
 
-/** As a visitor brings it: by a button, or by dropping. */
+/** A file chosen with the button, or the file-system entry of a file or folder that was dropped. */
 export type Brought = File | FileSystemEntry;
 
 export interface OwnLevel {
+  /** The map's file name without its ending. */
   name: string;
-  /** Texts: the map's is "own.tmj", of the others "own/" and the path from the map's folder. */
+  /** Texts by name: "own.tmj" is the map, "own/PATH" a file by its path from the map's folder. */
   files: Record<string, string>;
-  /** Other maps that were there. */
+  /** File names of further maps that were found, which are not run. */
   others: string[];
 }
 
@@ -25,7 +26,8 @@ interface Found {
   file: File;
 }
 
-/** What was brought as a level; throws if there is none. */
+/** The level in the visitor's files; throws if there is no map, or a file is too large or
+ * unreadable. */
 export async function findLevel(brought: readonly Brought[]): Promise<OwnLevel> {
   const found: Found[] = [];
   for (const one of brought) await list(one, found);
@@ -36,12 +38,14 @@ export async function findLevel(brought: readonly Brought[]): Promise<OwnLevel> 
     const one = pick(found, map, path);
     return one ? (files[`own/${path}`] = await textOf(one)) : null;
   };
-  // The reader asks for what the map refers to; what it makes of it is told when the level runs.
+  // `readLevel` opens every file that the map refers to. Its result and errors are ignored: the
+  // worker reads the level again when it runs, and reports them.
   await readLevel("own", files["own.tmj"], { skip: true, open }).catch((): Level | null => null);
   const nameOf = ({ file }: Found) => file.name.replace(/\.[^.]*$/, "");
   return { name: nameOf(map), files, others: others.map(({ file }) => file.name) };
 }
 
+/** Appends a file, or all files of a folder and its subfolders, to `found`. */
 async function list(one: Brought, found: Found[]): Promise<void> {
   if (found.length >= MOST_FILES) return;
   if (one instanceof File) {
@@ -53,7 +57,7 @@ async function list(one: Brought, found: Found[]): Promise<void> {
   } else {
     const reader = (one as FileSystemDirectoryEntry).createReader();
     for (;;) {
-      // A folder is told in parts.
+      // readEntries lists a folder in parts; an empty one is the end.
       const part = await new Promise<FileSystemEntry[]>((resolve, reject) =>
         reader.readEntries(resolve, reject),
       );
@@ -63,7 +67,8 @@ async function list(one: Brought, found: Found[]): Promise<void> {
   }
 }
 
-/** Those nearest to the top of the folder first; a single file is taken for one. */
+/** The maps among files, those nearest to the top folder first. Without a .tmj or .tmx, a single
+ * file is taken for a map, or the first .json or .xml of several. */
 function mapsOf(found: readonly Found[]): Found[] {
   const named = (pattern: RegExp) => found.filter(({ path }) => pattern.test(path));
   const maps = named(/\.tm[jx]$/i);
@@ -82,7 +87,8 @@ async function textOf({ path, file }: Found): Promise<string> {
   }
 }
 
-/** The file by its place, else, where files were chosen without their folders, by its name. */
+/** The file at a path relative to the map's folder; else, since files may be chosen without their
+ * folders, one of the same name. */
 function pick(found: readonly Found[], map: Found, path: string): Found | undefined {
   const parts = map.path.split("/").slice(0, -1);
   for (const part of path.split("/")) {

@@ -1,36 +1,40 @@
 /**
- * The display's clock. It runs with the wall's through the steps that the worker makes, a fraction
- * at a time, whatever the display's rate is, and asks for the next ones just before they are
- * needed. Steps that come late are made up for; what is late by more than `LONGEST` is given up,
- * and the scene runs slower than the wall's clock. slow.ts tells that.
+ * `Player`: the display's clock. It advances with real time through the steps that the worker
+ * makes, in fractions of a step whatever the display's rate is, and says which step the worker must
+ * reach next. After a short delay of the worker the display catches up; a delay beyond `LONGEST` is
+ * given up, and the scene runs slower than real time. `lag` measures that, and slow.ts reports it.
  */
 import type { Frame } from "../scene/frame";
 
-/** Seconds that one picture makes up for at most, and that the worker may be behind. */
+/** Seconds of real time that one picture advances by at most, and seconds that `#due` may be ahead
+ * of the worker's newest step. Chosen. */
 const LONGEST = 0.1;
-/** The part of the newest picture's time in the average of the last ones. */
+/** Weight of the newest value in the moving average `Player.interval`. Chosen. */
 const NEWEST = 0.2;
-/** Seconds that `Player.lag` looks back; after as many without a picture nobody has looked. */
+/** Seconds over which `Player.lag` averages. An interval between two pictures that is as long (the
+ * tab was hidden) does not count. Chosen. */
 const LOOK_BACK = 3;
 
 export class Player {
-  /** In steps; whole numbers are the ends of steps. */
+  /** The time that is shown, in steps: the whole number n is the end of step n. */
   #place = 0;
-  /** Where the wall's clock would have the place. */
+  /** Where `#place` would be if no step had come late; at most LONGEST ahead of `newest`. */
   #due = 0;
-  /** Seconds between two pictures of the display, on average. */
+  /** Seconds between two pictures of the display, as a moving average. */
   interval = 1 / 60;
   #run = 0;
+  /** Frames that are shown or to be shown, oldest first. */
   #frames: Frame[] = [];
   #secondsAStep = 1 / 60;
   paused = false;
-  /** The scene waits for something that is to be there at its first step. */
+  /** The clock waits before the first step for a panel that is still being opened. */
   waiting = false;
+  /** Simulated seconds per second of real time that the visitor wants. */
   speed = 1;
-  /** The part of the last seconds' time that was given up. */
+  /** The share of the last seconds' time that was given up: 0 in real time, 0.5 at half of it. */
   lag = 0;
 
-  /** A scene begins; frames of the one before are dropped. */
+  /** Scene number `run` begins; frames of the one before are dropped. */
   begin(run: number, secondsAStep: number): void {
     this.#run = run;
     this.#secondsAStep = secondsAStep;
@@ -38,11 +42,12 @@ export class Player {
     this.#place = this.#due = this.lag = 0;
   }
 
+  /** Queues a frame. */
   take(frame: Frame): void {
     if (frame.run === this.#run) this.#frames.push(frame);
   }
 
-  /** The scene stands at this frame now, wherever it was. */
+  /** Shows this frame at once, and drops all others. */
   jump(frame: Frame): void {
     if (frame.run !== this.#run) return;
     for (const passed of this.#frames) if (passed !== frame) handOver(passed, frame);
@@ -50,27 +55,28 @@ export class Player {
     this.#place = this.#due = frame.step;
   }
 
-  /** Shows the newest step whole: a single step then leads on from what is seen. */
+  /** Shows the end of the newest step, so that a single step continues from what is shown. */
   settle(): void {
     const newest = this.#frames.at(-1);
     if (newest) this.jump(newest);
   }
 
-  /** Whether nothing has come yet. */
+  /** Whether no frame of the scene has come yet. */
   get empty(): boolean {
     return this.#frames.length === 0;
   }
 
-  /** The newest step that has come. */
+  /** Number of the newest step of which a frame has come. */
   get newest(): number {
     return this.#frames.at(-1)?.step ?? 0;
   }
 
+  /** The time that is shown, in steps. */
   get place(): number {
     return this.#place;
   }
 
-  /** Goes on by the time since the last frame of the display. */
+  /** Advances by the seconds of real time since the last picture; updates `interval` and `lag`. */
   advance(seconds: number): void {
     const shown = Math.min(seconds, LONGEST);
     this.interval += NEWEST * (Math.min(seconds, 1) - this.interval);
@@ -88,13 +94,14 @@ export class Player {
     return this.speed / this.#secondsAStep;
   }
 
-  /** The step that the worker should reach by now: those ahead that the next picture needs. */
+  /** The step that the worker must have reached for the next picture, and at least one ahead. */
   get wanted(): number {
     if (this.paused || this.waiting) return this.newest;
     return Math.ceil(this.#due + Math.max(1, Math.min(this.interval, LONGEST) * this.#stepsASecond));
   }
 
-  /** What to draw: a frame, and how far between its two moments. */
+  /** The frame to draw, and how far to interpolate from its `before` (0) to its `now` (1). Null
+   * before the first frame. Drops frames that are past. */
   get shown(): { frame: Frame; alpha: number } | null {
     while (this.#frames.length > 1 && this.#frames[0].step < this.#place)
       handOver(this.#frames.shift()!, this.#frames[0]);
@@ -105,13 +112,14 @@ export class Player {
   }
 }
 
-/** What a frame tells only once must not be lost with it. */
+/** Moves data that is sent only when it changes from a dropped frame to the next one. */
 function handOver(passed: Frame, next: Frame): void {
   next.shapes ??= passed.shapes;
   next.terrains ??= passed.terrains;
-  // What joints bear follows the joints that they came with.
+  // `bearings` are in the order of the joints that came with or before them: newer joints, in
+  // another order, make them invalid.
   if (!next.joints) next.bearings ??= passed.bearings;
   next.joints ??= passed.joints;
-  // Awake flags follow the rows of the shapes that they came with.
+  // Likewise awake flags are in the order of the rows of `shapes`.
   if (next.shapes === passed.shapes || !next.shapes) next.awake ??= passed.awake;
 }

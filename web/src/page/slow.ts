@@ -1,6 +1,6 @@
 /**
- * Says that the scene runs slower than the clock, and why, for as long as it does. Loaded when that
- * happens for the first time.
+ * Reports that the scene runs slower than real time, with the cause and what helps, for as long as
+ * it does. Imported when that happens for the first time.
  */
 import type { Frame } from "../scene/frame";
 import { mean } from "../shared/step-times";
@@ -9,33 +9,38 @@ import { byId, make } from "./dom";
 import { duration } from "./format";
 import { say } from "./messages";
 
-/** The parts of its time from which on it is told, and below which it is over. */
+/** Values of `Player.lag` at which the report appears and disappears; far enough from each other
+ * that it does not flicker. Chosen. */
 const MUCH = 0.2;
 const LITTLE = 0.05;
-/** Milliseconds between two texts. */
+/** Milliseconds between two changes of the text. Chosen. */
 const EVERY = 1000;
-/** Milliseconds that what helps is shown. */
+/** Milliseconds for which the line shows the advice too. Chosen. */
 const READ = 12_000;
-/** Frames that are looked at. */
+/** Number of last frames from which the cause is found. Chosen. */
 const LAST = 60;
-/** Of the time that there is: a worker that needs as much has none to spare. */
+/** Share of the real-time budget: a worker that needs less is not the cause. Chosen. */
 const BUSY = 0.7;
 
+/** The cause of slow motion. */
 interface Why {
-  /** What is told once for each scene. */
+  /** Names the cause; each kind is announced with its advice once per scene. */
   kind: string;
+  /** The cause in words. */
   short: string;
   advice: string;
 }
 
+/** Adds the line for the report to the page, and keeps it up to date. */
 export function watch(app: App): void {
   const line = make("p", { id: "slow", class: "panel", hidden: true });
   byId("notice").after(line);
   let frames: Frame[] = [];
+  /** When the text last changed, on the clock of performance.now(). */
   let shown = 0;
-  /** Until then what helps is told too. */
+  /** Until this time the line shows the advice. */
   let whole = 0;
-  /** What has been told of this scene. */
+  /** Kinds of causes that were announced for this scene. */
   const told = new Set<string>();
   const hide = () => (line.hidden = true);
   app.listen({
@@ -67,7 +72,11 @@ export function watch(app: App): void {
   });
 }
 
-/** What takes the time, by the last frames. */
+/**
+ * The cause, found from the last frames: the largest of the milliseconds per step that thud, Box2D,
+ * the rest of the worker's work for a step, and making frames take; or the display, if these
+ * together stay below BUSY of the budget.
+ */
 function whyOf({ player, scene }: App, frames: readonly Frame[]): Why {
   const sum = (of: (frame: Frame) => number) =>
     frames.reduce((total, frame) => total + of(frame), 0);
@@ -78,7 +87,7 @@ function whyOf({ player, scene }: App, frames: readonly Frame[]): Why {
   const rest = step - thud - box2d;
   const picture = sum(({ spent }) => spent?.picture ?? 0) / samples.length;
   const budget = (1000 * (scene?.timeStep ?? 1 / 60)) / player.speed;
-  // A worker may be the reason before it needs more than there is: it has none to spare (BUSY).
+  // From BUSY of the budget on the worker counts as the cause, even if it is within the budget.
   const ofBudget = (time: number) =>
     time > budget
       ? `${duration(time)}, ${duration(budget)} would keep up`

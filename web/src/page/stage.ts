@@ -1,4 +1,7 @@
-/** The scene on its canvases: draws what the player shows, and takes the visitor's pointer. */
+/**
+ * `Stage`: the scene on its canvases. It draws what the player shows, and turns input of pointers
+ * and of the crosshair into moves of the camera or commands to the worker.
+ */
 import { OVERLAYS, type OverlayName } from "../scene/overlays";
 import type { Pane } from "../draw/camera";
 import { type DrawOptions, View } from "../draw/view";
@@ -9,14 +12,19 @@ import { notice } from "./messages";
 import { inBody, pick } from "./input/pick";
 import { listenToPointers, type Tool } from "./input/pointers";
 
-/** How fast the view goes after a place that the scene says, in 1/s. */
+/** Rate in 1/s at which the camera approaches the place that the scene wants followed: after t
+ * seconds the share exp(-FOLLOW_RATE t) of the distance is left. Chosen. */
 const FOLLOW_RATE = 6;
-/** An explosion's radius and a crater's, in CSS pixels at least, and in sizes of a typical body. */
+/** Radius of an explosion and of a crater: `sizes` times the half width of a typical body, but at
+ * least `pixels` CSS pixels. `speed`: the speed that an explosion gives to bodies at its centre, in
+ * length scales (sizes of a typical body, which the scene states) per second. Chosen. */
 const BLAST = { pixels: 60, sizes: 8, speed: 18 };
 const CRATER = { pixels: 16, sizes: 3.5 };
-/** Pixels that the reach of the crosshair is wide. */
+/** CSS pixels from the crosshair within which a body counts as under it. Chosen. */
 const CROSSHAIR_REACH = 24;
 
+/** A body under the mouse by its slot (its index in `Frame.now`), and where the mouse is: in the
+ * world (x, y), and in CSS pixels (screenX, screenY). */
 export interface Hovered {
   slot: number;
   x: number;
@@ -28,19 +36,22 @@ export interface Hovered {
 export class Stage {
   readonly view: View;
   tool: Tool = "hand";
-  /** How the other engine is drawn, if there is one. */
+  /** How Box2D's bodies are drawn while Box2D runs the same scene. */
   split: DrawOptions["split"] = "none";
-  /** The slot of a body to be outlined. */
+  /** The slot of the body that is outlined; null: none. */
   outlined: number | null = null;
-  /** What a panel wants to know of the body under the mouse. */
+  /** Set by a panel; called with the body under the mouse, or null, when the mouse moves. */
   onHover: ((hovered: Hovered | null) => void) | null = null;
-  /** What a panel wants to know of the body that was clicked or tapped; null beside all bodies. */
+  /** Set by a panel; called with the body that was clicked or tapped, or null for none. */
   onPick: ((slot: number | null) => void) | null = null;
   #app!: App;
-  /** Overlays that are shown because the scene is about them, and go with it. */
+  /** Overlays that the scene asks for and the visitor has not chosen; they end with the scene. */
   #lent: readonly OverlayName[] = [];
+  /** The camera follows the place that the scene wants followed; moving the view ends that. */
   #follows = true;
+  /** The crosshair for use without a pointer; "holds": it drags a body. */
   #crosshair: "off" | "on" | "holds" = "off";
+  /** Whether the scene has ground that can be dug. */
   #hasGround = false;
   #movedTimer = 0;
 
@@ -60,11 +71,11 @@ export class Stage {
     );
   }
 
-  /** What the page sees, for the worker. */
+  /** The visible part of the world and the chosen overlays, for the worker. */
   get look(): Look {
     const { camera, shown } = this.view;
     const { x0, y0, x1, y1 } = camera.visible;
-    // The intervals of a plane sweep stand on the lower edge of what the controls leave free.
+    // The overlay "axes" is drawn at the lower edge: above the controls that cover the canvas.
     const free = shown.has("axes") ? camera.insets.bottom / camera.scale : 0;
     return {
       origin: [camera.x, camera.y],
@@ -75,6 +86,7 @@ export class Stage {
     };
   }
 
+  /** Connects the stage with the app, and the canvas with its pointer events. */
   attach(app: App): void {
     this.#app = app;
     const { camera } = this.view;
@@ -115,6 +127,7 @@ export class Stage {
     byId("overlay").dataset.tool = tool;
   }
 
+  /** Shows or hides an overlay, as the visitor has chosen. */
   setOverlay(name: OverlayName, on: boolean): void {
     const { shown } = this.view;
     this.#lent = this.#lent.filter((other) => other !== name);
@@ -127,7 +140,7 @@ export class Stage {
     this.#app.chosen();
   }
 
-  /** Shows what is chosen and what a scene is about; what the one before had brought goes. */
+  /** A scene begins: shows the chosen overlays and those that this scene asks for. */
   #lend(overlays: readonly OverlayName[]): void {
     const { shown } = this.view;
     const chosen = this.#app.state.overlays;
@@ -138,6 +151,7 @@ export class Stage {
 
   // ---- the view ----
 
+  /** Shows the whole scene, and follows it again. */
   home(): void {
     this.view.camera.goHome();
     this.#follows = true;
@@ -146,6 +160,7 @@ export class Stage {
     this.#app.chosen();
   }
 
+  /** Moves the view by CSS pixels. */
   pan(dx: number, dy: number): void {
     this.view.camera.pan(dx, dy);
     if (this.#crosshair === "holds") this.#drag();
@@ -157,17 +172,18 @@ export class Stage {
     this.#moved();
   }
 
+  /** The visitor has moved the view: stops following and keeps the view in the address. */
   #moved(): void {
     this.#follows = false;
     this.#app.refresh();
     const { x, y, scale } = this.view.camera;
     this.#app.state.camera = { x, y, scale };
     clearTimeout(this.#movedTimer);
-    // Browsers refuse addresses that change too often.
+    // Browsers refuse to change the address very often: it changes 300 ms after the last move.
     this.#movedTimer = window.setTimeout(() => this.#app.chosen(), 300);
   }
 
-  /** Draws the moment; once a frame of the display. */
+  /** Draws what the player shows; called once per picture, `seconds` after the one before. */
   draw(seconds: number): void {
     const shown = this.#app.player.shown;
     if (!shown) return;
@@ -181,7 +197,9 @@ export class Stage {
 
   // ---- commands ----
 
+  /** Uses a tool at a place of the world. */
   apply(tool: Exclude<Tool, "hand">, x: number, y: number): void {
+    // In a scene without moving bodies a typical one is taken to have a half width of 0.5.
     const size = this.#app.shapes?.typicalSize || 0.5;
     const { scale } = this.view.camera;
     if (tool === "blast") {
@@ -196,7 +214,8 @@ export class Stage {
     } else this.#app.do({ kind: "spawn", shape: tool, x, y, size });
   }
 
-  /** Enter on the scene: does at the crosshair in the middle what a pointer would do there. */
+  /** Enter on the scene: shows the crosshair in the middle of the view, or acts there as a press of
+   * the pointer does. */
   actAtCrosshair(): void {
     const { x, y, scale } = this.view.camera;
     if (this.#crosshair === "off") this.#showCrosshair();
@@ -208,7 +227,7 @@ export class Stage {
     else notice("No body lies under the crosshair. The arrow keys move the view.");
   }
 
-  /** As if the body at the crosshair were clicked. */
+  /** Picks the body at the crosshair, as a click on it does. */
   pickAtCrosshair(): void {
     const { x, y, scale } = this.view.camera;
     if (this.#crosshair === "off") this.#showCrosshair();
@@ -217,6 +236,7 @@ export class Stage {
     else this.onPick?.(slot);
   }
 
+  /** The slot of the body at a place of the world, within `reach` world units; null for none. */
   #bodyAt(x: number, y: number, reach: number, dynamicOnly: boolean): number | null {
     const { shapes, player } = this.#app;
     const frame = player.shown?.frame;
@@ -232,18 +252,21 @@ export class Stage {
     this.#crosshair = "on";
   }
 
+  /** Drags the held body to the crosshair. */
   #drag(): void {
     const { x, y } = this.view.camera;
     this.#app.do({ kind: "drag", x, y });
   }
 
+  /** The canvas has lost the focus: releases the held body and hides the crosshair. */
   #endCrosshair(): void {
     if (this.#crosshair === "holds") this.#app.do({ kind: "release" });
     this.#crosshair = "off";
     byId("crosshair").hidden = true;
   }
 
-  /** In Box2D's pane a body is taken where Box2D has it; both engines' are pulled. */
+  /** Takes hold of the dynamic body at a place; false if there is none. In Box2D's pane (1) the
+   * body is found at Box2D's pose. The body is pulled in both engines. */
   #grab(x: number, y: number, reach: number, pane: Pane["index"] = 0): boolean {
     const { shapes, player } = this.#app;
     const frame = player.shown?.frame;
@@ -255,6 +278,7 @@ export class Stage {
     return true;
   }
 
+  /** The mouse has moved: calls `onHover` with the body within 3 CSS pixels. */
   #hover(at: { x: number; y: number; screenX: number; screenY: number } | null): void {
     if (!this.onHover) return;
     const slot = at && this.#bodyAt(at.x, at.y, 3 / this.view.camera.scale, false);

@@ -1,14 +1,17 @@
-/** Light or dark: as the system says, unless the visitor says otherwise. */
+/** The page's theme, light or dark: that of the system unless the visitor has chosen one. */
 
 export const THEMES = ["system", "dark", "light"] as const;
 export type ThemeChoice = (typeof THEMES)[number];
 
+/** The key of the visitor's choice in the local storage. */
 const KEY = "thud-theme";
 const systemIsLight = matchMedia("(prefers-color-scheme: light)");
-/** Then the system's are the only colours, and the drawing must fit them. */
+/** In this mode the browser replaces the page's colours by the system's, so that the drawing must
+ * be as light or dark as the system. */
 const systemColours = matchMedia("(forced-colors: active)");
 const listeners = new Set<(dark: boolean) => void>();
 
+/** The visitor's stored choice; "system" if there is none. */
 export function chosenTheme(): ThemeChoice {
   let stored: string | null = null;
   try {
@@ -19,6 +22,7 @@ export function chosenTheme(): ThemeChoice {
   return THEMES.find((theme) => theme === stored) ?? "system";
 }
 
+/** Stores the visitor's choice; `applyTheme` makes it visible. */
 export function chooseTheme(theme: ThemeChoice): void {
   try {
     localStorage.setItem(KEY, theme);
@@ -26,11 +30,13 @@ export function chooseTheme(theme: ThemeChoice): void {
     notStored = theme;
   }
 }
+/** The choice, where the browser did not store it. */
 let notStored: ThemeChoice | null = null;
 
-/** Paper is white. */
+/** While the page is printed its theme is light. */
 let printing = false;
 
+/** Whether the theme that applies now is the dark one. */
 export function isDark(): boolean {
   if (printing) return false;
   if (systemColours.matches) return !systemIsLight.matches;
@@ -38,13 +44,14 @@ export function isDark(): boolean {
   return choice === "system" ? !systemIsLight.matches : choice === "dark";
 }
 
+/** Sets the document's theme and calls the listeners. */
 export function applyTheme(): void {
   const dark = isDark();
   document.documentElement.dataset.theme = dark ? "dark" : "light";
   for (const listener of listeners) listener(dark);
 }
 
-/** Hears of every change, the system's too. */
+/** Calls `listener` at every change of the theme, also when the system's changes. */
 export function onTheme(listener: (dark: boolean) => void): void {
   listeners.add(listener);
 }
@@ -52,7 +59,7 @@ export function onTheme(listener: (dark: boolean) => void): void {
 systemIsLight.addEventListener("change", applyTheme);
 systemColours.addEventListener("change", applyTheme);
 
-/** Calls `draw` for what is printed, and again for the screen. */
+/** Calls `draw` before the page is printed, with the light theme, and again afterwards. */
 export function onPrint(draw: () => void): void {
   const turn = (on: boolean) => () => {
     printing = on;

@@ -1,4 +1,5 @@
-/** The slider that goes back in time, and on again, with a mark at every few seconds. */
+/** `Timeline`: the slider that shows a recorded step, back in time or forward again. It has a mark
+ * every few seconds. */
 import type { Frame } from "../scene/frame";
 import { messageOf } from "../shared/error";
 import type { RunningScene } from "../worker/protocol";
@@ -6,10 +7,13 @@ import type { App } from "./app";
 import { byId, make } from "./dom";
 import { notice } from "./messages";
 
-/** CSS pixels that a mark has at least; marks stand so many seconds apart that it is so. */
+/** Minimum distance between two marks in CSS pixels. Chosen. */
 const APART = 24;
+/** Seconds between two marks: the first of these that keeps them APART, or else the last.
+ * Chosen. */
 const SECONDS = [1, 5, 10, 30, 60];
-/** Of the slider's thumb: its middle does not reach the slider's ends. */
+/** Width of the slider's thumb in CSS pixels, about as browsers draw it: its centre stays half of
+ * this away from the slider's ends. */
 const THUMB = 16;
 
 export class Timeline {
@@ -27,8 +31,9 @@ export class Timeline {
   readonly #marks = make("div", { class: "marks", "aria-hidden": "true" });
   readonly #hint = make("span", { class: "panel hint", "aria-hidden": "true", hidden: true });
   #secondsAStep = 1 / 60;
-  /** The step that the visitor wants; the one before may still be under way. */
+  /** The step that the visitor wants and that has not been requested yet; null: none. */
   #wanted: number | null = null;
+  /** A requested step has not come yet. */
   #seeking = false;
 
   constructor(app: App) {
@@ -55,6 +60,7 @@ export class Timeline {
     return [Number(this.#slider.min), Number(this.#slider.max)];
   }
 
+  /** A scene begins at step 0. */
   #begin(scene: RunningScene): void {
     this.#secondsAStep = scene.timeStep;
     this.#wanted = null;
@@ -63,6 +69,7 @@ export class Timeline {
     this.#showMarks();
   }
 
+  /** Follows a new frame: the range of recorded steps, and the step unless the visitor seeks. */
   #follow({ step, history }: Frame): void {
     const [first, last] = this.#ends;
     if (first !== history.first || last !== history.last) {
@@ -75,6 +82,7 @@ export class Timeline {
     this.#show(step);
   }
 
+  /** Requests the wanted step, one at a time: of steps wanted meanwhile only the last is next. */
   async #seek(): Promise<void> {
     if (this.#seeking) return;
     this.#seeking = true;
@@ -94,15 +102,16 @@ export class Timeline {
     return `${(step * this.#secondsAStep).toFixed(1)} s`;
   }
 
+  /** Shows the time of a step beside the slider, and to screen readers. */
   #show(step: number): void {
     this.#label.textContent = this.#textOf(step);
-    // A slider in focus is read out at each change: not while time runs by itself.
+    // A screen reader reads each change of the focused slider: no change while the scene runs.
     if (document.activeElement === this.#slider && !this.#app.state.paused) return;
     const seconds = this.#textOf(step).replace(" s", " seconds");
     this.#slider.setAttribute("aria-valuetext", `${seconds}, step ${step}`);
   }
 
-  /** Tells the time under a mouse. */
+  /** Shows the time and the step under the mouse in a hint above the slider. */
   #point({ offsetX, pointerType }: PointerEvent): void {
     const [first, last] = this.#ends;
     this.#hint.hidden = pointerType !== "mouse" || last === first;
@@ -112,6 +121,7 @@ export class Timeline {
     this.#hint.style.left = `${offsetX}px`;
   }
 
+  /** Places the marks for the present range of steps. */
   #showMarks(): void {
     const { clientWidth } = this.#slider;
     const [first, last] = this.#ends;

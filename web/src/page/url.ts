@@ -1,19 +1,23 @@
 /**
- * The page's state in its address: the scene, its size and seed, what was chosen and is not the
- * usual, the camera, and after the # the visitor's own code or level, which no server ever sees.
+ * Reads and writes the page's state as its address. Parameters hold the scene, its size and seed,
+ * choices that differ from the defaults, and the camera; the part after the #, which browsers do
+ * not send to servers, holds the visitor's code, level or measured result.
  */
 import { BROADPHASES, DETECTIONS, QUALITIES } from "thud";
 import { OVERLAYS, type OverlayName } from "../scene/overlays";
 import type { Choices } from "../worker/protocol";
 
+/** Speeds that the page offers, in simulated seconds per second. */
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4] as const;
 export const DETECTION_CHOICES = ["auto", ...DETECTIONS] as const;
-/** In length scales; 0 is none. */
+/** Limits of overlap that the page offers, in length scales (sizes of a typical body, which the
+ * scene states); 0 is no limit. */
 export const MAX_ERRORS = [0, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001] as const;
 
-/** That a link may ask to be compared after: a minute. */
+/** Greatest step whose hash a link may ask to compare: a minute at 60 Hz. Chosen. */
 const MOST_STEPS = 3600;
 
+/** The default choices, which the address leaves out. */
 export const USUAL: Choices = {
   quality: "default",
   substeps: 0,
@@ -22,11 +26,12 @@ export const USUAL: Choices = {
   maxError: 0,
 };
 
-/** How Box2D is shown beside thud, or as outlines over it. */
+/** How Box2D is drawn: in a view beside thud's, as outlines over thud's bodies, or not at all. */
 export const SPLITS = ["side", "over", "none"] as const;
-/** Of Box2D; 4 is what its manual recommends. */
+/** Numbers of substeps of Box2D that the page offers; its manual recommends 4. */
 export const BOX2D_SUBSTEPS = [1, 2, 4, 8, 16] as const;
 
+/** Choices of the panel Versus. */
 export interface Versus {
   split: (typeof SPLITS)[number];
   substeps: (typeof BOX2D_SUBSTEPS)[number];
@@ -34,14 +39,16 @@ export interface Versus {
 
 export const USUAL_VERSUS: Versus = { split: "side", substeps: 4 };
 
-/** What is shown over the bodies, unless chosen. */
+/** Overlays that are shown until the visitor chooses others. */
 export const USUAL_OVERLAYS: readonly OverlayName[] = ["sleeping"];
 
-/** Bytes of a scene's or level's text that an address may bring. */
+/** Bytes that a text in an address may have when unpacked. Chosen. */
 const LONGEST_TEXT = 2 ** 20;
-/** Letters of a packed level that an address may have: longer ones are cut where they are sent. */
+/** Characters of a packed level in an address at most: programs through which links are sent cut
+ * longer ones. Chosen. */
 export const LONGEST_LEVEL = 32_000;
 
+/** A place of the camera: the point of the world in the middle of the view, and the scale. */
 export interface Place {
   x: number;
   y: number;
@@ -49,65 +56,69 @@ export interface Place {
   scale: number;
 }
 
-/** What an address may ask for: CSS pixels a world unit, and world units from the origin. */
+/** The range of `Place.scale`, and of its distance from the origin along either axis in world
+ * units, that an address may ask for. Chosen. */
 const SCALES = [1e-9, 1e9] as const;
 const FARTHEST = 1e9;
 
+/** A link's statement of what the state's hash was on its sender's machine. */
 export interface Claim {
-  /** From the scene's beginning, with nobody's hands in it. */
+  /** Steps from the scene's beginning, without any input. */
   step: number;
   hash: string;
 }
 
-/** A level that the visitor brought. */
+/** A level from the visitor's files; see own-level.ts. */
 export interface OwnLevel {
-  /** Of its file. */
+  /** The map's file name without its ending. */
   name: string;
-  /** Texts by the names that the scene reads them by. */
+  /** Texts by the names under which the scene reads them. */
   files: Record<string, string>;
 }
 
+/** All that the address can hold. */
 export interface State {
   scene: string;
-  /** Of the scene that runs levels of visitors. */
+  /** The level of the scene "own_level", which runs levels of visitors; null in other scenes. */
   level: OwnLevel | null;
+  /** How many bodies or the like; undefined: the scene's usual size. */
   size?: number;
   seed: number;
   choices: Choices;
   versus: Versus;
   speed: number;
   paused: boolean;
-  /** Without those that the scene is about. */
+  /** The chosen overlays, without those that only the scene asks for. */
   overlays: readonly OverlayName[];
-  /** Null: as the scene says. */
+  /** Where the visitor has moved the view; null: the scene's own view. */
   camera: Place | null;
+  /** The visitor's code in place of the scene's file; null: the file. */
   code: string | null;
-  /** Figures measured elsewhere, packed; see panels/trade/result.ts. */
+  /** A packed result of "Measure" that came with the link; see panels/trade/result.ts. */
   result: string | null;
-  /** An open panel. */
+  /** The name of the open panel. */
   panel: string | null;
-  /** What the state's hash was on the machine of whoever sent the link. */
   claim: Claim | null;
 }
 
+/** The value of a list that a text stands for; undefined if it is none of them. */
 function oneOf<T extends string | number>(known: readonly T[], text: string | null): T | undefined {
   return known.find((value) => String(value) === text);
 }
 
+/** The whole number that a text stands for; undefined if it is none or out of range. */
 function wholeIn(text: string | null, least: number, most: number): number | undefined {
   if (text === null || !/^\d{1,9}$/.test(text)) return undefined;
   const number = Number(text);
   return number >= least && number <= most ? number : undefined;
 }
 
-/**
- * What an address says; what it says wrongly is as if it were not there, but damaged code, which
- * is null.
- */
+/** The state in an address. Invalid parts are left out or replaced by defaults; damaged code and a
+ * damaged level are null. */
 export async function readState(address: URL): Promise<Partial<State>> {
   const params = address.searchParams;
   const state: Partial<State> = {};
-  // Links to levels looked so once.
+  // Older links name a level's scene with the parameter "level".
   const scene = params.get("scene") ?? params.get("level");
   if (scene) state.scene = scene;
   state.size = wholeIn(params.get("size"), 1, 1e6);
@@ -142,6 +153,7 @@ export async function readState(address: URL): Promise<Partial<State>> {
   return state;
 }
 
+/** The address of a state, from its ? on. */
 export async function writeState(state: State): Promise<string> {
   const { scene, size, seed, choices, versus, speed, paused, overlays, camera, panel, claim } =
     state;
@@ -176,16 +188,17 @@ export async function writeState(state: State): Promise<string> {
   return `?${params.toString().replaceAll("%2C", ",")}${hash}`;
 }
 
+/** Levels that were packed, each once, since the address is written often. */
 const packedLevels = new WeakMap<OwnLevel, Promise<string>>();
 
-/** Null if it is too long for an address. */
+/** A level as text for an address; null if that is longer than LONGEST_LEVEL. */
 async function packLevel(level: OwnLevel): Promise<string | null> {
-  // Addresses are written often.
   if (!packedLevels.has(level)) packedLevels.set(level, pack(JSON.stringify(level)));
   const packed = await packedLevels.get(level)!.catch(() => "");
   return packed.length <= LONGEST_LEVEL ? packed : null;
 }
 
+/** The level from such a text; null if the text is damaged. */
 async function unpackLevel(packed: string): Promise<OwnLevel | null> {
   try {
     const { name, files } = JSON.parse((await unpack(packed)) ?? "") as OwnLevel;
@@ -196,6 +209,7 @@ async function unpackLevel(packed: string): Promise<OwnLevel | null> {
   }
 }
 
+/** The camera's place "x,y,scale"; null if the text is none or out of range. */
 function readPlace(text: string | null): Place | null {
   const numbers = (text ?? "").split(",").map(Number);
   if (numbers.length !== 3 || !numbers.every(Number.isFinite)) return null;
@@ -205,13 +219,14 @@ function readPlace(text: string | null): Place | null {
   return scale >= least && scale <= most ? { x, y, scale } : null;
 }
 
-/** To a hundredth of a pixel. */
+/** The text "x,y,scale" of a place, exact to a hundredth of a CSS pixel. */
 function placeText({ x, y, scale }: Place): string {
   const digits = Math.max(0, Math.ceil(Math.log10(scale)) + 2);
   return `${x.toFixed(digits)},${y.toFixed(digits)},${Number(scale.toPrecision(5))}`;
 }
 
-/** A text as letters that an address may hold: deflated, base64 with - and _. */
+/** A text in characters that an address may contain: deflated, then base64 with - and _ in place of
+ * + and /. */
 export async function pack(text: string): Promise<string> {
   const bytes = new TextEncoder().encode(text);
   const packed = await through(bytes, new CompressionStream("deflate-raw"));
@@ -220,7 +235,7 @@ export async function pack(text: string): Promise<string> {
   return btoa(binary).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
 }
 
-/** Null if it is damaged or too long. */
+/** The text that `pack` has packed; null if it is damaged or longer than LONGEST_TEXT. */
 export async function unpack(packed: string): Promise<string | null> {
   try {
     const binary = atob(packed.replaceAll("-", "+").replaceAll("_", "/"));
@@ -232,7 +247,8 @@ export async function unpack(packed: string): Promise<string | null> {
   }
 }
 
-/** Throws where more comes out than any scene is long: a short address may hold gigabytes. */
+/** Compresses or decompresses bytes. Throws if the result is longer than LONGEST_TEXT, since a
+ * short address may decompress to gigabytes. */
 async function through(
   bytes: Uint8Array<ArrayBuffer>,
   stream: CompressionStream | DecompressionStream,

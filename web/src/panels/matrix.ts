@@ -1,7 +1,15 @@
-/** A table of buttons in the panel Values: each click takes the next word for two of the names. */
+/**
+ * A control of the panel Values: a matrix with a button for each pair of names, as for the
+ * collision rule of two kinds of bodies. Each click gives the pair the next one of a list of words.
+ */
 import { make } from "../page/dom";
 import type { MatrixControl } from "../scene/controls";
 
+/**
+ * The matrix is symmetric, and only its lower triangle has buttons. Its value has a digit for each
+ * pair of names, row by row, which is the number of the pair's word. `set` is called when the
+ * visitor changes it; `show` displays a value.
+ */
 export function makeMatrix(
   { name, label, names, words, alone }: MatrixControl,
   set: (name: string, value: string) => void,

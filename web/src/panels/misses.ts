@@ -1,6 +1,7 @@
-/** What a comparison with Box2D says first: what Box2D is not given of the scene. */
+/** The text with which comparisons begin where parts of the scene cannot be built in Box2D. */
 
-/** Of the scene that runs, or was measured: what Box2D is not given; "" where it is given all. */
+/** Says that thud and Box2D are not comparable, since Box2D lacks `misses` (a few words each). ""
+ * without any. */
 export function missesText(misses: readonly string[]): string {
   if (misses.length === 0) return "";
   const last = misses.at(-1)!;

@@ -1,4 +1,4 @@
-/** Speed, theme, what is shown, and a link to what one sees. */
+/** The panel Options: speed, theme, random seed, and a link to the present view. */
 import type { App } from "../page/app";
 import { choiceBar, make } from "../page/dom";
 import type { Panel } from "../page/dock";
@@ -6,7 +6,7 @@ import { notice } from "../page/messages";
 import { applyTheme, chosenTheme, chooseTheme, THEMES } from "../page/theme";
 import { LONGEST_LEVEL, SPEEDS } from "../page/url";
 
-/** What the address has of what one sees. */
+/** What the copied link contains. A level whose packed text is too long is missing in it. */
 function carried({ state: { level } }: App): string {
   if (!level) return "scene, choices, view and code.";
   return location.hash.includes("level=")

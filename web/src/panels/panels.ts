@@ -1,4 +1,4 @@
-/** The panels of the dock, each loaded when it is first opened. */
+/** The dock's panels: title of each, and the module that is imported when it is first opened. */
 import type { PanelKind } from "../page/dock";
 import type { Stage } from "../page/stage";
 

@@ -1,4 +1,5 @@
-/** What a scene lets the visitor set, and what it reads out. */
+/** The panel Values: the controls of the running scene (scene/controls.ts), and its readings, which
+ * are rows of figures under a ticked box. */
 import type { App } from "../page/app";
 import type { Panel } from "../page/dock";
 import { choiceBar, make } from "../page/dom";
@@ -15,13 +16,14 @@ import { fillList } from "./inside/values";
 import { makeMatrix } from "./matrix";
 import "../style/values.css";
 
-/** Milliseconds after the visitor's last change until what came of it is said. */
+/** Milliseconds from the visitor's last change until the readings are announced. Chosen. */
 const SETTLED = 900;
 
-/** Milliseconds for which frames from before a change do not undo it in the panel. */
+/** Milliseconds for which a control keeps a value that the visitor has set, although frames made
+ * before the change still carry the old one. Chosen. */
 const ON_ITS_WAY = 1000;
 
-/** A control's element; `show` puts its value there. */
+/** A control's element; `show` displays a value, `read` the readings that belong to it. */
 interface Made {
   element: HTMLElement;
   show(value: Setting): void;
@@ -33,10 +35,10 @@ export function createPanel(app: App): Panel {
   let made = new Map<string, Made>();
   let controls: readonly Control[] = [];
   let timer = 0;
-  /** What was set and has not come back in a frame yet. */
+  /** Values that were set and that no frame has carried yet; they are shown until `until`. */
   const sent = new Map<string, { value: Setting; until: number }>();
 
-  /** The first row under each box that is ticked. */
+  /** Announces the first reading under each ticked box. */
   const tellRest = () => {
     const { settings = {}, paint } = app.player.shown?.frame ?? {};
     const told = controls
@@ -65,7 +67,7 @@ export function createPanel(app: App): Panel {
   };
   const begin = () => {
     const next = app.scene?.controls ?? [];
-    // Begun anew, a scene has the same ones: what has the focus keeps it.
+    // A scene that starts again has the same controls; their elements stay, and keep the focus.
     if (next.length > 0 && JSON.stringify(next) === JSON.stringify(controls)) return;
     controls = next;
     made = new Map(controls.map((control) => [control.name, makeControl(control, set)]));
@@ -79,12 +81,13 @@ export function createPanel(app: App): Panel {
   return { element, opened: show };
 }
 
+/** The elements of the panel: one for each group of controls. */
 function groupsOf(controls: readonly Control[], made: ReadonlyMap<string, Made>): HTMLElement[] {
   const names = [...new Set(controls.map(({ group }) => group))];
   return names.map((group) => {
     const ofGroup = controls.filter((control) => control.group === group);
     const elements = ofGroup.map(({ name }) => made.get(name)!.element);
-    // Numbers are many, and there is another way to set them: by hand.
+    // A group of sliders alone is folded: sliders take much room, and are needed less often.
     if (ofGroup.every(({ kind }) => kind === "slider"))
       return make(
         "details",
@@ -98,6 +101,7 @@ function groupsOf(controls: readonly Control[], made: ReadonlyMap<string, Made>)
 
 type Set = (name: string, value: Setting) => void;
 
+/** Creates a control; `set` is called with its name and value when the visitor changes it. */
 function makeControl(control: Control, set: Set): Made {
   if (control.kind === "choice") return makeChoice(control, set);
   if (control.kind === "matrix") return makeMatrix(control, set);

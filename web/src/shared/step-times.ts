@@ -1,16 +1,17 @@
-/** Times of single steps, in milliseconds: what they may take, and what many of them come to. */
+/** Times of single steps, in milliseconds: the budget, and statistics of many of them. */
 
-/** That a step may take at 60 Hz. */
+/** Milliseconds that a step may take at 60 Hz. */
 export const BUDGET = 1000 / 60;
 
-/** Steps at the start of a scene that no extreme is told of: worlds grow to their size in them, and
- * browsers compile what runs often. */
+/** Steps at the start of a scene that percentiles leave out: in them the world's arrays grow to
+ * their size, and the browser compiles the code that runs often. Chosen. */
 export const START_UP = 30;
 
-/** Of the clock; a browser's clock is coarser on pages that are not isolated from all others. */
+/** Resolution of performance.now() in milliseconds. Browsers make it coarser on pages that are not
+ * cross-origin isolated. */
 const TICK = self.crossOriginIsolated ? 0.005 : 0.1;
 
-/** Of values in any order; 0 where there are none. */
+/** The percentile of values in any order, `part` from 0 to 1; 0 if there are no values. */
 export function percentile(values: readonly number[], part: number): number {
   if (values.length === 0) return 0;
   const sorted = [...values].sort((a, b) => a - b);
@@ -18,8 +19,8 @@ export function percentile(values: readonly number[], part: number): number {
 }
 
 /**
- * The median; of times below ten ticks of the clock, which it rounds to few values, the mean
- * without the slowest fiftieth, in which something else held the processor.
+ * A typical time: the median. If the median is below ten ticks of the clock, which round times to
+ * few values, it is the mean without the slowest 2 %, in which the processor did something else.
  */
 export function typical(times: readonly number[]): number {
   const median = percentile(times, 0.5);
@@ -28,6 +29,7 @@ export function typical(times: readonly number[]): number {
   return mean(sorted.slice(0, Math.ceil(0.98 * sorted.length)));
 }
 
+/** The mean; 0 if there are no values. */
 export function mean(values: readonly number[]): number {
   return values.reduce((sum, value) => sum + value, 0) / Math.max(1, values.length);
 }

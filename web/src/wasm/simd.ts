@@ -1,4 +1,4 @@
-/** Whether this browser runs WebAssembly with SIMD. */
+/** Tests whether this browser runs WebAssembly with SIMD. */
 
 /** A module of one function, () -> v128: i32.const 0, i8x16.splat, i8x16.popcnt. */
 const PROBE = [

@@ -1,26 +1,28 @@
-/** The page's own keys, and the list of them in the help. */
+/** The page's keyboard shortcuts: listens to them, and lists them in the help. */
 import { byId, make } from "../dom";
 
 export interface Key {
-  /** As the help shows them. */
+  /** The keys' names in the help. */
   caps: string[];
-  /** As event.key gives them, in lower case. */
+  /** The keys as event.key gives them, in lower case. */
   codes: string[];
   what: string;
   act(): void;
 }
 
+/** A shortcut; `caps` holds the keys' names, separated by spaces. */
 export function key(caps: string, codes: string[], what: string, act: () => void): Key {
   return { caps: caps.split(" "), codes, what, act };
 }
 
+/** Runs the shortcuts, except where the key belongs to a dialog or to the focused element. */
 export function listenToKeys(keys: readonly Key[]): void {
   document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
     if (!byId("failure").hidden || document.querySelector("dialog[open]")) return;
     const target = event.target as HTMLElement;
     if (isTypedInto(target)) return;
-    // A button's own are Space and Enter, a slider's and a radio button's the arrows.
+    // Buttons and links use Space and Enter themselves, sliders and radio buttons the arrows.
     const presses = "button, a, summary, input:not([type=range])";
     if (target.matches(presses) && /^( |Enter)$/.test(event.key)) return;
     if (target.tagName === "INPUT" && /^(Arrow|Home|End|Page)/.test(event.key)) return;
@@ -41,13 +43,14 @@ export function listenToKeys(keys: readonly Key[]): void {
   );
 }
 
+/** Whether keys are typed into this element: a text field, a list or the code editor. */
 function isTypedInto(target: HTMLElement): boolean {
-  // A dialog that has just been closed gives the focus back a moment later.
+  // A field in a dialog that was just closed keeps the focus for a moment; it does not count.
   if (target.closest("dialog:not([open])")) return false;
   return (
     target.isContentEditable ||
     target.matches("textarea, select, input:not([type=radio], [type=checkbox], [type=range])") ||
-    // The editor lives in a shadow tree of its own, whose host is all that is seen from here.
+    // The code editor is in a shadow tree: events that reach the document have its host as target.
     target.matches("[data-typed]")
   );
 }

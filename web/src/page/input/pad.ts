@@ -1,7 +1,9 @@
-/** The keys of a game, from the keyboard and from buttons on the screen. */
+/** `Pad`: the keys of a game (left, up, fire, …), pressed on the keyboard or by on-screen
+ * buttons. */
 import { KEY_NAMES, type KeyName, type KeyWords, noKeys } from "../../scene/scene";
 import { byId } from "../dom";
 
+/** The game's key for each key of the keyboard, by event.code. */
 const CODES: Readonly<Record<string, KeyName>> = {
   ArrowLeft: "left",
   KeyA: "left",
@@ -16,13 +18,15 @@ const CODES: Readonly<Record<string, KeyName>> = {
 };
 
 export class Pad {
+  /** The keys that the running scene uses. */
   #wanted = new Set<KeyName>();
   readonly #held = noKeys();
-  /** What the buttons say, as text; "" where they have arrows. */
+  /** The labels of the buttons as JSON; "" while the buttons show arrows. */
   #words = "";
   readonly #changed: (held: Readonly<Record<KeyName, boolean>>) => void;
 
-  /** Heeds keys before the page's own do, while a scene wants them. */
+  /** Handles the scene's keys before the page's shortcuts do. `changed` is called with the state of
+   * all keys when one is pressed or released. */
   constructor(changed: (held: Readonly<Record<KeyName, boolean>>) => void) {
     this.#changed = changed;
     window.addEventListener("keydown", (event) => this.#press(event), { capture: true });
@@ -31,8 +35,8 @@ export class Pad {
       if (name) this.#hold(name, false);
     });
     window.addEventListener("blur", () => this.#letGo());
-    // A click leaves no button in focus, where Space would press it again instead of playing, or of
-    // pausing the scene.
+    // A click does not focus these buttons: Space would then press the button again, in place of
+    // playing the game or pausing the scene.
     document.addEventListener("mousedown", (event) => {
       const button = (event.target as HTMLElement).closest(":is(#top, #pad, #controls) button");
       if (button) event.preventDefault();
@@ -41,7 +45,7 @@ export class Pad {
       this.#listenTo(button);
   }
 
-  /** The keys of the scene that runs now. */
+  /** A scene with these keys begins: shows a button for each. */
   show(keys: KeyWords): void {
     this.#letGo();
     this.#wanted = new Set(Object.keys(keys) as KeyName[]);
@@ -54,7 +58,8 @@ export class Pad {
     }
   }
 
-  /** Words on the buttons, or none; true if buttons came or went by that. */
+  /** Labels the buttons with words, or without `words` with arrows. True if that switched between
+   * words and arrows, which changes the layout. */
   name(words?: KeyWords): boolean {
     const text = words ? JSON.stringify(words) : "";
     if (text === this.#words) return false;
@@ -67,25 +72,27 @@ export class Pad {
       const word = words?.[name];
       if (word) button.dataset.word = button.ariaLabel = word;
       else delete button.dataset.word;
-      // A finger that rests where a button goes no longer presses it.
+      // A button without a word is hidden, and a finger that is still on it must not hold its key.
       if (words && !word) this.#hold(name, false);
     }
     return changed;
   }
 
+  /** The game's key that a key of the keyboard stands for; undefined for none. */
   #nameOf({ code }: KeyboardEvent): KeyName | undefined {
     const name = CODES[code];
-    // Where nothing is fired, Space jumps.
+    // In a scene without the key "fire", Space acts as "up" (jump).
     if (name === "fire" && !this.#wanted.has("fire")) return "up";
     return name;
   }
 
+  /** A key of the keyboard goes down: holds the game's key, and keeps the event from the page. */
   #press(event: KeyboardEvent): void {
     const name = this.#nameOf(event);
     if (!name || !this.#wanted.has(name)) return;
     if (event.ctrlKey || event.metaKey || event.altKey || event.shiftKey) return;
     if (document.querySelector("dialog[open], #failure:not([hidden])")) return;
-    // Whoever types, or stands on a control, means that.
+    // Keys that go to a text field, a panel or a focused button are not the game's.
     const target = event.target as HTMLElement;
     if (target.isContentEditable || target.matches("input, textarea, select")) return;
     if (target.closest("#dock")) return;
@@ -95,6 +102,7 @@ export class Pad {
     this.#hold(name, true);
   }
 
+  /** Sets whether a key is held, on its button too, and reports a change. */
   #hold(name: KeyName, held: boolean): void {
     if (this.#held[name] === held) return;
     this.#held[name] = held;
@@ -103,10 +111,12 @@ export class Pad {
     this.#changed({ ...this.#held });
   }
 
+  /** Releases all keys. */
   #letGo(): void {
     for (const name of KEY_NAMES) this.#hold(name, false);
   }
 
+  /** An on-screen button holds its key while a pointer presses it. */
   #listenTo(button: HTMLElement): void {
     const name = button.dataset.key as KeyName;
     button.addEventListener("pointerdown", (event) => {
@@ -116,7 +126,8 @@ export class Pad {
     });
     for (const end of ["pointerup", "pointercancel", "lostpointercapture"])
       button.addEventListener(end, () => this.#hold(name, false));
-    // From a keyboard or a screen reader a button is pressed and let go at once.
+    // A click with detail 0 comes from a keyboard or a screen reader, and has no duration of its
+    // own: it holds the key for 120 ms.
     button.addEventListener("click", ({ detail }) => {
       if (detail !== 0) return;
       this.#hold(name, true);

@@ -1,12 +1,16 @@
-/** Which body lies under the pointer, told from what is drawn, without asking the worker. */
+/** Finds the body under the pointer from the frame that is shown, without asking the worker. */
 import type { Vec2 } from "thud";
 import type { Frame, Shapes } from "../../scene/frame";
 import { CIRCLE, DYNAMIC, ROW } from "../../scene/shape-table";
 
-/** Where bodies are: a frame of thud's, or with the other engine's places. */
+/** Poses of bodies: those of a frame, or Box2D's poses relative to the same origin. */
 export type Placed = Pick<Frame, "origin" | "now">;
 
-/** The slot of the body at a place, or the nearest within `reach`; dynamic ones only, if asked. */
+/**
+ * The slot of the body (its index in `Frame.now`) whose shape has the smallest signed distance to
+ * the point (x, y) of the world, negative inside the shape; null if that exceeds `reach`, a length
+ * in world units. Only circles and boxes are searched; `dynamicOnly`: only dynamic bodies.
+ */
 export function pick(
   shapes: Shapes,
   frame: Placed,
@@ -43,7 +47,7 @@ export function pick(
   return best;
 }
 
-/** A place of the world in the frame of a body. */
+/** A point of the world in the local coordinates of a body. */
 export function inBody({ origin, now }: Placed, slot: number, x: number, y: number): Vec2 {
   const [px, py, c, s] = now.subarray(4 * slot, 4 * slot + 4);
   const [dx, dy] = [x - origin[0] - px, y - origin[1] - py];

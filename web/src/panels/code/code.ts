@@ -1,4 +1,8 @@
-/** The running scene's code beside the canvas: read, changed, run again, sent with a link. */
+/**
+ * The panel Code: an editor with the running scene's module, which the visitor can change and run.
+ * Changed code is kept as a draft and in the page's address; code that came with a link is shown
+ * first and runs when the visitor says so.
+ */
 import { isConfined } from "../../offline/confine";
 import type { App } from "../../page/app";
 import type { Panel } from "../../page/dock";
@@ -17,7 +21,7 @@ import { Tabs } from "./tabs";
 import { TroubleLine } from "./trouble";
 import "../../style/code.css";
 
-/** The scene that a visitor's own one starts from. */
+/** The scene that the button New opens, for visitors who write their own. */
 const TEMPLATE = "sketch";
 
 export function createPanel(app: App): Panel {
@@ -32,15 +36,18 @@ class CodePanel implements Panel {
   readonly #trouble = new TroubleLine((line, column) => this.#goToTrouble(line, column));
   readonly #offer: Offer;
   readonly #status = make("p", { class: "code-status" });
-  /** The file that is edited; those that it imports are for reading. */
+  /** The path of the scene's module, which can be edited; files that it imports are read only. */
   #path = "";
+  /** The text of that file on the host. */
   #original = "";
-  /** What the link brought that the editor shows or showed. */
+  /** The link's code that the editor shows, or that it showed last; null: none. */
   #offered: string | null = null;
-  /** The text that could not be run, or stopped. */
+  /** The text that failed to start or stopped with an error, and the error. */
   #failed: { text: string; trouble: Trouble } | null = null;
-  /** The code that does not answer is being ended: what runs next is not what the visitor ran. */
+  /** The visitor's code does not answer. The next scene to start is not the visitor's code, so its
+   * start must not hide the error. */
   #ending = false;
+  /** Number of the latest load of files; results of earlier ones are dropped. */
   #loads = 0;
 
   constructor(app: App) {
@@ -92,13 +99,14 @@ class CodePanel implements Panel {
     );
   }
 
+  /** The text of the scene's module as edited. */
   get #text(): string {
     return this.#editor.textOf(this.#path);
   }
 
   // ---- files ----
 
-  /** Shows the scene that runs, or what a link brought for it. */
+  /** Shows the running scene's module: the link's code, the draft, or what runs, in this order. */
   async #load(): Promise<void> {
     const load = ++this.#loads;
     const { scene } = this.#app.state;
@@ -120,7 +128,8 @@ class CodePanel implements Panel {
       this.#editor.add(path, own, false);
       this.#tabs.show([path]);
     }
-    // As an edit, so that undoing it leads back to the visitor's own text.
+    // The link's code replaces the text as an edit, so that undo leads back to the visitor's text.
+    // `left`: the link's code is no longer offered and the editor still shows it.
     const { offeredCode } = this.#app;
     const left = offeredCode === null && this.#offered !== null && this.#text === this.#offered;
     this.#offered = offeredCode;
@@ -132,6 +141,7 @@ class CodePanel implements Panel {
     await this.#findImports(load);
   }
 
+  /** Adds tabs for the files that the module imports. */
   async #findImports(load: number): Promise<void> {
     const files = await importsOf(this.#path, this.#text);
     if (load !== this.#loads) return;
@@ -140,25 +150,30 @@ class CodePanel implements Panel {
     this.#tabs.show([this.#path, ...files.map(({ path }) => path)]);
   }
 
+  /** Shows the file of the chosen tab. */
   #showFile(): void {
     this.#editor.show(this.#tabs.shown);
     this.#mark();
     this.#refresh();
   }
 
-  // ---- what the visitor does ----
+  // ---- actions of the visitor ----
 
+  /** The text in the editor has changed. */
   #changed(): void {
     const text = this.#text;
-    // What a link brought becomes the visitor's own once it is changed or run.
+    // The link's code becomes the visitor's draft only when it is changed or run.
     if (text !== this.#offered) this.#keep(text);
     this.#refresh();
   }
 
+  /** Keeps the text as a draft; the original text needs none. */
   #keep(text: string): void {
     keepDraft(this.#app.state.scene, text === this.#original ? null : text);
   }
 
+  /** Runs the edited text. The link's code runs only if the policy confines it or the visitor has
+   * been warned. */
   async #run(): Promise<void> {
     const app = this.#app;
     if (app.offeredCode !== null && !this.#offer.warned && !(await isConfined(workerScript))) {
@@ -174,6 +189,7 @@ class CodePanel implements Panel {
     if (runs) await this.#findImports(++this.#loads);
   }
 
+  /** Restores the original text as an edit, and runs it. */
   #goBack(): void {
     this.#tabs.choose(this.#path);
     if (this.#text !== this.#original) {
@@ -190,8 +206,9 @@ class CodePanel implements Panel {
     );
   }
 
-  // ---- what comes of it ----
+  // ---- events of the app ----
 
+  /** A scene has started. */
   #ran(): void {
     if (sceneFile(this.#app.state.scene) !== this.#path) void this.#load();
     else if (!this.#ending) this.#forgetTrouble();
@@ -200,6 +217,7 @@ class CodePanel implements Panel {
     this.#refresh();
   }
 
+  /** The scene failed to start or stopped: shows the error and marks its line. */
   #fail(trouble: Trouble): void {
     const { scene, code } = this.#app.state;
     if (this.#ending || sceneFile(scene) !== this.#path) return;
@@ -210,12 +228,14 @@ class CodePanel implements Panel {
     this.#refresh();
   }
 
+  /** The worker does not answer. */
   #stuck(): void {
     if (this.#app.state.code === null) return;
     this.#fail({ message: "This code did not answer for eight seconds: a loop without an end?" });
     this.#ending = true;
   }
 
+  /** The worker answers after all. */
   #answers(): void {
     if (!this.#ending) return;
     this.#ending = false;
@@ -223,26 +243,30 @@ class CodePanel implements Panel {
     this.#refresh();
   }
 
+  /** Hides the error and its mark. */
   #forgetTrouble(): void {
     this.#failed = null;
     this.#trouble.hide();
     this.#editor.unmark();
   }
 
+  /** Marks the error's line in the file that is shown, if the error is in it. */
   #mark(): void {
     const { text, trouble } = this.#failed ?? {};
     if (trouble?.line === undefined) return;
     const { file = this.#path, line, column, message } = trouble;
-    // A text that was changed since has the place elsewhere.
+    // After a change of the text the line may be elsewhere.
     const fits = file !== this.#path || text === this.#text;
     if (fits && file === this.#tabs.shown) this.#editor.mark(message, line, column);
   }
 
+  /** Shows the file in which the error is, and moves the cursor to it. */
   #goToTrouble(line: number, column?: number): void {
     this.#tabs.choose(this.#failed?.trouble.file ?? this.#path);
     this.#editor.goTo(line, column);
   }
 
+  /** Shows the offer, and whether the text runs. */
   #refresh(): void {
     const { state, offeredCode } = this.#app;
     this.#offer.show(offeredCode !== null);

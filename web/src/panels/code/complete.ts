@@ -1,7 +1,10 @@
-/** Completion of what a scene can use; the language's own names come from its package. */
+/**
+ * Completion in the editor of the names that the page gives to a scene. Names of JavaScript itself
+ * are completed by CodeMirror's package of the language.
+ */
 import { GROUPS } from "virtual:code-names";
 
-/** What of CodeMirror's completion context is used. */
+/** The part of CodeMirror's CompletionContext that is used here. */
 interface Asked {
   pos: number;
   explicit: boolean;
@@ -19,11 +22,12 @@ function firstSentence(text: string): string {
   return /^.*?[.;](?=\s|$)/.exec(text)?.[0].replace(/;$/, ".") ?? text;
 }
 
+/** The names that stand alone ("plain") or follow "world." ("member"). */
 function completionsOf(completes: "plain" | "member"): Completion[] {
   const entries = GROUPS.filter((group) => group.completes === completes).flatMap((group) =>
     group.entries.map(({ name, meaning }) => [name, firstSentence(meaning)] as const),
   );
-  // Some names stand in two groups; the first tells.
+  // A name may be in two groups: the description of the first one is taken.
   const named = new Map([...entries].reverse());
   return [...named].map(([label, detail]) => ({ label, detail, type: "property" }));
 }
@@ -31,9 +35,11 @@ function completionsOf(completes: "plain" | "member"): Completion[] {
 const PLAIN = completionsOf("plain");
 const MEMBERS = completionsOf("member");
 
-/** What of the language is prose: Enter after a word there ends a line and takes no name. */
+/** Syntax nodes that contain prose: in them no names are offered, so that Enter after a word begins
+ * a line and accepts no completion. */
 const PROSE = ["LineComment", "BlockComment", "String"];
 
+/** A completion source of CodeMirror: the names that fit before the cursor, or null for none. */
 export function completeNames(context: Asked) {
   if (context.tokenBefore(PROSE)) return null;
   const member = context.matchBefore(/\bworld\.\w*/);

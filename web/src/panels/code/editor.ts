@@ -1,4 +1,8 @@
-/** The editor: CodeMirror in a shadow tree, where its styles need no style element of the page. */
+/**
+ * `Editor`: the code editor, CodeMirror with a state for each file. It is in a shadow tree, into
+ * which CodeMirror puts its styles without a style element in the page, which the page's content
+ * security policy forbids.
+ */
 import { indentWithTab, isolateHistory } from "@codemirror/commands";
 import { javascript, javascriptLanguage } from "@codemirror/lang-javascript";
 import { lintGutter, setDiagnostics } from "@codemirror/lint";
@@ -12,36 +16,39 @@ import { codeTheme } from "./theme";
 export interface EditorActions {
   changed(): void;
   run(): void;
-  /** Escape was pressed: Tab leaves the editor now, and Escape its panel. */
+  /** Escape was pressed: Tab now leaves the editor, and a second Escape closes the panel. */
   escaped(): void;
 }
 
 export class Editor {
-  /** Takes the place that it is given. */
+  /** The element that contains the editor. */
   readonly host = make("div", { class: "code-editor", "data-typed": true });
   readonly #actions: EditorActions;
   readonly #view: EditorView;
-  /** Of the files that are not shown, with their pasts for undoing. */
+  /** States (text, undo history) of the files by their paths. That of the shown file is out of
+   * date: the view has the current one. */
   readonly #states = new Map<string, EditorState>();
+  /** The path of the file that is shown; "" for none. */
   #shown = "";
+  /** Escape was pressed in the editor, and no other key but Tab and Shift since. */
   #escaped = false;
 
   constructor(actions: EditorActions) {
     this.#actions = actions;
     const root = this.host.attachShadow({ mode: "open" });
     this.#view = new EditorView({ root, parent: root });
-    // Whoever comes back finds Tab indenting again.
+    // When the editor gets the focus again, Tab indents again.
     this.host.addEventListener("focusout", () => this.#setEscaped(false));
   }
 
-  /** Forgets all files. */
+  /** Removes all files. */
   clear(): void {
     this.#states.clear();
     this.#shown = "";
     this.#view.setState(EditorState.create());
   }
 
-  /** Adds a file, or another text of one; a file that is not there yet is not shown by this. */
+  /** Adds a file, or replaces the state of one that exists; does not show it. */
   add(path: string, text: string, readOnly: boolean): void {
     const name = path.replace(/^.*\//, "");
     const label = readOnly
@@ -60,6 +67,7 @@ export class Editor {
     return this.#states.has(path);
   }
 
+  /** Shows a file that has been added. */
   show(path: string): void {
     if (path === this.#shown) return;
     if (this.#states.has(this.#shown)) this.#states.set(this.#shown, this.#view.state);
@@ -67,11 +75,12 @@ export class Editor {
     this.#view.setState(this.#states.get(path)!);
   }
 
+  /** The text of a file; "" if there is no such file. */
   textOf(path: string): string {
     return this.#stateOf(path)?.doc.toString() ?? "";
   }
 
-  /** Puts another text into the file that is shown; can be undone by itself. */
+  /** Replaces the text of the file that is shown, as a single edit that can be undone. */
   replace(text: string): void {
     const { length } = this.#view.state.doc;
     this.#view.dispatch({
@@ -80,7 +89,8 @@ export class Editor {
     });
   }
 
-  /** Marks a place of the file that is shown. */
+  /** Marks an error in the file that is shown, and scrolls to it. Lines and columns count from 1;
+   * without a column the whole line is marked. */
   mark(message: string, line: number, column: number | undefined): void {
     const { state } = this.#view;
     const { doc } = state;
@@ -92,11 +102,12 @@ export class Editor {
     this.#view.dispatch({ effects: EditorView.scrollIntoView(from, { y: "center" }) });
   }
 
+  /** Removes the mark. */
   unmark(): void {
     this.#view.dispatch(setDiagnostics(this.#view.state, []));
   }
 
-  /** Puts the cursor to a place, and the keyboard with it. */
+  /** Moves the cursor to a line and column, and focuses the editor. */
   goTo(line: number, column = 1): void {
     const { doc } = this.#view.state;
     const { from, to } = doc.line(Math.min(Math.max(1, line), doc.lines));
@@ -109,6 +120,7 @@ export class Editor {
     return path === this.#shown ? this.#view.state : this.#states.get(path);
   }
 
+  /** The extensions of every file's state. */
   get #setup(): Extension {
     const run = () => {
       this.#actions.run();
@@ -118,7 +130,7 @@ export class Editor {
       Prec.highest(keymap.of([{ key: "Mod-Enter", run }, { key: "Ctrl-Enter", run }])),
       basicSetup,
       keymap.of([indentWithTab]),
-      // After all that Escape closes inside the editor.
+      // Lowest precedence: Escape first closes search, completion and the like in the editor.
       Prec.lowest(keymap.of([{ key: "Escape", run: () => this.#escape() }])),
       EditorView.domEventHandlers({
         keydown: ({ key }) => {
@@ -140,7 +152,7 @@ export class Editor {
     ];
   }
 
-  /** The second time the panel gets it, which closes. */
+  /** Escape: true if the editor handles it. A second one is left to the dock, which closes. */
   #escape(): boolean {
     if (this.#escaped) return false;
     this.#setEscaped(true);
@@ -148,6 +160,7 @@ export class Editor {
     return true;
   }
 
+  /** Sets whether the Tab key leaves the editor (true) or indents. */
   #setEscaped(escaped: boolean): void {
     this.#escaped = escaped;
     this.#view.setTabFocusMode(escaped);
@@ -155,8 +168,9 @@ export class Editor {
 }
 
 /**
- * Types over a selection. Left to itself a browser would give what is typed the selection's look
- * by a style attribute, which the page's policy forbids.
+ * Replaces the selection by typed text; true if it did. Browsers by themselves would insert the
+ * text with a style attribute that copies the selection's look, which the page's content security
+ * policy forbids.
  */
 function replaceSelection(event: InputEvent, view: EditorView): boolean {
   const { data, inputType, isComposing } = event;
@@ -166,7 +180,7 @@ function replaceSelection(event: InputEvent, view: EditorView): boolean {
   event.preventDefault();
   const insert = () =>
     state.update(state.replaceSelection(data), { userEvent: "input.type", scrollIntoView: true });
-  // Brackets are put around it, for one.
+  // Extensions handle some input: a typed bracket, for one, is put around the selection.
   const handled = state
     .facet(EditorView.inputHandler)
     .some((handler) => handler(view, from, to, data, insert));

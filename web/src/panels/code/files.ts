@@ -1,13 +1,15 @@
-/** The files of a scene: its own, and what it imports from beside it. */
+/** Fetches the source files of a scene: its module, and the files of the scenes that it imports. */
 
-/** Paths are relative to the page: "scenes/artillery.js". */
 export interface SourceFile {
+  /** Relative to the page: "scenes/artillery.js". */
   path: string;
   text: string;
 }
 
+/** Texts by path, each fetched once; failures are forgotten. */
 const fetched = new Map<string, Promise<string>>();
 
+/** The text of a file, with \n at the ends of its lines; rejects if it cannot be fetched. */
 export function readSource(path: string): Promise<string> {
   let text = fetched.get(path);
   if (!text) {
@@ -24,7 +26,8 @@ async function load(path: string): Promise<string> {
   return (await response.text()).replace(/\r\n?/g, "\n");
 }
 
-/** What a text imports, with what that imports, each once; what is not there is left out. */
+/** The files that a text at `path` imports, directly or through other files, each once. Files that
+ * cannot be fetched are left out. */
 export async function importsOf(path: string, text: string): Promise<SourceFile[]> {
   const found = new Map<string, SourceFile>([[path, { path, text }]]);
   for (const file of found.values())
@@ -37,7 +40,8 @@ export async function importsOf(path: string, text: string): Promise<SourceFile[
   return [...found.values()];
 }
 
-/** Only files of the scenes: nothing else of the page is for reading here. */
+/** The paths that a file imports, as found by a pattern in its text. Only files in the folder
+ * "scenes" count; others are not shown to the visitor. */
 function pathsIn({ path, text }: SourceFile): string[] {
   const base = new URL(path, document.baseURI);
   const root = new URL("../", document.baseURI).href;

@@ -1,7 +1,8 @@
-/** The list beside the code of what a scene can use, with an example of each. */
+/** The folded help below the editor: a list of what a scene can use, with an example of each. */
 import { GROUPS } from "virtual:code-names";
 import { make } from "../../page/dom";
 
+/** The form of every scene's module. */
 const FORM = `export default function ({ createWorld }) {
   const world = createWorld();
   …

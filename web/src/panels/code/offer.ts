@@ -1,4 +1,4 @@
-/** The question before code runs that came with a link. */
+/** `Offer`: the question whether to run the code that came with a link. */
 import { make } from "../../page/dom";
 
 const OFFER = "This link brings code by somebody else. Read it, then run it.";
@@ -31,14 +31,14 @@ export class Offer {
     this.#run.textContent = "Run it";
   }
 
-  /** Asks once more, where nothing confines the code. */
+  /** Asks a second time, since no policy keeps the code from reaching other hosts. */
   warn(): void {
     this.#text.textContent = UNCONFINED;
     this.#run.textContent = "Run it all the same";
     this.#run.focus();
   }
 
-  /** Whether `warn` has been said. */
+  /** Whether the second question is shown. */
   get warned(): boolean {
     return this.#text.textContent === UNCONFINED;
   }

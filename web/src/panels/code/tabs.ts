@@ -1,4 +1,4 @@
-/** The files of a scene as tabs: the first is the scene's own. */
+/** `Tabs`: a tab for each file of a scene; the first is the scene's module. */
 import { make } from "../../page/dom";
 
 export class Tabs {
@@ -8,7 +8,7 @@ export class Tabs {
   #paths: readonly string[] = [];
   #shown = "";
 
-  /** `chosen` is told which file `panel` shall show. */
+  /** `panel` is the element that shows the file; `chosen` is called with the path of the file. */
   constructor(panel: HTMLElement, chosen: (path: string) => void) {
     this.#panel = panel;
     this.#chosen = chosen;
@@ -17,11 +17,13 @@ export class Tabs {
     this.element.addEventListener("keydown", (event) => this.#press(event));
   }
 
+  /** The path of the file that is shown. */
   get shown(): string {
     return this.#shown;
   }
 
-  /** The file that is shown stays so, if it is one of them. */
+  /** Shows tabs for these files. The file that is shown stays if it is one of them; otherwise the
+   * first is chosen. */
   show(paths: readonly string[]): void {
     this.#paths = paths;
     this.element.replaceChildren(
@@ -35,6 +37,7 @@ export class Tabs {
     this.choose(paths.includes(this.#shown) ? this.#shown : paths[0]);
   }
 
+  /** Selects the tab of a file and has the file shown. */
   choose(path: string): void {
     this.#shown = path;
     [...this.element.children].forEach((tab, i) => {
@@ -46,6 +49,7 @@ export class Tabs {
     this.#chosen(path);
   }
 
+  /** Arrow keys, Home and End choose a tab and focus it. */
   #press(event: KeyboardEvent): void {
     const { length } = this.#paths;
     const at = this.#paths.indexOf(this.#shown);

@@ -1,4 +1,5 @@
-/** The editor's colours and measures. Colours are the page's, so that light and dark follow it. */
+/** The editor's colours and sizes. Colours are variables of the page's style sheet, so that they
+ * follow its theme. */
 import { HighlightStyle, syntaxHighlighting } from "@codemirror/language";
 import type { Extension } from "@codemirror/state";
 import { EditorView } from "@codemirror/view";
@@ -56,7 +57,7 @@ const theme = EditorView.theme({
     border: "1px solid var(--faint)",
     borderRadius: "5px",
   },
-  // No wider than the panel, which would cut it off: so its lines end in dots.
+  // A list wider than the panel would be cut off; at this width its lines end in an ellipsis.
   ".cm-tooltip.cm-tooltip-autocomplete > ul": { maxWidth: "min(54rem, 92vw)" },
   ".cm-tooltip-autocomplete > ul > li[aria-selected]": {
     color: "var(--accent-ink)",
@@ -66,7 +67,8 @@ const theme = EditorView.theme({
     color: "var(--accent-ink)",
   },
   ".cm-completionDetail": { color: "var(--faint)", fontStyle: "normal" },
-  // The package's own marks are pictures in data: addresses, which the page's policy forbids.
+  // CodeMirror's own marks are images with data: addresses, which the page's content security
+  // policy forbids.
   ".cm-lintRange-error": {
     backgroundImage: "none",
     textDecoration: "underline wavy var(--over)",

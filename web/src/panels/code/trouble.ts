@@ -1,4 +1,5 @@
-/** The line under the code that says what is wrong with it, and leads to the place. */
+/** `TroubleLine`: shows an error of the code below the editor, with a button that leads to the
+ * error's line. */
 import { make } from "../../page/dom";
 import type { Trouble } from "../../worker/protocol";
 
@@ -16,7 +17,7 @@ export class TroubleLine {
     this.element.replaceChildren();
   }
 
-  /** `name` is of the file, if it is not the scene's own. */
+  /** Shows an error. `name`: the file's name if it is not the scene's module. */
   show({ message, line, column, details = [] }: Trouble, name = ""): void {
     this.element.hidden = false;
     this.element.replaceChildren(make("p", {}, message));

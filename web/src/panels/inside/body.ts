@@ -1,4 +1,8 @@
-/** The body under the pointer, on a small card beside it; clicked, it stays in the panel. */
+/**
+ * The part Body of the panel Inside: the state, shapes, contacts and joints of the body under the
+ * pointer, also on a small card beside the pointer. A click pins a body, which then stays in the
+ * panel.
+ */
 import type { ShapeState } from "thud";
 import type { App } from "../../page/app";
 import { byId, make } from "../../page/dom";
@@ -8,12 +12,14 @@ import type { Hovered, Stage } from "../../page/stage";
 import type { BodyReport, Tie, Touch } from "../../worker/inspect";
 import { degreesText, fillList, numberText, placeText, type Row } from "./values";
 
-/** CSS pixels from the pointer to the card. */
+/** CSS pixels from the pointer to the card. Chosen. */
 const AWAY = 16;
 
+/** The collision mask of a shape that meets all categories. */
 const ALL_BITS = 0xffffffff;
-/** Rows that the lists of contacts and of joints have. */
+/** Rows of the tables of contacts and of joints at most. Chosen. */
 const MOST_ROWS = 12;
+/** The text while no body is shown. */
 const HOW = isTouch()
   ? "Tap a body to see its state."
   : "Point at a body to see its state; a click keeps it here. Q takes the body at the crosshair.";
@@ -34,11 +40,14 @@ export class BodyPart {
   readonly #joints = make("table", { id: "body-joints" });
   readonly #release = make("button", { class: "wide" }, "Let go of it");
   #hovered: Hovered | null = null;
+  /** The slot (index in `Frame.now`) of the pinned body; null: none. */
   #pinned: number | null = null;
+  /** A question to the worker is open. */
   #asking = false;
+  /** Ends listening to the app. */
   #stop: (() => void) | null = null;
 
-  /** `picked` hears that a body was clicked, and shall be seen. */
+  /** `picked` is called when a body was clicked, so that this part is shown. */
   constructor(app: App, stage: Stage, picked: () => void) {
     this.#app = app;
     this.#stage = stage;
@@ -58,6 +67,7 @@ export class BodyPart {
     this.#clear();
   }
 
+  /** The panel is opened. */
   watch(): void {
     this.#card.hidden = true;
     byId("stage").append(this.#card);
@@ -69,6 +79,7 @@ export class BodyPart {
     });
   }
 
+  /** The panel is closed. */
   rest(): void {
     this.#stage.onHover = this.#stage.onPick = null;
     this.#stop?.();
@@ -77,6 +88,7 @@ export class BodyPart {
     this.#card.remove();
   }
 
+  /** Another body, or none, is under the pointer, or the pointer has moved. */
   #hover(hovered: Hovered | null): void {
     const same = hovered?.slot === this.#hovered?.slot;
     this.#hovered = hovered;
@@ -90,6 +102,7 @@ export class BodyPart {
     }
   }
 
+  /** Pins a body; null unpins it. */
   #pin(slot: number | null): void {
     const lets = slot === null && this.#pinned !== null;
     this.#pinned = slot;
@@ -103,12 +116,14 @@ export class BodyPart {
     void this.#ask();
   }
 
+  /** Has the pinned body outlined, or else the one under the pointer. */
   #outline(): void {
     this.#stage.outlined = this.#pinned ?? this.#hovered?.slot ?? null;
     if (this.#stage.view.shown.has("sums")) this.#app.refresh();
   }
 
-  /** Asks for what is shown, once at a time: the next frame asks again. */
+  /** Asks the worker for the bodies in the panel and on the card, unless a question is open; each
+   * frame asks again. */
   async #ask(): Promise<void> {
     const inPanel = this.#pinned ?? this.#hovered?.slot;
     if (this.#asking || inPanel === undefined || document.hidden) return;
@@ -123,13 +138,14 @@ export class BodyPart {
       this.#show(report, inPanel);
       this.#showCard(onCard);
     } catch {
-      // The scene has ended: another one will be asked.
+      // The scene has ended; the next scene's frames ask again.
     }
     this.#asking = false;
     // Another body may have come under the pointer meanwhile.
     if ((this.#pinned ?? this.#hovered?.slot ?? inPanel) !== inPanel) void this.#ask();
   }
 
+  /** Shows a report in the panel; null: the body has been removed. */
   #show(report: BodyReport | null, slot: number): void {
     if ((this.#pinned ?? this.#hovered?.slot) !== slot) return;
     if (!report) {
@@ -177,6 +193,7 @@ export class BodyPart {
     });
   }
 
+  /** Shows a report on the card, if it is of the body under the pointer. */
   #showCard(report: BodyReport | null): void {
     const hovered = this.#hovered;
     this.#card.hidden = !report || hovered?.slot !== report.slot;
@@ -192,7 +209,7 @@ export class BodyPart {
     this.#place(hovered);
   }
 
-  /** Beside the pointer, and within the window. */
+  /** Places the card beside the pointer, on the side where the window has room. */
   #place({ screenX, screenY }: Hovered): void {
     const { offsetWidth, offsetHeight, style } = this.#card;
     const left = screenX + AWAY + offsetWidth > innerWidth ? -AWAY - offsetWidth : AWAY;
@@ -201,6 +218,7 @@ export class BodyPart {
     style.top = `${screenY + top}px`;
   }
 
+  /** Shows no body. */
   #clear(hint = ""): void {
     this.#title.textContent = "No body";
     this.#hint.textContent = hint || HOW;
@@ -211,12 +229,14 @@ export class BodyPart {
   }
 }
 
+/** The head of a table with these columns. */
 function headOf(...texts: string[]): HTMLElement {
   const cells = texts.map((text) => make("th", { scope: "col" }, text));
   return make("thead", {}, make("tr", {}, ...cells));
 }
 
-/** Hidden where there is no row; the first cell of each is its head. */
+/** Fills a table with at most MOST_ROWS rows, whose first cell is the row's header; hides it if
+ * there are none. */
 function fillTable(table: HTMLElement, head: HTMLElement, rows: readonly string[][]): void {
   table.hidden = rows.length === 0;
   const shown = rows.slice(0, MOST_ROWS).map(([first, ...others]) => {
@@ -231,6 +251,7 @@ function fillTable(table: HTMLElement, head: HTMLElement, rows: readonly string[
   );
 }
 
+/** The body's state in a word. */
 function wordsOf({ state }: BodyReport): string {
   if (!state.enabled) return "switched off";
   if (state.quarantined) return "quarantined: not finite";
@@ -238,6 +259,7 @@ function wordsOf({ state }: BodyReport): string {
   return state.awake ? "awake" : "asleep";
 }
 
+/** The rows of a body's state; those that say nothing for its kind or are defaults are left out. */
 function rowsOf(report: BodyReport): Row[] {
   const { state } = report;
   const rows: Row[] = [
@@ -264,6 +286,7 @@ function rowsOf(report: BodyReport): Row[] {
   return rows;
 }
 
+/** The rows of a shape's state, without defaults. */
 function shapeRows(shape: ShapeState): Row[] {
   const rows: Row[] = [];
   if (shape.kind === "circle") rows.push(["radius", numberText(shape.radius)]);
@@ -286,6 +309,7 @@ function shapeRows(shape: ShapeState): Row[] {
   return rows;
 }
 
+/** 32 bits as a hexadecimal number. */
 function bits(value: number): string {
   return `0x${(value >>> 0).toString(16)}`;
 }

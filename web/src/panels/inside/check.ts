@@ -1,6 +1,7 @@
 /**
- * The state's hash, and whether it is the same elsewhere: on the machine that built the page, in
- * the native engine, on a friend's machine by a link, and on this one after going back.
+ * The part "Same bits" of the panel Inside: the hash of the world's state, and checks that the same
+ * steps give the same hash on the machine that built the page, in native programs, on the machine
+ * of a link's sender, and again on this machine after going back in time.
  */
 import type { App } from "../../page/app";
 import { make } from "../../page/dom";
@@ -18,17 +19,19 @@ import {
   referenceOf,
 } from "./proof";
 
+/** Steps after which hashes are compared: those of which web/tools/hashes.mjs writes references. */
 const STEPS = [1, 2, 3, 4, 5].map((i) => i * EVERY);
-/** Seconds that "rewind" goes back. */
+/** Seconds that the rewind check goes back. Chosen. */
 const BACK = 5;
-/** Milliseconds between two looks at the present hash. */
+/** Milliseconds between two requests for the present hash. Chosen. */
 const REFRESH = 400;
 
+/** "open": there is no result yet, or nothing to compare with. */
 type Verdict = "same" | "different" | "open";
 
 export class CheckPart {
   readonly element: HTMLElement;
-  /** Whether it is in view: out of view nothing is asked. */
+  /** Whether this part is shown; while it is not, the present hash is not requested. */
   seen = false;
   readonly #app: App;
   readonly #now = make("dl", { class: "facts", id: "hash-now" });
@@ -38,9 +41,13 @@ export class CheckPart {
   readonly #verdict = make("p", { id: "verdict", role: "status" });
   readonly #table = make("table", { id: "hashes" });
   readonly #rewound = make("p", { id: "rewound" });
+  /** The worker that runs the scene for a check; null: none runs. */
   #proof: Proof | null = null;
+  /** Ends listening to the app. */
   #stop: (() => void) | null = null;
+  /** When the present hash was last requested, on the clock of performance.now(). */
   #asked = 0;
+  /** The claim of the page's link has been checked. */
   #claimed = false;
 
   constructor(app: App) {
@@ -76,6 +83,7 @@ export class CheckPart {
     this.#forget();
   }
 
+  /** The panel is opened. */
   watch(): void {
     this.#stop = this.#app.listen({
       run: () => {
@@ -89,11 +97,13 @@ export class CheckPart {
     void this.#checkClaim();
   }
 
+  /** The panel is closed. */
   rest(): void {
     this.#stop?.();
     this.#end();
   }
 
+  /** Shows the hash of the state that is shown. */
   async #showNow(): Promise<void> {
     const now = performance.now();
     if (!this.seen || (now - this.#asked < REFRESH && !this.#app.state.paused)) return;
@@ -109,8 +119,9 @@ export class CheckPart {
     }
   }
 
-  // ---- elsewhere ----
+  // ---- comparison with other machines ----
 
+  /** The button: starts the check, or ends one that runs. */
   async #toggle(): Promise<void> {
     if (this.#proof) {
       this.#end();
@@ -118,6 +129,8 @@ export class CheckPart {
     } else await this.#checkReference();
   }
 
+  /** Compares with the machine that built the page, if the scene and its choices are the default
+   * ones, of which references exist. */
   async #checkReference(): Promise<void> {
     const { state } = this.#app;
     const reference = isUsual(state) ? referenceOf(state.scene) : null;
@@ -144,6 +157,7 @@ export class CheckPart {
     else await this.#checkNative(reference);
   }
 
+  /** Compares with the native engine's hash, if there is one, at its size of the scene. */
   async #checkNative({ native }: Reference): Promise<void> {
     const built = "Same bits as on the machine that built this page";
     if (!native) return this.#tell("same", `${built}.`);
@@ -160,7 +174,7 @@ export class CheckPart {
       );
   }
 
-  /** Compares with what a link says of another machine. */
+  /** Compares with the hash that the page's link claims for its sender's machine; once. */
   async #checkClaim(): Promise<void> {
     const { claim, code } = this.#app.state;
     if (!claim || this.#claimed || this.#proof) return;
@@ -185,7 +199,8 @@ export class CheckPart {
       );
   }
 
-  /** Null if it was ended or the scene cannot be run. */
+  /** Runs the scene, with changes of the request, in a worker of its own, and returns its hashes
+   * after these steps; null if that was stopped or the scene cannot be run. */
   async #run(
     steps: readonly number[],
     change: Partial<App["request"]>,
@@ -205,6 +220,7 @@ export class CheckPart {
     }
   }
 
+  /** Stops the check that runs. */
   #end(): void {
     const proof = this.#proof;
     this.#proof = null;
@@ -212,17 +228,20 @@ export class CheckPart {
     this.#check.textContent = "Check determinism";
   }
 
+  /** Clears the results. */
   #forget(): void {
     this.#table.replaceChildren();
     this.#tell("open", "");
     this.#rewound.textContent = "";
   }
 
+  /** Shows a verdict; its kind selects the colour. */
   #tell(verdict: Verdict, text: string): void {
     this.#verdict.dataset.verdict = verdict;
     this.#verdict.textContent = text;
   }
 
+  /** Lists hashes, beside those of the reference if there is one. */
   #list(hashes: readonly StateHash[], reference: readonly { hash: string }[] | null): void {
     const head = ["Step", "Here", ...(reference ? ["There"] : [])];
     const rows = hashes.map(({ step, hash }, i) => {
@@ -238,6 +257,8 @@ export class CheckPart {
     );
   }
 
+  /** Runs the scene and copies a link that claims its hash. Where the clipboard is not allowed, the
+   * link is shown in a field. */
   async #copyLink(): Promise<void> {
     const steps = STEPS.at(-1)!;
     const hashes = await this.#run([steps], {});
@@ -259,6 +280,7 @@ export class CheckPart {
 
   // ---- back in time ----
 
+  /** Has the worker go back, make the same steps again and compare the hashes. */
   async #checkRewind(): Promise<void> {
     const seconds = this.#app.scene?.timeStep ?? 1 / 60;
     this.#rewound.textContent = "Running…";

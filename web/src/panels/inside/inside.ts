@@ -1,4 +1,7 @@
-/** What the engine sees and does: overlays, one body, the stages of a step, the state's bits. */
+/**
+ * The panel Inside, which shows the engine at work. It has four parts, of which one is shown:
+ * overlays, one body, the stages of a step, and the state's hash.
+ */
 import type { App } from "../../page/app";
 import type { Panel } from "../../page/dock";
 import { choiceBar, make } from "../../page/dom";
@@ -36,12 +39,13 @@ export function createPanel(app: App, stage: Stage): Panel {
     (value) => show(value),
   );
   bar.element.classList.add("parts");
+  /** Shows a part and hides the others. */
   function show(part: PartName): void {
     bar.show(part);
     for (const name of PARTS) elements[name].hidden = name !== part;
     step.seen = part === "step";
     check.seen = part === "bits";
-    // A scene that stands would tell it nothing before its next step.
+    // While paused no frame would come, and the part that is shown now would stay empty.
     app.refresh();
   }
   show(app.state.claim ? "bits" : "show");

@@ -1,4 +1,5 @@
-/** A box to tick for each overlay, with what it shows and the colours that it has in the scene. */
+/** The part Overlays of the panel Inside: a check box for each overlay, with a description and a
+ * key of its colours. */
 import { DARK, LIGHT, type Theme } from "../../draw/palette";
 import type { App } from "../../page/app";
 import { make } from "../../page/dom";
@@ -6,17 +7,19 @@ import type { Stage } from "../../page/stage";
 import { isDark, onTheme } from "../../page/theme";
 import type { OverlayName } from "../../scene/overlays";
 
+/** The texts of an overlay. */
 interface Text {
   name: OverlayName;
   title: string;
   about: string;
-  /** Colours and what has them. */
+  /** The key: each colour, and what has it in the scene. */
   key?: readonly (readonly [colour: (theme: Theme) => string, meaning: string])[];
 }
 
+/** The colour of a style of the engine's debug drawing. */
 const style = (name: string) => (theme: Theme) => theme.styles[name];
 
-/** In the order in which a step needs them. */
+/** All overlays, in the order of the stages of a step that they show. */
 const GROUPS: readonly { title: string; overlays: readonly Text[] }[] = [
   {
     title: "Finding pairs",
@@ -140,6 +143,7 @@ const GROUPS: readonly { title: string; overlays: readonly Text[] }[] = [
   },
 ];
 
+/** Builds the part; its boxes set the stage's overlays and follow them. */
 export function overlaysPart(app: App, stage: Stage): HTMLElement {
   const inputs = new Map<OverlayName, HTMLInputElement>();
   const swatches: { element: HTMLElement; colour: (theme: Theme) => string }[] = [];

@@ -1,25 +1,28 @@
-/** Runs a scene once more, in a worker of its own, for the hashes of its state. */
+/** `Proof` runs a scene in a worker of its own and returns hashes of its state; references for them
+ * were computed when the page was built (web/tools/hashes.mjs). */
 import type { ChosenWasm } from "../../wasm/choose";
 import { Client } from "../../page/client";
 import { type State, USUAL } from "../../page/url";
 import type { SceneRequest, StateHash } from "../../worker/protocol";
 import known from "../../../generated/hashes.json";
 
-/** What a scene came to where the page was built. */
+/** Hashes of a scene on the machine that built the page. */
 export interface Reference {
   hashes: readonly StateHash[];
-  /** The native engine's, of the same scene, for this size. */
+  /** The hash in the native engine of the same scene at this size; null if there is none. */
   native: { size: number; step: number; hash: string } | null;
 }
 
+/** A scene's entry in hashes.json. */
 interface Known {
   hashes: string[];
   native?: { size: number; hash: string };
 }
 
+/** Steps from one reference hash to the next. */
 export const EVERY = known.every;
 
-/** Null for a scene of the visitor's own. */
+/** The reference of a scene; null if it has none, as a visitor's own scene. */
 export function referenceOf(scene: string): Reference | null {
   const found = (known.scenes as Record<string, Known | undefined>)[scene];
   if (!found) return null;
@@ -29,7 +32,7 @@ export function referenceOf(scene: string): Reference | null {
   };
 }
 
-/** Whether a reference holds: nothing is chosen that changes what happens. */
+/** Whether the reference holds for a state: size, seed, code and all choices are the defaults. */
 export function isUsual({ size, seed, code, choices, scene }: State): boolean {
   const chosen = Object.keys(USUAL) as (keyof typeof USUAL)[];
   return (
@@ -41,21 +44,22 @@ export function isUsual({ size, seed, code, choices, scene }: State): boolean {
   );
 }
 
-/** Steps between two signs of life. */
+/** Steps in one question to the worker, after which progress is reported. Chosen. */
 const PART = 20;
 
-/** A worker that makes steps and tells hashes. */
+/** A worker that makes steps and returns hashes. */
 export class Proof {
   readonly #client = new Client({
     frame: () => {},
     trouble: () => {},
-    // Whoever does not want to wait ends it.
+    // No message: the visitor sees the progress and can stop the check.
     stuck: () => {},
   });
 
   constructor(private readonly wasm: ChosenWasm) {}
 
-  /** Hashes of a new world after these steps, which rise. */
+  /** Runs the scene from its beginning and returns the hashes after these steps, which ascend.
+   * `progress` is called with the number of steps made. */
   async run(
     request: SceneRequest,
     steps: readonly number[],
@@ -76,13 +80,13 @@ export class Proof {
     return hashes;
   }
 
-  /** Ends the worker; what runs is rejected. */
+  /** Terminates the worker; a `run` that has not finished rejects. */
   close(): void {
     this.#client.close();
   }
 }
 
-/** Where the first difference is; null without one. */
+/** The step of the first hash that differs from the reference; null if all are equal. */
 export function firstDifference(
   hashes: readonly StateHash[],
   reference: readonly StateHash[],

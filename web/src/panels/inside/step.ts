@@ -1,4 +1,7 @@
-/** Where the time of a step goes: its stages now, their medians, and the last steps as areas. */
+/**
+ * The part Step of the panel Inside: the time of each stage of a step, in the last step and as a
+ * median over the last steps, a chart of the last steps, and counts of what the step did.
+ */
 import type { Stats } from "thud";
 import { cssColour, rampColour } from "../../draw/palette";
 import type { App } from "../../page/app";
@@ -7,36 +10,41 @@ import { percentile } from "../../shared/step-times";
 import type { Frame } from "../../scene/frame";
 import { bytesText, degreesText, fillList, numberText, type Row } from "./values";
 
-/** Steps that are kept. */
+/** Last steps in the chart and in the medians. Chosen. */
 const KEPT = 120;
-/** Milliseconds between two refreshes, so that figures can be read. */
+/** Milliseconds between two updates, so that figures can be read. Chosen. */
 const REFRESH = 250;
-/** A longer time of the scale is taken when a step took more, so much longer each. */
+/** The chart's upper end is LEAST_SCALE milliseconds, times this factor as often as the slowest
+ * step needs. Chosen. */
 const SCALE_STEP = 2;
-/** Milliseconds at the top of the scale at least. */
 const LEAST_SCALE = 0.25;
 
-/** Milliseconds by stage, in the order of the step. */
+/** Milliseconds of each stage of a step, in the order in which the step runs them. */
 type Times = readonly number[];
 
 export class StepPart {
   readonly element: HTMLElement;
-  /** Whether it is in view: out of view it only collects. */
+  /** Whether this part is shown; while it is not, times are only collected. */
   seen = false;
   readonly #app: App;
   readonly #canvas = make("canvas", { role: "img", class: "areas" });
   readonly #scale = make("small");
   readonly #rows = make("tbody");
-  /** One bar of the last step, one of the median. */
+  /** A bar of the last step's stages, and one of their medians. */
   readonly #bars = [make("div"), make("div")];
   readonly #numbers = make("dl", { class: "facts", id: "step-numbers" });
+  /** Names of the stages. */
   #names: readonly string[] = [];
+  /** Times of the last KEPT steps, oldest first. */
   #times: Times[] = [];
+  /** Number of the step whose times were taken last. */
   #steps: number | null = null;
   #frame: Frame | null = null;
+  /** When this part was last updated, on the clock of performance.now(). */
   #shownAt = 0;
-  /** From which speed on bisection may miss something. */
+  /** Speed above which bisection may miss a collision (World.bisectionLimit), world units per s. */
   #limit = Infinity;
+  /** Ends listening to the app. */
   #stop: (() => void) | null = null;
 
   constructor(app: App) {
@@ -67,6 +75,7 @@ export class StepPart {
     );
   }
 
+  /** The panel is opened. */
   watch(): void {
     this.#stop = this.#app.listen({
       run: () => {
@@ -77,11 +86,12 @@ export class StepPart {
     });
   }
 
+  /** The panel is closed. */
   rest(): void {
     this.#stop?.();
   }
 
-  /** A phone's panel covers the page's own. */
+  /** Buttons for pause and single step: on a phone the panel covers those of the page. */
   #timeButtons(): HTMLElement {
     const app = this.#app;
     const pause = make("button", { class: "wide" });
@@ -94,6 +104,7 @@ export class StepPart {
     return make("div", { class: "pair" }, pause, step);
   }
 
+  /** Takes the times of a new frame's step. */
   #take(frame: Frame): void {
     const { stats } = frame;
     if (stats.steps !== this.#steps) {
@@ -110,6 +121,7 @@ export class StepPart {
     void this.#askLimit(stats);
   }
 
+  /** Asks the worker for `#limit`. */
   async #askLimit(stats: Stats): Promise<void> {
     const limit = await this.#app.client.ask("bisectionLimit", {}).catch(() => Infinity);
     if (limit === this.#limit) return;
@@ -117,7 +129,7 @@ export class StepPart {
     this.#show(stats);
   }
 
-  /** A row a stage, with its colour. */
+  /** Builds a row of the table for each stage, with its colour, and one for all of them. */
   #name(names: readonly string[]): void {
     if (names.length === this.#names.length) return;
     this.#names = names;
@@ -131,7 +143,7 @@ export class StepPart {
     );
   }
 
-  /** As long as the step, or the median step, beside the longer of the two. */
+  /** Fills the two bars; the longer one has the full width. */
   #stackBars(times: readonly Times[]): void {
     const most = Math.max(...times.map(sum), Number.MIN_VALUE);
     this.#bars.forEach((bar, i) => {
@@ -147,10 +159,12 @@ export class StepPart {
     });
   }
 
+  /** The colour of a stage, from a ramp of colours over the stages. */
   #colour(stage: number): string {
     return cssColour(rampColour(stage / Math.max(1, this.#names.length - 1)));
   }
 
+  /** Updates the tables, the chart and the bars. */
   #show(stats: Stats): void {
     const last = this.#times.at(-1) ?? [];
     const ofStage = (stage: number) => this.#times.map((times) => times[stage]);
@@ -192,7 +206,7 @@ export class StepPart {
     ]);
   }
 
-  /** The last steps from left to right, stages from the bottom up. */
+  /** Draws the chart: the last steps from left to right, in each its stages from the bottom up. */
   #draw(): void {
     const canvas = this.#canvas;
     const context = canvas.getContext("2d");
@@ -219,7 +233,7 @@ export class StepPart {
     });
   }
 
-  /** What the picture tells, for those who do not see it. */
+  /** The chart's description for screen readers. */
   #words(): string {
     const median = percentile(this.#times.map(sum), 0.5);
     return (

@@ -1,8 +1,8 @@
-/** Numbers and lists of them, as the panel Inside writes them. */
+/** Texts of numbers, and lists of names and values, for the panels Inside and Values. */
 import type { Vec2 } from "thud";
 import { make } from "../../page/dom";
 
-/** About four digits, whatever the size. */
+/** A number with about four significant digits; very small or large ones in exponential form. */
 export function numberText(value: number): string {
   const size = Math.abs(value);
   if (!Number.isFinite(value)) return String(value);
@@ -26,7 +26,8 @@ export function bytesText(bytes: number): string {
 
 export type Row = readonly [name: string, value: string];
 
-/** Fills a list of names and values; elements stay as long as the names do. */
+/** Fills a list with names and values. If the names are the same as before, only texts of values
+ * change and the elements stay. */
 export function fillList(list: HTMLDListElement, rows: readonly Row[]): void {
   const names = [...list.querySelectorAll("dt")];
   const same =

@@ -1,4 +1,7 @@
-/** Box2D's point in the plane: while the panel is open it runs along, unseen, if it is wanted. */
+/**
+ * The check box with which Box2D gets a point in the plot of the panel Trade. While it is ticked
+ * and the panel is open, Box2D runs in the worker beside the scene, without being drawn.
+ */
 import type { App } from "../../page/app";
 import { make } from "../../page/dom";
 import { messageOf } from "../../shared/error";
@@ -25,7 +28,7 @@ export class Box2DChoice {
       this.#line,
     );
     app.listen({
-      // A new worker does not know of it.
+      // Asked again for each scene: it may run in a new worker, in which Box2D is not loaded.
       run: () => this.#wanted && void this.#ask(),
       frame: ({ box2dTrouble }) => this.#wanted && box2dTrouble && this.#fail(box2dTrouble),
       samples: (samples) => this.#wanted && this.#tellMisses(samples.at(-1)?.box2d?.misses ?? []),
@@ -42,10 +45,12 @@ export class Box2DChoice {
     this.#open = false;
   }
 
+  /** Whether Box2D should run: the panel is open and the box is ticked. */
   get #wanted(): boolean {
     return this.#open && this.#input.checked;
   }
 
+  /** Starts Box2D. */
   async #ask(): Promise<void> {
     this.#line.textContent = "Loading Box2D…";
     try {
@@ -56,18 +61,20 @@ export class Box2DChoice {
     }
   }
 
-  /** Its point is left out then. */
+  /** Says why Box2D has no point, if it lacks parts of the scene. */
   #tellMisses(misses: readonly string[]): void {
     const text = missesText(misses);
     if (text !== "" && this.#line.textContent !== text) this.#line.textContent = text;
   }
 
+  /** Box2D does not run: clears the box and shows why. */
   #fail(trouble: string): void {
     if (this.#input.checked) this.#end();
     this.#input.checked = false;
     this.#line.textContent = trouble;
   }
 
+  /** Ends Box2D. */
   #end(): void {
     this.#line.textContent = "";
     endBox2D(this.#app);

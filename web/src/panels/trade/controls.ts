@@ -1,4 +1,7 @@
-/** The knobs between speed and accuracy, and the size of the scene. */
+/**
+ * The controls of the panel Trade: quality, substeps, limit of overlap, detection and broadphase,
+ * which trade speed for accuracy, and the size of the scene.
+ */
 import { BROADPHASES, QUALITIES, type Broadphase, type Quality } from "thud";
 import type { App } from "../../page/app";
 import { choiceBar, make } from "../../page/dom";
@@ -13,7 +16,7 @@ const QUALITY_TEXTS: Readonly<Record<Quality, string>> = {
   exact: "16 substeps, every pile solved directly, each impact by itself. The dearest.",
 };
 
-/** What each quality cuts a step into; thud's own figures. */
+/** Substeps per step at each quality, as in the engine. */
 const QUALITY_SUBSTEPS: Readonly<Record<Quality, number>> = {
   draft: 2,
   default: 4,
@@ -41,7 +44,7 @@ const BROADPHASE_TEXTS: Readonly<Record<Broadphase, string>> = {
   all: "Every shape against every other: quickest for a few dozen.",
 };
 
-/** A row of choices with a line about the chosen one. */
+/** A choice bar with a line below it that describes the chosen value. */
 function explained<T extends string>(
   name: string,
   legend: string,
@@ -66,11 +69,12 @@ function explained<T extends string>(
 interface Slider {
   element: HTMLElement;
   input: HTMLInputElement;
-  /** `text` where the place is not exactly what is shown. */
+  /** Moves the slider to a place. `text`: the value's text if the place is only near it. */
   show(place: number, text?: string): void;
 }
 
-/** `textOf` tells a place in words; `act` hears of it when it is let go. */
+/** A slider with the places 0 to `most`. `textOf` gives the text of a place; `act` is called with
+ * the place when the visitor releases the slider. */
 function slider(
   name: string,
   label: string,
@@ -99,9 +103,10 @@ function slider(
   };
 }
 
-/** Places of the logarithmic slider of sizes. */
+/** Places of the slider of sizes, which is logarithmic. Chosen. */
 const SIZE_PLACES = 200;
 
+/** Builds the controls; they set the app's choices and follow them. */
 export function createControls(app: App): HTMLElement {
   const { choices } = app.state;
   const quality = explained("quality", "Quality", "", QUALITY_TEXTS, QUALITIES, (value) =>
@@ -168,7 +173,7 @@ export function createControls(app: App): HTMLElement {
   );
 }
 
-/** Hidden where the scene has one size only. */
+/** The slider of the scene's size; hidden if the scene has one size only. */
 function createSize(app: App): HTMLElement {
   const range = () => {
     const { least = 1, most = 1 } = app.scene?.sizes ?? {};
@@ -177,7 +182,7 @@ function createSize(app: App): HTMLElement {
   const sizeAt = (place: number): number => {
     const { least, most } = range();
     const size = least * (most / least) ** (place / SIZE_PLACES);
-    // Round numbers where they are large.
+    // Rounded to two significant digits, except at the ends of the range.
     return place === SIZE_PLACES ? most : Math.max(least, Math.round(Number(size.toPrecision(2))));
   };
   const control = slider(

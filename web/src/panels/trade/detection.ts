@@ -1,14 +1,22 @@
-/** What detection could not do since the scene began: time that bodies lost, speeds beyond it. */
+/**
+ * A line in the panel Trade on the limits of detection since the scene began: how often bodies were
+ * held back (stopped before the end of a step), and the time that they lost; how often bodies were
+ * too fast for bisection.
+ */
 import type { App } from "../../page/app";
 import { make } from "../../page/dom";
 import { countText } from "./text";
 
-/** Milliseconds between two changes of the text. */
+/** Milliseconds between two changes of the text. Chosen. */
 const REFRESH = 500;
 
+/** Creates the line; it is hidden while there is nothing to report. */
 export function createDetectionCount(app: App): HTMLElement {
   const line = make("p", { class: "explained", id: "detection-count" });
+  /** Bisection's limit of speed, world units per second. */
   let limit = Infinity;
+  /** Sums over the scene's steps: bodies held back, seconds lost, bodies too fast; the last
+   * step. */
   let [held, seconds, fast, step] = [0, 0, 0, 0];
   let timer = 0;
   const show = () => {
@@ -30,7 +38,7 @@ export function createDetectionCount(app: App): HTMLElement {
       show();
     },
     frame({ stats }) {
-      // A step that is shown again, or gone back to, is not counted twice.
+      // A step of a frame that is made again, or that the visitor goes back to, counts only once.
       if (stats.steps <= step) return;
       step = stats.steps;
       held += stats.heldBodies;
@@ -42,7 +50,8 @@ export function createDetectionCount(app: App): HTMLElement {
         void app.client.ask("bisectionLimit", {}).then(
           (speed) => {
             limit = speed;
-            // Where the answer comes later than the text, no frame may follow that tells it.
+            // If the text was shown before the answer came, it is shown again with the limit: no
+            // further frame need come.
             if (!timer) show();
           },
           () => {},
@@ -53,6 +62,7 @@ export function createDetectionCount(app: App): HTMLElement {
   return line;
 }
 
+/** "once" or "12 times". */
 function times(count: number): string {
   return count === 1 ? "once" : `${countText(count)} times`;
 }

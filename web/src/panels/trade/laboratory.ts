@@ -1,6 +1,7 @@
 /**
- * A second physics worker, which measures with nothing else to do; the scene on the page stands
- * still meanwhile. Ending the worker ends a measurement at any moment, even in a step of seconds.
+ * `Laboratory`: runs a measurement in a second physics worker that does nothing else, while the
+ * scene on the page is paused. Terminating that worker cancels the measurement at any moment, even
+ * in the middle of a step that takes seconds.
  */
 import type { App } from "../../page/app";
 import { Client } from "../../page/client";
@@ -10,21 +11,23 @@ import type { Progress, QuestionName, Questions, SceneRequest } from "../../work
 export class Laboratory {
   readonly #app: App;
   readonly #changed: () => void;
+  /** The second worker; null while nothing is measured. */
   #client: Client | null = null;
 
-  /** `changed` hears that measuring begins or ends. */
+  /** `changed` is called when a measurement begins or ends. */
   constructor(app: App, changed: () => void) {
     this.#app = app;
     this.#changed = changed;
-    // What would come out would be another scene's.
+    // When another scene starts, the measurement is no longer of the scene on the page.
     app.listen({ run: () => this.cancel() });
   }
 
+  /** Whether a measurement runs. */
   get busy(): boolean {
     return this.#client !== null;
   }
 
-  /** The scene as it runs on the page. */
+  /** The request that runs the page's scene with the present choices. */
   get request(): SceneRequest {
     const app = this.#app;
     const { scene, code, size, seed, choices } = app.state;
@@ -38,7 +41,10 @@ export class Laboratory {
     };
   }
 
-  /** Null: it was cancelled. `slow` hears that nothing has come back for seconds. */
+  /**
+   * Asks a question in a new worker, and terminates the worker afterwards. Null: it was cancelled.
+   * `slow` is called if the worker sends nothing for some seconds (STUCK in client.ts).
+   */
   async ask<Name extends QuestionName>(
     name: Name,
     value: Questions[Name]["ask"],
@@ -65,6 +71,7 @@ export class Laboratory {
     }
   }
 
+  /** Terminates the measurement that runs, if any. */
   cancel(): void {
     const client = this.#client;
     if (!client) return;

@@ -1,44 +1,49 @@
 /**
- * The plane of speed and accuracy: time of a step to the right, overlap upwards, both logarithmic,
- * so that lower left is better. Of SVG, because its points are hovered, focused and pressed.
+ * `Plane`: a scatter plot of speed and accuracy, with a point for each setting. The time per step
+ * increases to the right and the overlap upwards, both on logarithmic axes, so that lower left is
+ * better. It is SVG, so that points can be hovered, focused and pressed.
  */
 import { make } from "../../page/dom";
 import { errorText, timeText } from "./text";
 
 export interface PlanePoint {
+  /** Identifies the point from one `show` to the next. */
   key: string;
   engine: "thud" | "box2d";
   label: string;
-  /** Milliseconds of a step. */
+  /** Milliseconds per step. */
   time: number;
-  /** In length scales. */
+  /** The worst overlap in length scales, which are sizes of a typical body. */
   error: number;
-  /** Measured at this moment. */
+  /** The setting runs at present, so that the point moves. */
   live?: boolean;
-  /** Points of a row are joined. */
+  /** Points with the same row are joined by a line. */
   row?: string;
-  /** Goes to that setting. */
+  /** Chooses the point's setting when the point is pressed. */
   go?: () => void;
 }
 
-/** Of the drawing; on a phone it must leave room for the knobs. */
+/** Size and margins of the plot in units of its viewBox. On a phone it is lower, to leave room for
+ * the controls. Chosen. */
 const WIDTH = 360;
 const HEIGHT = { usual: 220, phone: 150 };
 const PHONE = matchMedia("(width < 40em), (height <= 31.25em)");
 const EDGE = { left: 40, right: 12, top: 12, bottom: 34 };
-/** Smaller ones are drawn here: nobody can tell them from none. */
+/** Lower ends of the axes, in length scales and milliseconds: smaller values, such as 0, are drawn
+ * there. Chosen. */
 const LEAST_ERROR = 1e-6;
 const LEAST_TIME = 1e-3;
-/** Of a label, per letter. */
+/** Estimated width of a label's letter, in units of the viewBox. Chosen. */
 const LETTER = 6.1;
 
-/** What a point is drawn with. */
+/** The elements of a point: its group, and in that the mark and the label. */
 interface Dot {
   element: SVGElement;
   mark: SVGElement;
   text: SVGElement;
 }
 
+/** A rectangle in the units of the viewBox. */
 interface Box {
   x: number;
   y: number;
@@ -46,8 +51,8 @@ interface Box {
   height: number;
 }
 
-/** Powers of ten around all values, at least one decade, and not through the outermost values but
- * those at `least`. */
+/** The exponents of the powers of ten between which an axis lies: around all values with a margin
+ * of 0.05, at least one decade apart, and not below that of `least`. */
 function decades(values: readonly number[], least: number): [from: number, to: number] {
   const lowest = Math.log10(Math.min(...values)) - 0.05;
   const from = Math.floor(Math.max(Math.log10(least), lowest));
@@ -63,12 +68,14 @@ export class Plane {
   readonly #detail = make("p", { class: "plane-detail" });
   /** Axes and the lines that join points. */
   readonly #ground = svg("g", {});
-  /** By key: they stay while figures change, so that they can be pressed and keep the focus. */
+  /** By the points' keys. Elements stay while figures change, so that a press is not interrupted
+   * and the focus is kept. */
   readonly #dots = new Map<string, Dot>();
   #points: readonly PlanePoint[] = [];
   #height = HEIGHT.usual;
+  /** Key of the point that was focused last. */
   #focused: string | null = null;
-  /** Of which the line below tells: the last that was pointed at or focused. */
+  /** Key of the point that the line below describes: the last one that was hovered or focused. */
   #told: string | null = null;
 
   constructor() {
@@ -79,6 +86,7 @@ export class Plane {
     this.#svg.addEventListener("pointerleave", () => (this.#told = this.#focused));
   }
 
+  /** Draws points; without any, the text `nothing`. */
   show(points: readonly PlanePoint[], nothing: string): void {
     this.#points = points;
     this.#height = PHONE.matches ? HEIGHT.phone : HEIGHT.usual;
@@ -131,6 +139,7 @@ export class Plane {
     this.#text(EDGE.left + 6, this.#height - EDGE.bottom - 6, "↙ better", "better");
   }
 
+  /** Draws the lines that join the points of a row. */
   #joinRows(
     points: readonly PlanePoint[],
     place: (at: PlanePoint) => { x: number; y: number },
@@ -144,6 +153,7 @@ export class Plane {
     }
   }
 
+  /** Draws a point, and its label if there is room. `taken`: boxes that labels must not cover. */
   #drawPoint(point: PlanePoint, { x, y }: { x: number; y: number }, taken: Box[]): void {
     const { key, engine, label, live, go } = point;
     const first = this.#pointOf(this.#focused) ?? this.#points[0];
@@ -164,6 +174,7 @@ export class Plane {
     set(text, { x: at.x - x, y: at.y + at.height - 3 - y });
   }
 
+  /** Creates the elements of a point and their listeners: a circle for thud, a square for Box2D. */
   #addDot({ key, engine }: PlanePoint): Dot {
     const element = svg("g", { "data-point": key });
     const mark =
@@ -181,7 +192,7 @@ export class Plane {
       this.#focused = key;
       tell();
     });
-    // A press counts for the point that it began on, though the scales may move it meanwhile.
+    // A press counts for the point on which it began, even if a change of scale moves the point.
     const hold = ({ pointerId }: PointerEvent) => element.setPointerCapture(pointerId);
     element.addEventListener("pointerdown", hold);
     element.addEventListener("click", () => this.#pointOf(key)?.go?.());
@@ -195,7 +206,8 @@ export class Plane {
     return this.#points.find((point) => point.key === key);
   }
 
-  /** Arrow keys go from point to point, Enter to the setting: one stop of the Tab key in all. */
+  /** Arrow keys move the focus from point to point, Enter and Space choose the point's setting. The
+   * Tab key stops only once in the plot. */
   #move(event: KeyboardEvent): void {
     const by = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
     const at = this.#points.findIndex(({ key }) => key === this.#focused);
@@ -210,11 +222,12 @@ export class Plane {
     } else {
       return;
     }
-    // They are the scene's keys elsewhere.
+    // Outside the plot these keys are shortcuts of the page or keys of a game.
     event.preventDefault();
     event.stopPropagation();
   }
 
+  /** Describes a point in the line below the plot. */
   #tell(point: PlanePoint | undefined): void {
     this.#detail.textContent = point ? figuresOf(point) : "";
   }
@@ -230,19 +243,23 @@ export class Plane {
   }
 }
 
+/** A point's description. */
 function figuresOf({ label, time, error }: PlanePoint): string {
   return `${label}: ${timeText(time)} a step, worst overlap ${errorText(error)}`;
 }
 
+/** The coordinate of a value on a logarithmic axis whose ends are at `low` and `high`. */
 function along(value: number, [from, to]: [number, number], low: number, high: number): number {
   return low + ((Math.log10(value) - from) / (to - from)) * (high - low);
 }
 
+/** The box that a point's mark covers. */
 function around({ x, y }: { x: number; y: number }): Box {
   return { x: x - 5, y: y - 5, width: 10, height: 10 };
 }
 
-/** Beside the point where nothing else stands yet; null if there is no such place. */
+/** A place for a label beside the point (x, y) that is inside the plot and covers no box of
+ * `taken`; null if there is none. */
 function freePlace(
   label: string,
   x: number,
@@ -276,7 +293,7 @@ function overlap(a: Box, b: Box): boolean {
   );
 }
 
-/** 0.01, 1, 100; where digits would be many, 10⁻⁵. */
+/** A power of ten as text: "0.01", "1", "100"; "10⁻⁵" where it would have many digits. */
 function plainPower(power: number): string {
   if (power >= -3 && power <= 4) return String(Number((10 ** power).toPrecision(1)));
   const digits = [...String(power)].map((letter) =>
@@ -285,12 +302,14 @@ function plainPower(power: number): string {
   return `10${digits.join("")}`;
 }
 
+/** Creates an SVG element with attributes. */
 function svg(name: string, attributes: Record<string, string | number>): SVGElement {
   const element = document.createElementNS("http://www.w3.org/2000/svg", name);
   set(element, attributes);
   return element;
 }
 
+/** Sets attributes; numbers are rounded to two decimals. */
 function set(element: SVGElement, attributes: Record<string, string | number>): void {
   for (const [key, value] of Object.entries(attributes)) {
     const text = typeof value === "number" ? String(Number(value.toFixed(2))) : value;

@@ -1,4 +1,7 @@
-/** A measured series with where it was measured, as text, as a file and as part of an address. */
+/**
+ * `Result`: the series of "Measure" with the browser, date and scene of the measurement. Converts
+ * it to plain text and to a packed form in the page's address, and back.
+ */
 import type { App } from "../../page/app";
 import { pack, unpack, writeState } from "../../page/url";
 import type { Series, SeriesRow } from "../../worker/measure";
@@ -7,16 +10,18 @@ import { missesText } from "../misses";
 import { choicesText, countText, errorText, plainTime } from "./text";
 
 export interface Result extends Series {
-  /** Of the scene, with its size. */
+  /** The scene's title, with its size. */
   title: string;
-  /** Detection, broadphase and code, where they are not the usual. */
+  /** Detection, broadphase and "with changed code" where they differ from the defaults; or "". */
   setUp: string;
   browser: string;
+  /** navigator.hardwareConcurrency. */
   processors: number;
-  /** ISO, to the minute. */
+  /** ISO 8601, to the minute. */
   date: string;
 }
 
+/** The result of a series that was measured just now in this browser. */
 export function describeResult(app: App, series: Series): Result {
   const { scene, state } = app;
   const size = scene?.sizes ? ` (${countText(scene.size)} ${scene.sizes.means})` : "";
@@ -35,7 +40,8 @@ export function describeResult(app: App, series: Series): Result {
   };
 }
 
-/** To four digits, which is more than is measured and keeps links short. */
+/** A row with its figures rounded to four significant digits, which is finer than they are measured
+ * and keeps links short. */
 function rounded(row: SeriesRow): SeriesRow {
   const round = (x: number) => Number(x.toPrecision(4));
   const { typical, p99, worst, mean, own } = row;
@@ -49,7 +55,7 @@ function rounded(row: SeriesRow): SeriesRow {
   };
 }
 
-/** "Firefox 140 on Linux": no more of the browser than a reader needs. */
+/** "Firefox 140 on Linux", from the browser's user-agent string. */
 function browserName(agent: string): string {
   const known = [
     ["Edge", /Edg\/(\d+)/],
@@ -64,18 +70,21 @@ function browserName(agent: string): string {
   return system ? `${name} on ${system}` : name;
 }
 
+/** The scene's title with what differs from the defaults. */
 export function titleOf({ title, setUp }: Result): string {
   return setUp ? `${title}, ${setUp}` : title;
 }
 
+/** "Firefox 140 on Linux, 8 processors, July 4, 2026". */
 export function whereMeasured({ browser, processors, date }: Result): string {
   const day = new Date(date).toLocaleDateString("en", { dateStyle: "long" });
   return `${browser}, ${processors} processors, ${day}`;
 }
 
+/** The columns of the table of a result. */
 export const COLUMNS = ["setting", "ms", "p99", "worst", "mean"] as const;
 
-/** As in COLUMNS. */
+/** The cells of a row, in the order of COLUMNS; a row cut short has its number of steps. */
 export function cellsOf(row: SeriesRow, series: Series): string[] {
   const { setting, typical, p99, worst, mean, steps } = row;
   const early = steps < series.steps ? ` (${steps} steps)` : "";
@@ -88,7 +97,7 @@ export function cellsOf(row: SeriesRow, series: Series): string[] {
   ];
 }
 
-/** A table in plain text. */
+/** The result as plain text with a table. */
 export function resultText(result: Result): string {
   const rows = [[...COLUMNS], ...result.rows.map((row) => cellsOf(row, result))];
   const widths = COLUMNS.map((_, i) => Math.max(...rows.map((row) => row[i].length)));
@@ -107,14 +116,14 @@ export function resultText(result: Result): string {
   ].join("\n");
 }
 
-/** An address that shows the result again, with the scene that it is of. */
+/** An address that shows the result, with its scene. */
 export async function resultLink(app: App, result: Result): Promise<string> {
   const packed = await pack(JSON.stringify(shorten(result)));
   const address = await writeState({ ...app.state, panel: "trade", result: packed });
   return new URL(address, location.href).href;
 }
 
-/** Null if it is damaged. */
+/** The result in an address; null if it is damaged. */
 export async function readResult(packed: string): Promise<Result | null> {
   try {
     return lengthen(JSON.parse((await unpack(packed)) ?? "null"));
@@ -123,17 +132,18 @@ export async function readResult(packed: string): Promise<Result | null> {
   }
 }
 
+/** Settings of a series; the packed form names a row's setting by its index here. */
 const SETTINGS: readonly SeriesSetting[] = [...THUD, ...BOX2D];
-/** Links of the first say nothing of what Box2D was not given, and are not shown. */
+/** Version of the packed form. Version 1, which lacks `misses`, is not read. */
 const VERSION = 2;
+/** Properties in the packed form, in its order: of rows, and the texts and numbers of the
+ * result. */
 const FIGURES = ["typical", "p99", "worst", "mean", "own", "steps"] as const;
 const TEXTS = ["title", "setUp", "browser", "date", "withoutBox2D"] as const;
 const NUMBERS = ["processors", "timeStep", "bodies", "steps"] as const;
 
-/**
- * Version, texts, numbers, for each row its setting's place in SETTINGS and its figures, and what
- * Box2D was not given.
- */
+/** The packed form: an array of version, texts, numbers, rows and misses. A row is an array of its
+ * setting's index in SETTINGS and its figures. */
 function shorten(result: Result): unknown {
   return [
     VERSION,
@@ -147,7 +157,8 @@ function shorten(result: Result): unknown {
   ];
 }
 
-/** Trusts nothing: anyone can make a link. */
+/** The result from its packed form; null if any part is invalid, since links may come from
+ * anyone. */
 function lengthen(data: unknown): Result | null {
   if (!Array.isArray(data) || data[0] !== VERSION) return null;
   const [, texts, numbers, rows, misses] = data as unknown[];
@@ -171,6 +182,7 @@ function lengthen(data: unknown): Result | null {
   return Number.isNaN(Date.parse(result.date)) ? null : result;
 }
 
+/** Whether a value is an array of this length whose elements all satisfy `is`. */
 function isListOf<T>(list: unknown, length: number, is: (x: unknown) => x is T): list is T[] {
   return Array.isArray(list) && list.length === length && list.every(is);
 }

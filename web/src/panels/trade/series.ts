@@ -1,4 +1,7 @@
-/** "Measure": runs the series in the laboratory and shows what came out, here or elsewhere. */
+/**
+ * The section Measure of the panel Trade: measures the scene at a series of settings in the
+ * laboratory's worker, and shows the result as a plot and a table; or a result from a link.
+ */
 import type { App } from "../../page/app";
 import { make } from "../../page/dom";
 import { notice, say } from "../../page/messages";
@@ -21,6 +24,7 @@ import {
   whereMeasured,
 } from "./result";
 
+/** Builds the section, with the link's result if there is one. */
 export function createSeries(app: App, laboratory: Laboratory): HTMLElement {
   const shown = make("div", { class: "result" });
   const work = new Work("Measure this scene", laboratory, async (work) => {
@@ -55,16 +59,17 @@ export function createSeries(app: App, laboratory: Laboratory): HTMLElement {
     void readResult(packed).then((result) => {
       const damaged = make("p", { class: "explained" }, "The result in this link is damaged.");
       shown.replaceChildren(...(result ? view(app, result, true) : [damaged]));
-      // It stands below what the panel begins with, and is what the link is about.
+      // The result is below the panel's controls, but is what the link is meant to show.
       requestAnimationFrame(() => shown.scrollIntoView({ block: "start" }));
     });
   return element;
 }
 
+/** The elements that show a result. `elsewhere`: it came with a link. */
 function view(app: App, result: Result, elsewhere: boolean): HTMLElement[] {
   const plane = new Plane();
   const misses = missesText(result.misses);
-  // Points in one plane would be a comparison.
+  // If Box2D lacks parts of the scene, its points would not be comparable: only thud's are drawn.
   const rows = result.rows.filter(({ setting }) => misses === "" || setting.engine === "thud");
   plane.show(rows.map(pointOf), "");
   const where = elsewhere
@@ -80,18 +85,22 @@ function view(app: App, result: Result, elsewhere: boolean): HTMLElement[] {
   return [title, ...first, where, plane.element, tableOf(result), actions(app, result)];
 }
 
-/** The soft ones differ by substeps only; so do Box2D's, and its stiff ones. */
+/** The row whose points are joined by a line in the plot. thud's qualities are one, its soft
+ * settings another, which differ only in their substeps, as do Box2D's settings and its stiff
+ * ones. */
 function rowOf({ setting }: SeriesRow): string {
   if (setting.engine === "box2d") return setting.contactHertz ? "stiff" : "box2d";
   return setting.substeps > 0 ? "soft" : "qualities";
 }
 
+/** A row of the result as a point of the plot. */
 function pointOf(row: SeriesRow): PlanePoint {
   const label = labelOf(row.setting);
   const { engine } = row.setting;
   return { key: label, engine, label, time: row.typical, error: row.worst, row: rowOf(row) };
 }
 
+/** The table of a result, in an element that scrolls. */
 function tableOf(result: Result): HTMLElement {
   const heads = COLUMNS.map((text) => make("th", { scope: "col" }, text));
   const body = result.rows.map((row) => {
@@ -105,7 +114,7 @@ function tableOf(result: Result): HTMLElement {
     "solver. Stiff: Box2D’s contacts, as stiff as it allows.";
   return make(
     "div",
-    // It may be wider than a phone: whoever scrolls by keys must be able to reach it.
+    // The table may be wider than a phone; with the focus it can be scrolled by keys.
     { class: "table", tabindex: 0, role: "region", "aria-label": "Measured figures" },
     make(
       "table",
@@ -117,6 +126,7 @@ function tableOf(result: Result): HTMLElement {
   );
 }
 
+/** Buttons that copy the result as text, download it as JSON, and copy a link to it. */
 function actions(app: App, result: Result): HTMLElement {
   const button = (id: string, label: string, act: () => void) => {
     const element = make("button", { class: "wide", id }, label);
@@ -147,6 +157,7 @@ function actions(app: App, result: Result): HTMLElement {
   );
 }
 
+/** Downloads a result as a JSON file. */
 function download(result: Result): void {
   try {
     const blob = new Blob([JSON.stringify(result, null, 2)], { type: "application/json" });

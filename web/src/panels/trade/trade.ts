@@ -1,7 +1,7 @@
 /**
- * The panel "Trade": the trade between speed and accuracy under the visitor's hand. A plane on
- * which each setting tried leaves its point, the knobs, a series to measure, and how much is too
- * much.
+ * The panel Trade, in which the visitor trades speed for accuracy. It has a plot of overlap over
+ * time per step with a point for each setting tried, the controls of these settings, and the
+ * sections Measure (a series of settings) and Heavier (how many bodies run in time).
  */
 import "../../style/trade.css";
 import type { App } from "../../page/app";
@@ -16,7 +16,7 @@ import { type TriedPoint, TriedPoints } from "./points";
 import { createSeries } from "./series";
 import { countText, errorText, plainTime } from "./text";
 
-/** Milliseconds between two drawings of the plane: figures must be readable. */
+/** Milliseconds between two drawings of the plot, so that figures can be read. Chosen. */
 const REFRESH = 300;
 
 const LEAD =
@@ -30,6 +30,7 @@ export function createPanel(app: App): Panel {
   const table = make("tbody");
   const forget = make("button", { class: "small" }, "Clear");
   let open = false;
+  /** When the plot was last drawn, on the clock of performance.now(). */
   let drawn = 0;
 
   const draw = () => {
@@ -47,7 +48,8 @@ export function createPanel(app: App): Panel {
     draw();
   });
   let timer: number | null = null;
-  /** Of what comes in between, the last is drawn too, even if the scene then stands still. */
+  /** Draws now or when REFRESH has passed, so that the last samples are drawn even if the scene is
+   * paused then. */
   const drawInTime = () => {
     if (!open || timer !== null) return;
     const rest = Math.max(0, drawn + REFRESH - performance.now());
@@ -100,6 +102,7 @@ export function createPanel(app: App): Panel {
   };
 }
 
+/** A tried point as a point of the plot. Pressing it chooses its setting, unless that runs. */
 function planePoint(app: App, point: TriedPoint, current: string): PlanePoint {
   const { key, engine, label, choices, typical, worst } = point;
   const here = key === current;
@@ -107,6 +110,7 @@ function planePoint(app: App, point: TriedPoint, current: string): PlanePoint {
   return { key, engine, label, time: typical, error: worst, live: here, go };
 }
 
+/** The plot's figures as a table. */
 function triedTable(body: HTMLElement): HTMLElement {
   const heads = ["setting", "ms", "p99", "worst", "steps"].map((text) =>
     make("th", { scope: "col" }, text),
@@ -123,6 +127,7 @@ function triedTable(body: HTMLElement): HTMLElement {
   );
 }
 
+/** A row of that table. */
 function rowOf({ engine, label, typical, p99, worst, steps }: TriedPoint): HTMLElement {
   const slowest = p99 === null ? "–" : plainTime(p99);
   const cells = [plainTime(typical), slowest, errorText(worst), countText(steps)];

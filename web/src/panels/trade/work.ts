@@ -1,4 +1,5 @@
-/** A button that starts something long, its progress, and a button that ends it. */
+/** `Work`: a button that starts a measurement in the laboratory, its progress, and a button that
+ * cancels it. */
 import { make } from "../../page/dom";
 import { say } from "../../page/messages";
 import { messageOf } from "../../shared/error";
@@ -14,7 +15,7 @@ export class Work {
   readonly #laboratory: Laboratory;
   readonly #act: (work: Work) => Promise<string>;
 
-  /** `act` returns what to say at its end. */
+  /** `act` does the work and resolves to the text that is shown at its end; "" for none. */
   constructor(label: string, laboratory: Laboratory, act: (work: Work) => Promise<string>) {
     this.#laboratory = laboratory;
     this.#act = act;
@@ -26,12 +27,13 @@ export class Work {
     this.element = make("div", { class: "work" }, this.#start, this.#running, this.#line);
   }
 
-  /** `done` from 0 to 1; null leaves the bar as it is. */
+  /** Shows progress: `done` from 0 to 1, or null to leave the bar as it is; `doing` as text. */
   report(done: number | null, doing: string): void {
     if (done !== null) this.#bar.value = done;
     this.#line.textContent = doing;
   }
 
+  /** Runs `act`, and shows its text or its error. */
   async #run(): Promise<void> {
     if (this.#laboratory.busy) {
       this.#line.textContent = "Something is being measured already.";

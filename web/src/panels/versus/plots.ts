@@ -1,4 +1,7 @@
-/** The two engines' courses over time. What they show is in the table in words and figures too. */
+/**
+ * `Plots`: curves of both engines over simulated time, drawn by uPlot: time per step, deepest
+ * overlap and change of energy. For screen readers the table has the same figures as text.
+ */
 import UPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import { cssColour, DARK, LIGHT, type Theme } from "../../draw/palette";
@@ -7,26 +10,31 @@ import { isDark, onTheme } from "../../page/theme";
 import { BUDGET } from "../../shared/step-times";
 import { type Course, ENGINES, type Engine, type Tally } from "./tally";
 
-/** CSS pixels. */
+/** Height of a plot in CSS pixels. Chosen. */
 const HEIGHT = 118;
-/** What is less stands at the lower edge: a logarithm has no zero. Milliseconds, length scales. */
+/** Lower ends of the logarithmic axes, in milliseconds and in length scales: smaller values, such
+ * as 0, are drawn there. Chosen. */
 const LEAST_TIME = 0.01;
 const LEAST_DEPTH = 1e-5;
 
+/** One of the plots. */
 interface Plot {
   title: string;
+  /** The description for screen readers. */
   about: string;
   course: Course;
-  /** A logarithmic axis that begins here; undefined is a linear one. */
+  /** The lower end of a logarithmic axis; undefined: the axis is linear. */
   least?: () => number;
-  /** A line across. */
+  /** The value of a horizontal line. */
   budget?: number;
 }
 
+/** The colour of an engine's curve, as a CSS colour. */
 export function engineColour(engine: Engine, theme: Theme): string {
   return engine === "thud" ? theme.inks.accent : cssColour(theme.box2d);
 }
 
+/** The colours of the page's present theme. */
 export function themeNow(): Theme {
   return isDark() ? DARK : LIGHT;
 }
@@ -62,7 +70,7 @@ export class Plots {
     onTheme(() => this.#shown.forEach(({ chart }) => chart.redraw(false)));
   }
 
-  /** When it is first seen: a plot needs its width. */
+  /** Creates the plots. Called when the panel is first shown, since a plot needs its width. */
   begin(lengthScale: number): void {
     this.#lengthScale = lengthScale;
     if (this.#shown.length > 0) return;
@@ -74,6 +82,7 @@ export class Plots {
     }
   }
 
+  /** Draws the curves as they are now. */
   show(): void {
     for (const { plot, chart } of this.#shown) {
       const { seconds, values } = plot.course;
@@ -89,6 +98,7 @@ export class Plots {
     return Math.max(120, this.element.clientWidth);
   }
 
+  /** Fits the plots to the element's width. */
   #resize(): void {
     if (this.element.clientWidth === 0) return;
     for (const { chart } of this.#shown)
@@ -96,6 +106,7 @@ export class Plots {
   }
 }
 
+/** The options of uPlot for a plot. */
 function optionsOf(plot: Plot, width: number): UPlot.Options {
   const { least, budget } = plot;
   const axis: UPlot.Axis = {
@@ -133,13 +144,14 @@ function optionsOf(plot: Plot, width: number): UPlot.Options {
   };
 }
 
-/** Whole powers of ten around the values and the budget. */
+/** The range of a logarithmic axis: whole powers of ten around the values and the budget. */
 function logRange(low: number, high: number, budget?: number): [number, number] {
   const least = Number.isFinite(low) ? low : LEAST_TIME;
   const most = Math.max(Number.isFinite(high) ? high : 1, budget ?? 0, least * 10);
   return [10 ** Math.floor(Math.log10(least)), 10 ** Math.ceil(Math.log10(most))];
 }
 
+/** The range of a linear axis: the values' own, and 8 % more on either side. */
 function linearRange(low: number, high: number): [number, number] {
   if (!Number.isFinite(low) || !Number.isFinite(high)) return [0, 1];
   const room = 0.08 * (high - low) || 0.1 * Math.abs(high) || 1;
@@ -148,13 +160,14 @@ function linearRange(low: number, high: number): [number, number] {
 
 const COMPACT = new Intl.NumberFormat("en", { notation: "compact", maximumSignificantDigits: 3 });
 
-/** Of a tick; uPlot leaves those out of a logarithmic axis that have no room. */
+/** The label of a tick; uPlot passes null for ticks of a logarithmic axis that get no label. */
 function label(value: number | null): string {
   if (value === null) return "";
   if (value !== 0 && Math.abs(value) < 0.001) return value.toExponential(0);
   return COMPACT.format(value);
 }
 
+/** Draws the line of the budget, dashed, with its label. */
 function drawBudget(chart: UPlot, budget: number): void {
   const { ctx, bbox } = chart;
   const y = Math.round(chart.valToPos(budget, "y", true));

@@ -1,19 +1,21 @@
-/** The two engines' figures, row by row. */
+/** `Table`: the figures of both engines side by side, the better one of each row emphasized. */
 import { make } from "../../page/dom";
 import { BUDGET } from "../../shared/step-times";
 import { type Engine, ENGINES, type Figures, NAMES } from "./tally";
 import { compareDepths, compareTimes, type Comparison } from "./words";
 
+/** A row of the table: how it is labelled, and how its text is made from an engine's figures. */
 interface Row {
   label: string;
   hint: string;
   text(figures: Figures): string;
-  /** Whether one of two is the better. */
+  /** Which engine's figure is the better; without it a row compares nothing. */
   compare?(thud: Figures, box2d: Figures, lengthScale: number): Comparison | null;
-  /** Whether there is anything to tell; without it there is. */
+  /** Whether the row is shown; without it the row always is. */
   shown?(figures: Figures): boolean;
 }
 
+/** The text of a figure that is not known. */
 const NOTHING = "–";
 const ENERGY = new Intl.NumberFormat("en", {
   notation: "compact",
@@ -21,7 +23,7 @@ const ENERGY = new Intl.NumberFormat("en", {
   signDisplay: "exceptZero",
 });
 
-/** Of the joints that both engines have. */
+/** Rows that are shown in scenes with joints. */
 const JOINT_ROWS: readonly Row[] = [
   {
     label: "Joint gap now",
@@ -47,6 +49,7 @@ const JOINT_ROWS: readonly Row[] = [
   },
 ];
 
+/** All rows. Without a clock that times single steps, the mean is shown and no percentile. */
 function rowsOf(fineClock: boolean): Row[] {
   const share = ({ typical }: Figures) =>
     typical === null ? NOTHING : `${((100 * typical) / BUDGET).toFixed(typical < 1 ? 1 : 0)} %`;
@@ -134,13 +137,14 @@ export class Table {
     );
   }
 
-  /** What each runs with. */
+  /** Shows under each engine's name the settings that it runs with. */
   setSettings(thud: string, box2d: string): void {
     this.#settings.thud.textContent = thud;
     this.#settings.box2d.textContent = box2d;
   }
 
-  /** The better of two stands out, where they are comparable. Null: nothing has been measured. */
+  /** Shows figures; null: nothing has been measured. The better ones are emphasized if
+   * `comparable`, that is if both engines run the same scene. */
   show(
     figures: { [engine in Engine]: Figures } | null,
     lengthScale: number,
@@ -161,12 +165,13 @@ export class Table {
   }
 }
 
+/** A time with its unit, to about three significant digits. */
 function milliseconds(value: number | null): string {
   if (value === null) return NOTHING;
   return `${value.toFixed(value < 1 ? 3 : value < 10 ? 2 : 1)} ms`;
 }
 
-/** Two digits that count, down to a hundred-thousandth. */
+/** A length with two significant digits; less than 1e-5 is "0". */
 function depth(value: number): string {
   if (value < 1e-5) return "0";
   return value.toFixed(Math.max(0, Math.min(6, 1 - Math.floor(Math.log10(value)))));

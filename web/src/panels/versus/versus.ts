@@ -1,4 +1,7 @@
-/** Versus: the same scene in thud and in Box2D, with what each step takes and gets wrong. */
+/**
+ * The panel Versus: runs the same scene in thud and in Box2D side by side, and compares the time
+ * per step, the overlap, the joint gaps and the energy.
+ */
 import { version as box2dVersion } from "../../../node_modules/box2d3-wasm/package.json";
 import { version as thudVersion } from "../../../package/package.json";
 import type { App } from "../../page/app";
@@ -18,10 +21,11 @@ import { Table } from "./table";
 import { ENGINES, Tally } from "./tally";
 import { MEANING, movedText, verdict } from "./words";
 
-/** Milliseconds between two showings: courses run, figures must be readable. */
+/** Milliseconds between two updates: plots should move smoothly, figures be readable. Chosen. */
 const PLOTS_EVERY = 150;
 const TABLE_EVERY = 800;
 
+/** The choices of the layout: label and hint of each. */
 const LAYOUTS: { [split in Versus["split"]]: { label: string; title: string } } = {
   side: { label: "Two views", title: "Side by side; on a phone, one above the other" },
   over: { label: "Overlaid", title: "Box2D's bodies as outlines over thud's" },
@@ -44,8 +48,9 @@ class VersusPanel implements Panel {
   readonly #moved = make("p", { class: "moved" });
   readonly #measured = make("div");
   #open = false;
+  /** Box2D has been requested and is not ready yet. */
   #loading = false;
-  /** With what the figures were measured; other settings begin new ones. */
+  /** The settings of the present comparison as JSON; other settings begin a new one. */
   #settings = "";
   readonly #showPlots = throttled(PLOTS_EVERY, () => this.#plots.show());
   readonly #showTable = throttled(TABLE_EVERY, () => this.#showFigures());
@@ -88,6 +93,7 @@ class VersusPanel implements Panel {
     endBox2D(this.app);
   }
 
+  /** Builds the panel's elements. */
   #build(): void {
     const { app } = this;
     const { versus } = app.state;
@@ -119,7 +125,7 @@ class VersusPanel implements Panel {
     this.#tryAgain.addEventListener("click", () => void this.#restart());
     const table = this.#table.element;
     this.#measured.append(table, this.#moved, this.#since, again, this.#plots.element);
-    // The verdict changes its number of lines: what stands below it would move under a finger.
+    // The layout bar is above the verdict, whose changing number of lines moves what is below it.
     this.element.append(
       layout.element,
       this.#verdict,
@@ -132,7 +138,7 @@ class VersusPanel implements Panel {
     );
   }
 
-  /** From the present step on, with a Box2D that begins there. */
+  /** Begins a new comparison at the present step, as a scene starts or the panel opens. */
   async #restart(): Promise<void> {
     if (!this.#open) return;
     this.#tally.clear();
@@ -140,6 +146,7 @@ class VersusPanel implements Panel {
     await this.#ask();
   }
 
+  /** Requests Box2D with the chosen substeps, and shows that it loads or why it cannot. */
   async #ask(): Promise<void> {
     this.#loading = true;
     this.#tell(null);
@@ -154,7 +161,7 @@ class VersusPanel implements Panel {
     this.app.refresh();
   }
 
-  /** Figures of other settings are no part of the same comparison. */
+  /** Shows the settings; if they have changed, a new comparison begins. */
   #choose(): void {
     const { choices, versus } = this.app.state;
     const thud = choices.substeps > 0 ? `${choices.substeps} substeps` : choices.quality;
@@ -167,12 +174,13 @@ class VersusPanel implements Panel {
     this.#plots.show();
   }
 
+  /** Shows an error of Box2D that came with a frame, or hides it once Box2D runs again. */
   #heed({ box2dTrouble, box2d }: Frame): void {
     if (box2dTrouble) this.#tell(box2dTrouble);
     else if (box2d && !this.#trouble.hidden) this.#tell(null);
   }
 
-  /** Why there is no Box2D; null: there is, or soon will be. */
+  /** Shows why Box2D does not run, in place of the figures; null: it runs or is being loaded. */
   #tell(trouble: string | null): void {
     this.#trouble.hidden = this.#tryAgain.hidden = trouble === null;
     this.#measured.hidden = this.#verdict.hidden = trouble !== null;
@@ -181,6 +189,7 @@ class VersusPanel implements Panel {
     this.#showFigures();
   }
 
+  /** Updates the table, the verdict and the notes on the comparison. */
   #showFigures(): void {
     const tally = this.#tally;
     const { state, scene } = this.app;
@@ -204,6 +213,7 @@ class VersusPanel implements Panel {
   }
 }
 
+/** The folded explanation of how both engines are measured. */
 function notes(): HTMLElement {
   const simd = hasSimd() ? "with SIMD" : "without SIMD";
   const clock = crossOriginIsolated
@@ -233,7 +243,7 @@ function notes(): HTMLElement {
   );
 }
 
-/** Calls `act` at most so often, and in the end once more. */
+/** A function that calls `act` some milliseconds after it is called, at most once in that time. */
 function throttled(milliseconds: number, act: () => void): () => void {
   let timer = 0;
   return () => {

@@ -1,18 +1,20 @@
-/** What the comparison of two engines comes to, in words. */
+/** The result of the comparison of thud and Box2D in words, and which of two figures is better. */
 import { type Engine, ENGINES, type Figures, NAMES } from "./tally";
 
-/** What the verdict is about. */
+/** The text under the verdict, which explains it. */
 export const MEANING =
   "Same scene, same drags, same device. Overlap is how deep the worst pair of bodies sinks in, " +
   "on average since both began. It does not tell how lifelike the motion is.";
 
-/** Two values that are nearer to each other than this count as the same. */
+/** Two values whose ratio is less than this count as the same. Chosen. */
 const SAME = 1.1;
-/** Milliseconds: less is no time worth comparing. */
+/** Milliseconds: smaller times count as this, and two smaller ones are not compared. Chosen. */
 const NO_TIME = 0.01;
-/** Length scales: less is no overlap worth comparing. */
+/** Length scales: smaller overlaps count as this, and two smaller ones are not compared. Chosen. */
 const NO_DEPTH = 1e-5;
 
+/** A sentence on speed and overlap; with another one on sleep if the engines do not do the same
+ * work. "Measuring…" as long as there are no times. */
 export function verdict(thud: Figures, box2d: Figures, lengthScale: number): string {
   const asleep = asleepText(thud, box2d);
   if (thud.typical === null || box2d.typical === null) return asleep || "Measuring…";
@@ -34,7 +36,8 @@ export function verdict(thud: Figures, box2d: Figures, lengthScale: number): str
   return `${first}, ${link} ${second}. ${asleep}`.trim();
 }
 
-/** Who sleeps, where times of steps would be compared in which the engines do not do the same. */
+/** A sentence if all bodies sleep in an engine, or far fewer are awake in one than in the other, so
+ * that times per step are not those of the same work; else "". */
 function asleepText(thud: Figures, box2d: Figures): string {
   if (thud.bodies === 0) return "";
   const awake = { thud: thud.awake, box2d: box2d.awake };
@@ -50,11 +53,12 @@ function asleepText(thud: Figures, box2d: Figures): string {
   return `Not the same work: ${first} bodies are awake in thud, ${second} in Box2D.`;
 }
 
-/** What Box2D was given of a world so many metres from the origin; "" of one that lies there. */
+/** A text that explains that Box2D's world has been moved by some metres, since the scene is far
+ * from the origin and Box2D's coordinates are 32-bit floats; "" if it has not been moved. */
 export function movedText(metres: number): string {
   if (metres === 0) return "";
   const far = Math.round(metres / 1000).toLocaleString("en");
-  // The last of the 24 binary digits that a number of 32 bits has.
+  // The distance of adjacent 32-bit floats of this size, whose significand has 24 bits.
   const apart = 2 ** (Math.floor(Math.log2(metres)) - 23);
   return (
     `This scene lies ${far} km from the origin, where numbers of 32 bits, which Box2D has for ` +
@@ -63,18 +67,20 @@ export function movedText(metres: number): string {
   );
 }
 
+/** The result of comparing two figures. */
 export interface Comparison {
-  /** Null: about the same. */
+  /** The engine with the smaller value; null: about the same. */
   better: Engine | null;
+  /** How many times smaller, as text. */
   times: string;
 }
 
-/** Milliseconds. */
+/** Compares milliseconds; null if both are too short to compare. */
 export function compareTimes(thud: number, box2d: number): Comparison | null {
   return compare(thud, box2d, NO_TIME);
 }
 
-/** In the world's lengths. */
+/** Compares overlaps or gaps in world units; null if both are too small to compare. */
 export function compareDepths(
   thud: number,
   box2d: number,
@@ -83,7 +89,7 @@ export function compareDepths(
   return compare(thud, box2d, NO_DEPTH * lengthScale);
 }
 
-/** Of costs: less is better. Null if both are next to nothing. */
+/** Compares two costs, of which the smaller is better; null if both are below `nothing`. */
 function compare(thud: number, box2d: number, nothing: number): Comparison | null {
   if (Math.max(thud, box2d) < nothing) return null;
   const ratio = Math.max(box2d, nothing) / Math.max(thud, nothing);
