@@ -1,5 +1,5 @@
-/* build_thud.c: reads a scene, writes a thud world. The only place where a scene's doubles become
- * the engine's floats. */
+/* build_thud.c: builds a thud world from a scene. A scene's doubles are rounded to the engine's
+ * floats here and nowhere else. */
 #include "build_thud.h"
 
 #include "act_thud.h"

@@ -1,5 +1,5 @@
-/* choices.h: the systems that a user picks for a world, by the names that command lines and menus
- * give them. */
+/* choices.h: the qualities, detections and broadphases that a user chooses for a world, with their
+ * names on command lines and in menus. */
 #ifndef THUD_DEMO_CHOICES_H
 #define THUD_DEMO_CHOICES_H
 
@@ -17,14 +17,16 @@ typedef struct broadphase_choice {
     const thud_broadphase *broadphase;
 } broadphase_choice;
 
-extern const thud_quality *const QUALITIES[QUALITY_CHOICES]; /* in the order of their price */
-extern const detection_choice
-    DETECTIONS[DETECTION_CHOICES]; /* the quality's own; the others by price */
-extern const broadphase_choice BROADPHASES[BROADPHASE_CHOICES]; /* the default first */
+/* From the cheapest to the most expensive. */
+extern const thud_quality *const QUALITIES[QUALITY_CHOICES];
+/* The first is "auto", the quality's own; the others follow from the cheapest to the most
+ * expensive. */
+extern const detection_choice DETECTIONS[DETECTION_CHOICES];
+extern const broadphase_choice BROADPHASES[BROADPHASE_CHOICES]; /* the first is the default */
 
 enum { QUALITY_DEFAULT = 1, DETECTION_DEFAULT = 0, BROADPHASE_DEFAULT = 0 };
 
-/* The index of a name, or -1. */
+/* The index of a name in its list, or -1. */
 int quality_find(const char *name);
 int detection_find(const char *name);
 int broadphase_find(const char *name);
