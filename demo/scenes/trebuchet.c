@@ -1,8 +1,8 @@
-/* trebuchet.c: a trebuchet throws a stone at a tower. The sling lets go where it bears no more: it
- * is a rope that breaks.
+/* trebuchet.c: a trebuchet throws a stone at a tower. The sling is a distance joint that breaks at
+ * a force, which releases the stone.
  *
- * Bodies: the ground (flat terrain), the trestle (which nothing meets), the arm, its counterweight,
- * the stone, the bricks of the tower row by row. */
+ * Bodies: the ground (flat terrain), the trestle (which collides with nothing), the arm, its
+ * counterweight, the stone, the bricks of the tower row by row. */
 #include "parts.h"
 #include "scene_facts.h"
 #include "scenes.h"
@@ -23,7 +23,8 @@ static int add_trestle(scene *s, double x) {
     return trestle;
 }
 
-/* The arm reaches down to the left, to just above the ground, and the stone lies in front of it. */
+/* Adds the trebuchet, loaded: the arm's long end points down to the left, to just above the ground,
+ * and the stone lies to the right of it. */
 static void add_engine(scene *s, double x) {
     const double low = 0.6;
     int trestle = add_trestle(s, x);
