@@ -1,4 +1,4 @@
-/* timings.h: how long each stage of the last steps took, as a stacked graph. */
+/* timings.h: a stacked graph of the time that each stage of the last steps took. */
 #ifndef THUD_PLAY_TIMINGS_H
 #define THUD_PLAY_TIMINGS_H
 
@@ -9,7 +9,7 @@
 enum { TIMINGS_KEPT = 180 };
 
 typedef struct timings {
-    float seconds[TIMINGS_KEPT][THUD_STAGE_COUNT]; /* a ring */
+    float seconds[TIMINGS_KEPT][THUD_STAGE_COUNT]; /* a ring buffer of steps */
     int count, next;
 } timings;
 

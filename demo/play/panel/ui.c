@@ -12,7 +12,7 @@ bool ui_hovers(const ui *u, SDL_FRect r) {
 static bool clicked(ui *u, SDL_FRect r) {
     if (!u->pressed || !ui_hovers(u, r))
         return false;
-    u->pressed = false; /* one press, one button */
+    u->pressed = false; /* so that one press is one click */
     return true;
 }
 
@@ -20,6 +20,7 @@ static float base_line(const canvas *c, SDL_FRect r) {
     return r.y + 0.5f * r.h + 4.5f * c->unit;
 }
 
+/* The background of a widget. */
 static void plate(canvas *c, SDL_FRect r, SDL_Color color) {
     canvas_round_rect(c, r, 4 * c->unit, (canvas_style){color, color, 0});
 }
