@@ -5,10 +5,10 @@
 
 #include <math.h>
 
-static const float SOIL_DEPTH = 90; /* points from the surface's colour to that of the deep */
+static const float SOIL_DEPTH = 90; /* points from the ground's upper colour to its lower one */
 
-/* The column under the surface between two of its points. Its sides fall on whole pixels, so that
- * no gap shows between neighbours. */
+/* Draws the ground below one segment of the line. Its sides are at whole pixels, so that there is
+ * no gap between adjacent columns. */
 static void draw_column(canvas *c, const camera *view, SDL_FPoint a, SDL_FPoint b) {
     float bottom = view->view.y + view->view.h;
     float depth = SOIL_DEPTH * c->unit;
@@ -52,7 +52,8 @@ void draw_terrain(canvas *c, const camera *view, const thud_world *world, thud_s
     thud_terrain_segments(&terrain, -half - pose.x, half - pose.x, &first, &last);
     if (first > last)
         return;
-    /* Far away several points share a pixel: then every stride-th will do, and always the same. */
+    /* If several vertices share a pixel, only every stride-th is drawn. `first` is a multiple of
+     * the stride, so that a pan of the camera does not change which. */
     int stride = (int)((float)(last - first + 1) / view->view.w) + 1;
     first -= first % stride;
     for (int pass = 0; pass < 2; pass++)
