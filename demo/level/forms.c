@@ -185,7 +185,7 @@ bool level_form_scale(const level_values *v, level_form *form, double sx, double
     return true;
 }
 
-/* ---- what the engine takes ---- */
+/* ---- limits of the engine ---- */
 
 /* Whether the size of a box or circle is in the engine's range. False after a report. */
 static bool size_fits(const level_reader *r, const level_values *v, const level_form *form) {

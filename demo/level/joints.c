@@ -83,7 +83,7 @@ bool level_joint_knows(int kind, const char *name) {
     return false;
 }
 
-/* ---- where it is ---- */
+/* ---- places ---- */
 
 /* Whether an object is drawn in a way that a joint can be: as no tile or polygon, and, if as a
  * line, with two points. */
@@ -143,7 +143,7 @@ static double length_as_drawn(const level_reader *r, const level_joint *o) {
     return sqrt(dx * dx + dy * dy);
 }
 
-/* ---- how it is driven ---- */
+/* ---- limits, springs and motors ---- */
 
 enum { NAME = 32 };
 

@@ -108,6 +108,8 @@ static bool read_map_values(level_reader *r, const level_layer *map, const char 
     return true;
 }
 
+/* Reads the map's values, then its layers; joins bodies by the joints at the end. Errors are
+ * reported. */
 static void read_map(level_reader *r, const cJSON *json, const char *name) {
     const cJSON *type = level_field(json, "type");
     const cJSON *orientation = level_field(json, "orientation");

@@ -197,6 +197,8 @@ void level_note_unknown(level_report *report, const cJSON *json, uint32_t object
     }
 }
 
+/* The kind of body that the property `body` or `bodyType` names; static, after a report, if it is
+ * none. */
 static scene_body_kind read_kind(level_values *v) {
     const char *kind = level_text(v, "body", level_text(v, "bodyType", "static"));
     if (strcmp(kind, "dynamic") == 0)

@@ -107,7 +107,7 @@ level_tile level_find_tile(const level_reader *r, const level_tilesets *tilesets
     return tile;
 }
 
-/* ---- what collides ---- */
+/* ---- collision shapes ---- */
 
 /* What an object in the collision editor is, if that cannot be a collision shape; else null. */
 static const char *no_shape(const cJSON *object) {

@@ -181,6 +181,7 @@ static void put_points(tmx *t, cJSON *json, const char *name, const char *text) 
     }
 }
 
+/* The value of an element's attribute; null if it has none. */
 static const char *attribute(const char **attributes, const char *name) {
     for (const char **a = attributes; a[0]; a += 2)
         if (strcmp(a[0], name) == 0)

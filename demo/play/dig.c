@@ -14,6 +14,7 @@ static thud_result dig_shape(session *s, thud_shape_id shape, thud_pos at, bool 
                  : thud_shape_dig(s->world, shape, at, CRATER_RADIUS * unit);
 }
 
+/* Digs or raises every terrain line with vertices. A message says so if there is none. */
 static void dig(session *s, thud_pos at, bool mound) {
     if (!s->world)
         return;

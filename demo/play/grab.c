@@ -13,6 +13,7 @@ static const float WEIGHTS = 40;               /* max force, in weights of the b
 static const float GRAVITY_LEAST = 10;
 static const float CALM = 20; /* rad/s^2: max angular deceleration of a held body */
 
+/* Creates the pin and the joint. False if the world refuses. */
 static bool add_joint(grab *g, session *s, const thud_body_state *body) {
     thud_body_def pin = thud_default_body_def();
     thud_joint_def def = thud_default_joint_def(THUD_TARGET);

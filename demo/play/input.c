@@ -53,6 +53,7 @@ static double pick_margin(const viewer *v) {
     return fmax(margin, 1e-4 * v->session.scene.length_scale);
 }
 
+/* Begins a click on the panel, a pull at a body, or a pan of the view. */
 static void press(viewer *v, int button) {
     if (button == SDL_BUTTON_LEFT) {
         v->ui.down = true;
@@ -232,6 +233,7 @@ static void repeat_key(viewer *v, SDL_Keycode key, bool shift) {
     }
 }
 
+/* Handles one event. */
 static void handle(viewer *v, SDL_Window *window, const SDL_Event *event) {
     float scale = pixels_per_window_unit(v, window);
     switch (event->type) {

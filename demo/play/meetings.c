@@ -10,6 +10,7 @@ static uint32_t kind(int index) {
     return 2u << index;
 }
 
+/* How the chosen pair of kinds interacts now. */
 static thud_meeting meeting_of(const session *s) {
     thud_rule rule;
     thud_result result =

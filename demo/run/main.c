@@ -164,6 +164,7 @@ static bool run(thud_world *world, const scene *s, const run_options *options, r
     return true;
 }
 
+/* Returns the exit status. */
 static int load_and_run(const run_options *options) {
     scene s;
     if (!load(options, &s))

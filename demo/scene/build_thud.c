@@ -124,6 +124,7 @@ static thud_result add_joint(thud_world *world, const scene_joint *joint,
     return thud_joint_create(world, &def, &joints[index]);
 }
 
+/* Creates all joints in the scene's order; a gear refers to joints before it. */
 static thud_result add_joints(thud_world *world, const scene *s, const thud_body_id *bodies) {
     thud_joint_id *joints = malloc((size_t)s->joint_count * sizeof *joints);
     if (!joints)

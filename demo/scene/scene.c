@@ -168,6 +168,7 @@ scene_body *scene_dynamic_circle(scene *s, double x, double y, double radius) {
     return body;
 }
 
+/* Adds a joint with the default values; its frames are set by the caller. */
 static scene_joint *add_joint(scene *s, scene_joint_kind kind, int a, int b) {
     scene_joint *joint = &s->spare_joint;
     void *joints = s->joints;

@@ -47,6 +47,7 @@ static bool frame_of(const sketch *k, thud_body_id body, const scene_joint *made
     return true;
 }
 
+/* Whether a point is in the view, or at most 12 hinge radii outside of it. */
 static bool in_view(const sketch *k, SDL_FPoint p) {
     const SDL_FRect *r = &k->view->view;
     float margin = 12 * k->size;
@@ -146,6 +147,7 @@ static void draw_rope(const sketch *k, SDL_FPoint a, SDL_FPoint b, float length)
     }
 }
 
+/* Draws a distance joint: as a spring, a rope (drawn taut if a winch's motor holds it) or a rod. */
 static void draw_distance(const sketch *k, const placed *p) {
     const scene_drive *drive = &p->made->drive[SCENE_ALONG];
     float scale = (float)k->view->scale;

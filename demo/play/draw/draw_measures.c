@@ -16,6 +16,7 @@ static SDL_FPoint at(const camera *view, double x, double y) {
     return camera_from_center(view, (float)x, (float)y);
 }
 
+/* Draws the outline of a circle or box. */
 static void outline(canvas *c, const camera *view, const thud_shape_instance *s, float width,
                     SDL_Color color) {
     if (s->kind == THUD_CIRCLE) {

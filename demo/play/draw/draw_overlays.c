@@ -38,6 +38,7 @@ static bool island_style(const sink *k, thud_draw_style style, int island, SDL_C
     return true;
 }
 
+/* Draws the outline of a box, rotated by (cosine c, sine s). */
 static void outline(const sink *k, thud_vec2 center, thud_vec2 half, float c, float s,
                     SDL_Color color) {
     SDL_FPoint corners[4];

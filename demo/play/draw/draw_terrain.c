@@ -24,6 +24,7 @@ static void draw_column(canvas *c, const camera *view, SDL_FPoint a, SDL_FPoint 
                                    COLOR_GROUND_DEEP});
 }
 
+/* Draws an infinite line, from one side of the view to the other. */
 static void draw_flat(canvas *c, const camera *view, double slope, thud_pose pose) {
     double half = 0.5 * view->view.w / view->scale + 1;
     SDL_FPoint a =
@@ -33,6 +34,7 @@ static void draw_flat(canvas *c, const camera *view, double slope, thud_pose pos
     canvas_line(c, a, b, 2 * c->unit, COLOR_SURFACE);
 }
 
+/* The position of the terrain's vertex i on the screen. */
 static SDL_FPoint vertex(const camera *view, const thud_terrain *t, int i, thud_pose pose) {
     double x = t->kind == THUD_TERRAIN_UNIFORM ? t->x0 + i * t->spacing : t->points[i].x;
     return camera_from_center(view, (float)(pose.x + x), (float)(pose.y + t->points[i].y));

@@ -27,6 +27,7 @@ static void draw_in_ground(canvas *c, const camera *view, thud_pos at, double nx
                (canvas_style){color, color, 0});
 }
 
+/* Draws a terrain line's stripes, every EVERY metres of the texture coordinate u. */
 static void draw_stripes(canvas *c, const camera *view, const thud_terrain *line, int row) {
     double next = EVERY / 2;
     texture_place at;

@@ -36,6 +36,7 @@ static void put_u32(stream *s, Uint32 value) {
         put_byte(s, value >> shift & 0xFF);
 }
 
+/* Writes `count` bits, the lowest first. */
 static void put_bits(stream *s, Uint32 bits, int count) {
     s->bits |= bits << s->bit_count;
     s->bit_count += count;
@@ -141,6 +142,8 @@ static void end_chunk(stream *s, size_t start) {
     put_u32(s, crc32_of(s->bytes + start + 4, length + 4));
 }
 
+/* Writes the image. `lines` has for each row a filter byte and the filtered pixels, `line` bytes in
+ * all. */
 static void put_png(stream *s, const Uint8 *lines, int width, int height, size_t line) {
     static const Uint8 signature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
     /* Bit depth, colour type, and the only values of three methods. */

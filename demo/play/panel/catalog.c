@@ -103,6 +103,7 @@ void catalog_free(catalog *c) {
     *c = (catalog){0};
 }
 
+/* Whether `wanted` is the entry's scene name, level path or level name. */
 static bool entry_has_name(const catalog_entry *entry, const char *wanted) {
     if (entry->info)
         return strcmp(entry->info->name, wanted) == 0;

@@ -35,6 +35,8 @@ static float label(viewer *v, float y, const char *text) {
     return y + LABEL_HEIGHT * v->canvas.unit;
 }
 
+/* This function and the next ones draw a group of controls at the height y, and return the y below
+ * it. */
 static float draw_time_controls(viewer *v, float y) {
     canvas *c = &v->canvas;
     float next = (ROW + GAP) * c->unit;

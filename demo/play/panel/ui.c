@@ -9,6 +9,7 @@ bool ui_hovers(const ui *u, SDL_FRect r) {
     return u->x >= r.x && u->x < r.x + r.w && u->y >= r.y && u->y < r.y + r.h;
 }
 
+/* Whether the pointer was pressed in r since the last frame; consumes the press. */
 static bool clicked(ui *u, SDL_FRect r) {
     if (!u->pressed || !ui_hovers(u, r))
         return false;
