@@ -61,7 +61,9 @@ typedef struct level_reader {
 } level_reader;
 
 /* The JSON objects in which properties are looked up, from the map (first) to an object or a tile
- * (last, the innermost). */
+ * (last, the innermost). LEVEL_CHAIN is the max number of links. A layer is refused if there are
+ * more than LEVEL_DEEPEST links around it; that leaves room for a template, an object, a tileset, a
+ * tile and a collision shape. Chosen. */
 enum { LEVEL_CHAIN = 20, LEVEL_DEEPEST = 13 };
 typedef struct level_chain {
     const cJSON *links[LEVEL_CHAIN]; /* each may have `properties` */
@@ -71,7 +73,7 @@ typedef struct level_chain {
 /* A layer, with the groups around it. */
 typedef struct level_layer {
     const cJSON *json;
-    level_chain chain; /* ends with the layer itself; at most LEVEL_DEEPEST long */
+    level_chain chain; /* ends with the layer itself */
     double ox, oy;     /* offset in pixels, the groups' included */
     const char *name;  /* for messages */
 } level_layer;

@@ -21,7 +21,7 @@ typedef struct tile_kind {
     level_forms forms;
     bool has_ground;
     double foot;   /* the highest lower side of its ground, pixels below the cell's lower edge */
-    double dx, dy; /* from the cell's lower left corner to the tile's centre, pixels */
+    double dx, dy; /* from the cell's lower left corner to the tile's centre, pixels, y down */
     int placed, ungrounded; /* tiles with a body; those of them whose ground is left out */
 } tile_kind;
 

@@ -172,7 +172,7 @@ static int load_and_run(const run_options *options) {
     run_outcome outcome;
     pool *threads = pool_create(options->workers);
     if (options->workers > 1 && !threads)
-        fprintf(stderr, "thud-run: no threads to be had; going on alone\n");
+        fprintf(stderr, "thud-run: threads cannot be created; running on one thread\n");
     thud_world *world = build(options, &s, threads);
     bool done = world && run(world, &s, options, &outcome);
     if (done && options->json)

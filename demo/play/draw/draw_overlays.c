@@ -51,6 +51,8 @@ static void outline(const sink *k, thud_vec2 center, thud_vec2 half, float c, fl
         canvas_line(k->canvas, corners[i], corners[(i + 1) % 4], k->canvas->unit, color);
 }
 
+/* Callbacks of thud_debug_draw. Each draws one primitive in the colour of its style, if the overlay
+ * is on that the style belongs to. */
 static void on_circle(thud_vec2 center, float radius, float c, float s, thud_draw_style style,
                       int island, void *context) {
     const sink *k = context;
