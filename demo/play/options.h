@@ -14,7 +14,7 @@ typedef struct options {
     int width, height;
     overlay_set overlays;
     int quality;               /* index in QUALITIES of choices.h */
-    int detection, broadphase; /* as in session.h */
+    int detection, broadphase; /* indices in DETECTIONS and BROADPHASES of choices.h */
     bool overlays_given;       /* false: those of the scene are used */
     pair_look pair_look;
     bool bare, paused, list, help;

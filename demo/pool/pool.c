@@ -54,8 +54,8 @@ static void start_round(pool *p) {
     pthread_mutex_unlock(&p->mutex);
 }
 
-/* The job system's function: runs `task` once on each worker and on the calling thread, and returns
- * when all have finished. The number of workers is the pool's own. */
+/* The job system's function: runs `task` once on each thread of the pool and on the calling thread,
+ * and returns when all have finished. `workers` is ignored: it is the pool's own number. */
 static void run(thud_task_fn *task, void *argument, int workers, void *context) {
     pool *p = context;
     (void)workers;

@@ -1,5 +1,5 @@
 /* clock.c: a clock that is driven by a falling weight. Gears lead to an escape wheel. The pallets
- * of the anchor let one of its teeth pass at each swing of the pendulum, and each tooth pushes the
+ * of the anchor release its teeth one at a time as the pendulum swings, and each tooth pushes the
  * pendulum on.
  *
  * Bodies: the case, which collides with nothing; the anchor with its pendulum; the escape wheel;
@@ -14,7 +14,7 @@ enum { TEETH = 15, TOOTH = 2, PALLET = 4 };
 
 /* RIM: radius of the escape wheel, m. SPAN: sine and cosine of 42 degrees, the angle at the wheel's
  * axle between the vertical and each pallet. The two pallets span 3.5 teeth of 24 degrees, so that
- * the wheel advances by half a tooth at each swing. */
+ * the wheel advances by half a pitch at each swing. */
 static const double RIM = 2, SPAN_SINE = 0.6691306063588582, SPAN_COSINE = 0.7431448254773942;
 /* Rotations by a fifteenth, a twelfth and a thirtieth of a turn, as cosine and sine. */
 static const scene_point FIFTEENTH = {0.9135454576426009, 0.4067366430758002};
