@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Radians per degree. */
 static const double RADIANS = 0.017453292519943295;
 
 /* Min and max of the half extents that are read, in length scales: within the engine's

@@ -145,6 +145,7 @@ static double length_as_drawn(const level_reader *r, const level_joint *o) {
 
 /* ---- limits, springs and motors ---- */
 
+/* Room for the name of a property. */
 enum { NAME = 32 };
 
 /* Writes the name of a property, as "turn_motor_speed". */

@@ -25,7 +25,7 @@ static void read_layer(level_reader *r, const level_layer *parent, const cJSON *
     }
     layer.chain.links[layer.chain.count++] = json;
     level_values v = {.report = r->report, .chain = &layer.chain, .where = layer.name};
-    const double far = 1e9;
+    const double far = 1e9; /* pixels, as LEVEL_FAR */
     if (level_field(json, "offsetx"))
         layer.ox = level_required(&v, json, "offsetx", -far, far);
     if (level_field(json, "offsety"))

@@ -40,6 +40,7 @@ void level_library_forget_reports(level_library *library) {
         f->reported = false;
 }
 
+/* Room for a path. Chosen. */
 enum { LONGEST_PATH = 1024 };
 
 /* Removes the last part of a path. False if there is none, or if it is "..". */

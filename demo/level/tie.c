@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+/* Radians per degree. */
 static const double RADIANS = 0.017453292519943295;
 
 void level_place_body(level_reader *r, uint32_t id, double rotation) {

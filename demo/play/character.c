@@ -7,6 +7,7 @@
 
 #include <math.h>
 
+/* Half extents of the character. */
 static const double HALF_WIDTH = 0.35, HALF_HEIGHT = 0.75;
 static const float RUN_SPEED = 8; /* max speed, length scales / s */
 static const float RUN_GAIN = 60; /* acceleration on the ground, length scales / s^2 */
@@ -14,6 +15,7 @@ static const float AIR_GAIN = 35; /* acceleration in the air, length scales / s^
 static const float JUMP_HEIGHT = 3.2f;
 /* Multiple of the world's gravity; with 1 jumps feel slow. Chosen. */
 static const float GRAVITY_MORE = 1.6f;
+/* Max speed downwards, length scales / s. */
 static const float FALL_SPEED = 25;
 /* Factor of the upward speed when the jump key is released while the character rises. */
 static const float CUT_SHORT = 0.45f;

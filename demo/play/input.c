@@ -29,6 +29,7 @@ const char INPUT_HELP[] =
     "  Tab                hide and show panel and texts\n"
     "  F11                full screen          Esc          quit\n";
 
+/* Factor of the scale for a notch of the wheel. */
 static const double ZOOM_PER_NOTCH = 1.15;
 /* Distance in points from the pointer at which a body is still picked. */
 static const float PICK_PIXELS = 3;

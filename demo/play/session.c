@@ -16,6 +16,7 @@
 /* s. Max time that the steps of a frame may take: frames that take longer make the viewer sluggish.
  * The world then runs slower than its speed says. Chosen. */
 static const double STEPPING_BUDGET = 0.040;
+/* Max number of steps in a frame. */
 enum { STEPS_PER_FRAME = 16 };
 
 static double clock_seconds(void *context) {

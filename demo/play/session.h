@@ -37,6 +37,7 @@ typedef struct session_blast {
     double step; /* number of the world's steps before it; negative: none */
 } session_blast;
 
+/* Max number of rings that are drawn at the same time. */
 enum { SESSION_BLASTS = 8 };
 
 typedef struct session session;

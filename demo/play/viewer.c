@@ -16,6 +16,7 @@
  * 1/s. */
 static const double CHARACTER_VIEW = 20, FOLLOW_RATE = 6;
 
+/* The speeds to choose from, world seconds per real second. */
 static const double SPEEDS[] = {0.1, 0.25, 0.5, 1, 2, 4};
 enum { SPEED_COUNT = sizeof SPEEDS / sizeof SPEEDS[0] };
 

@@ -5,6 +5,7 @@
 
 #include <thud/thud.h>
 
+/* Lengths of the lists below. */
 enum { QUALITY_CHOICES = 4, DETECTION_CHOICES = 5, BROADPHASE_CHOICES = 3 };
 
 typedef struct detection_choice {
@@ -24,6 +25,7 @@ extern const thud_quality *const QUALITIES[QUALITY_CHOICES];
 extern const detection_choice DETECTIONS[DETECTION_CHOICES];
 extern const broadphase_choice BROADPHASES[BROADPHASE_CHOICES]; /* the first is the default */
 
+/* Indices of the default choices. */
 enum { QUALITY_DEFAULT = 1, DETECTION_DEFAULT = 0, BROADPHASE_DEFAULT = 0 };
 
 /* The index of a name in its list, or -1. */

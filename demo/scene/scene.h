@@ -97,8 +97,10 @@ typedef enum scene_joint_kind {
     SCENE_GEAR
 } scene_joint_kind;
 
+/* The directions of a joint, indices of scene_joint.drive. */
 enum { SCENE_ALONG, SCENE_ACROSS, SCENE_TURN, SCENE_DIRECTIONS };
 
+/* Limits, spring and motor of a joint's direction, as thud_drive. */
 typedef struct scene_drive {
     bool limited;
     double lower, upper;

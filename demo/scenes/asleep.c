@@ -6,6 +6,7 @@
 
 #include <math.h>
 
+/* Boxes in a stack, and circles that never sleep. */
 enum { PER_STACK = 5, AWAKE = 100 };
 
 static void fill(scene *s, int size) {

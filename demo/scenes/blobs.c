@@ -7,6 +7,7 @@
 #include "scene_facts.h"
 #include "scenes.h"
 
+/* Circles around a hub. */
 enum { RIM = 12 };
 
 /* Unit vectors at the twelfths of a turn. */

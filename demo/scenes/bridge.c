@@ -7,6 +7,7 @@
 #include "scene_facts.h"
 #include "scenes.h"
 
+/* Half the thickness of a plank, m. */
 static const double HALF_PLANK = 0.12;
 
 /* The hinge before plank i of n, on a parabola that sags by a thirtieth of the span. */

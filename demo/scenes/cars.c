@@ -9,6 +9,7 @@
 
 /* Heights of the terrain, and how many of them from one knoll to the next. */
 enum { POINTS = 321, COARSE = 20 };
+/* Distance of the heights, m. */
 static const double SPACING = 0.36;
 
 /* A mountain in the middle, knolls all over, joined by 3 t^2 - 2 t^3, and a slope at both ends that

@@ -10,6 +10,7 @@
 
 #include <math.h>
 
+/* Number of teeth of the escape wheel, and the category bits of teeth and pallets. */
 enum { TEETH = 15, TOOTH = 2, PALLET = 4 };
 
 /* RIM: radius of the escape wheel, m. SPAN: sine and cosine of 42 degrees, the angle at the wheel's
@@ -21,6 +22,7 @@ static const scene_point FIFTEENTH = {0.9135454576426009, 0.4067366430758002};
 static const scene_point TWELFTH = {0.8660254037844386, 0.5};
 static const scene_point THIRTIETH = {0.9781476007338057, 0.20791169081775934};
 
+/* Centre of the dial, m. */
 static const scene_point DIAL = {-3.5, -1.4};
 
 /* The vector p rotated by the unit vector `by`. */

@@ -7,6 +7,7 @@
 #include "scene_facts.h"
 #include "scenes.h"
 
+/* Height of the jib, and x of the mast, m. */
 static const double JIB = 13, MAST = -9;
 
 static int add_crane(scene *s) {

@@ -6,13 +6,16 @@
 #include "scene_facts.h"
 #include "scenes.h"
 
+/* Half the size of a crate, and the distance of stacks, m. */
 static const double HALF = 0.5, APART = 1.3;
 /* kg m/s in a step: what stops a crate, which has 1 kg, after a fall of 1.8 m. */
 static const double MOST = 6;
 /* Of the weights, m: radius, height of the lowest, difference in height to the next. */
 static const double RADIUS = 0.7, LOWEST = 8, HIGHER = 3;
 
+/* Crates in a stack. */
 enum { ROWS = 4, EVERY = 3 /* stacks for each weight */ };
+/* Kinds: everything else, crates, and pieces of crates. */
 enum { ANY = 1 << 0, CRATE = 1 << 1, PIECE = 1 << 2 };
 
 static void fill(scene *s, int size) {

@@ -15,6 +15,8 @@ enum { LANES = 4, BULLETS = 3, WALLS = 2 };
  * thin wall, but less than half the thickness of floor and ceiling, so that discrete detection
  * pushes it back inside. */
 static const double SPEEDS[BULLETS] = {12, 24, 45};
+/* Radius of a bullet, half the thickness of a thin wall, distance of thin walls, half the width of
+ * a pillar, m. */
 static const double RADIUS = 0.12, THIN = 0.02, STOREY = 3, PILLAR = 0.5;
 
 /* Adds floor, ceiling and the slab between, through all lanes, and the pillars that separate the

@@ -23,7 +23,7 @@ enum {
     SAMPLES = sizeof ELEVATION / sizeof ELEVATION[0],
     FINER = 4, /* vertices from one sample to the next, so that craters are round */
     VERTICES = (SAMPLES - 1) * FINER + 1,
-    LOWEST = 386
+    LOWEST = 386 /* m: the smallest sample */
 };
 
 static const double RISE = 1.5 / 74.4; /* metres of height in the scene for a real metre */

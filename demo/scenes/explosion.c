@@ -8,7 +8,9 @@
 #include "scene_facts.h"
 #include "scenes.h"
 
+/* Half the size of a crate, distance of stacks, distance of the first stack from the centre, m. */
 static const double HALF = 0.5, APART = 1.2, NEAREST = 6;
+/* Crates in a stack. */
 enum { ROWS = 4 };
 
 static void add_ground(scene *s, double half) {

@@ -7,15 +7,19 @@
 #include "scene_facts.h"
 #include "scenes.h"
 
+/* Stripes of a flag, and plates of a stripe. */
 enum { STRIPES = 3, PLATES = 7 };
 
 static const double SPACING = 6.5; /* from pole to pole, m */
+/* Half extents of a plate, m. */
 static const double HALF_LENGTH = 0.3, HALF_HEIGHT = 0.24;
 
+/* The x of pole i. */
 static double pole_x(int size, int i) {
     return SPACING * (i - 0.5 * size);
 }
 
+/* The height of pole i. */
 static double pole_top(int i) {
     return 7 + 0.9 * (i % 3);
 }

@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+/* Number of heights between which the hills are interpolated. */
 enum { KNOTS = 64 };
 
 /* Smooth hills: random heights at equal distances, joined by 3 u^2 - 2 u^3. `t` is in [0, 1]. */

@@ -10,12 +10,16 @@
 #include "scenes.h"
 
 static const double GAP = 3; /* between a plank's end and the wall, over a trampoline, m */
+/* Height of the roof, m. */
 static const double ROOF = 16;
+/* Half the size of balls and crates, and their distance at the start, m. */
 static const double HALF = 0.35, APART = 1.1;
 
 enum { PLANKS = 2 };
+/* Heights of the planks, m. */
 static const double HEIGHTS[PLANKS] = {5.6, 9.2};
 
+/* Kinds; ANY is everything else. */
 enum {
     ANY = 1 << 0,
     PLANK = 1 << 1,

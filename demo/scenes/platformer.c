@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+/* Height of a storey in tiles, and number of tiles for each body. */
 enum { STOREY = 6, TILES_PER_BODY = 5 };
 
 typedef struct layout {

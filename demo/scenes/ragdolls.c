@@ -9,6 +9,7 @@
 #include "scenes.h"
 
 enum { STEPS = 9 };
+/* Width and height of a step, m. */
 static const double RUN = 1.35, RISE = 0.62;
 
 /* Hinges b to a at (x, y), with limits in radians relative to the standing doll. */

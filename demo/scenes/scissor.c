@@ -9,6 +9,8 @@
 
 #include <math.h>
 
+/* Length of a bar; horizontal distance of its ends at the start, and raised; half the width of a
+ * bar; height of the lowest hinges. All in m. */
 static const double BAR = 3, FROM = 2.88, TO = 2.7, HALF = 0.07, FEET = 0.3;
 
 /* Adds a small body at `at`, hinged to `bar`, that slides along the x axis of `carrier`. Returns

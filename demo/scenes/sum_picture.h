@@ -4,6 +4,7 @@
 
 #include <thud/thud_minkowski.h>
 
+/* Lines of the arc at a vertex, and max number of points of the outline. */
 enum { SUM_ARC = 12, SUM_OUTLINE_MAX = THUD_MINKOWSKI_MAX * (SUM_ARC + 1) };
 
 /* Positions are relative to the centre of the first shape. */

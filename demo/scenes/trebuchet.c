@@ -9,6 +9,8 @@
 
 #include <math.h>
 
+/* Height of the axle, long and short end of the arm, length of the sling, radius of the stone, m.
+ */
 static const double AXLE = 5.2, LONG = 6.4, SHORT = 1.5, SLING = 2.4, STONE = 0.32;
 
 static int add_trestle(scene *s, double x) {

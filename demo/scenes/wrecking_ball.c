@@ -8,6 +8,7 @@
 
 #include <math.h>
 
+/* Height from which the chain hangs, and radius of the ball, m. */
 static const double PIVOT = 14, RADIUS = 1.1;
 enum { LINKS = 16 };
 

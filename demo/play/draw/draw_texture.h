@@ -7,6 +7,7 @@
 #include "draw/canvas.h"
 #include "session.h"
 
+/* Max number of prints that are kept, and of contacts that are looked at. */
 enum { TEXTURE_PRINTS = 80, TEXTURE_FEET = 64 };
 
 /* The place where a foot touched down, and to which it slid since. */

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Length of a match in deflate (RFC 1951, 3.2.5). */
 enum { MATCH_MIN = 3, MATCH_MAX = 258 };
 
 typedef struct stream {

@@ -6,6 +6,7 @@
 
 #include <thud/thud.h>
 
+/* Number of steps that the graph shows. */
 enum { TIMINGS_KEPT = 180 };
 
 typedef struct timings {
