@@ -25,8 +25,8 @@ static int add_trestle(scene *s, double x) {
     return trestle;
 }
 
-/* Adds the trebuchet, loaded: the arm's long end points down to the left, to just above the ground,
- * and the stone lies to the right of it. */
+/* Adds the trebuchet with its axle at x, loaded: the arm's long end points down to the left, to
+ * just above the ground, and the stone lies to the right of it. */
 static void add_engine(scene *s, double x) {
     const double low = 0.6;
     int trestle = add_trestle(s, x);
@@ -48,7 +48,7 @@ static void add_engine(scene *s, double x) {
     scene_joint *sling = scene_tie_distance(s, arm, stone, tip.x, tip.y, tip.x + beside, STONE);
     sling->drive[SCENE_ALONG].limited = true;
     sling->drive[SCENE_ALONG].upper = sling->length;
-    sling->break_force = 6900;
+    sling->break_force = 6900; /* N; decides at which angle the stone is released. Chosen */
     part_keep_apart(s, trestle, -1);
 }
 

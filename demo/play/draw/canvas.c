@@ -9,10 +9,10 @@
 #include <string.h>
 
 enum {
-    VERTEX_ROOM = 1 << 16,
-    INDEX_ROOM = 3 << 16,
-    OUTLINE_MAX = 64, /* max number of points of an outline */
-    RINGS = 3
+    VERTEX_ROOM = 1 << 16, /* max number of vertices in a batch */
+    INDEX_ROOM = 3 << 16,  /* max number of indices in a batch */
+    OUTLINE_MAX = 64,      /* max number of points of an outline */
+    RINGS = 3              /* rings of an outline, see add_convex */
 };
 
 bool canvas_init(canvas *c, SDL_Renderer *renderer, float unit) {
@@ -96,7 +96,9 @@ void canvas_rect(canvas *c, SDL_FRect r, SDL_Color top, SDL_Color bottom) {
 }
 
 /* Adds a convex outline p; `out` is for each point the displacement that moves it outwards by a
- * pixel. `half` is the smallest half width of the inside, which limits how far rings go inwards. */
+ * pixel. `half` is the smallest half width of the inside, which limits how far rings go inwards.
+ * The rings are half a pixel outside of the outline, where it is transparent; half a pixel inside,
+ * in the edge colour; and there plus the border, in the fill colour. */
 static void add_convex(canvas *c, const SDL_FPoint *p, const SDL_FPoint *out, int n, float half,
                        canvas_style style) {
     float inset = fminf(0.5f, half);

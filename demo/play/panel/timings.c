@@ -26,7 +26,7 @@ static const float *step_at(const timings *t, int age) {
 /* The time at the top of the graph, s: the next 1, 2 or 5 times a power of ten above the slowest
  * step. */
 static float full_scale(const timings *t) {
-    float slowest = 1e-5f;
+    float slowest = 1e-5f; /* s: min of the scale */
     for (int age = 0; age < t->count; age++) {
         float sum = 0;
         for (int i = 0; i < THUD_STAGE_COUNT; i++)
