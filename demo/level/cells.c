@@ -1,11 +1,12 @@
-/* cells.c: the tile numbers of a layer, in whichever way the file holds them: a list, text with
- * commas, base64, packed or not; all at once or, in infinite maps, by chunks. */
+/* cells.c: reads the tile numbers of a layer in each of their encodings: a JSON list, text with
+ * commas, or base64, which may be compressed; in infinite maps in chunks. */
 #include "reader.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+/* Reports a problem of a layer. */
 static void complain(const level_reader *r, const level_layer *layer, const char *what) {
     level_problem_add(r->report, LEVEL_SKIP, 0, "layer '%.40s': %s", layer->name, what);
 }
@@ -14,7 +15,8 @@ static bool is_cell(double value) {
     return value >= 0 && value <= UINT32_MAX;
 }
 
-/* From a list; how many there are, of which `count` have room. Others than numbers are -1. */
+/* Reads cells from a JSON list. Returns their number, which may be larger than `count`, the room in
+ * `out`. Items that are no tile numbers become 0 and are counted in *malformed. */
 static size_t from_list(const cJSON *list, uint32_t *out, size_t count, int *malformed) {
     size_t seen = 0;
     const cJSON *cell;
@@ -28,7 +30,7 @@ static size_t from_list(const cJSON *list, uint32_t *out, size_t count, int *mal
     return seen;
 }
 
-/* From numbers between commas and white space. */
+/* The same from a text with numbers between commas and white space. */
 static size_t from_text(const char *text, uint32_t *out, size_t count, int *malformed) {
     static const char BETWEEN[] = ", \t\r\n";
     size_t seen = 0;
@@ -48,6 +50,7 @@ static size_t from_text(const char *text, uint32_t *out, size_t count, int *malf
     return seen;
 }
 
+/* Reads `count` cells from base64, little-endian 32-bit numbers. False after a report. */
 static bool from_base64(const level_reader *r, const level_layer *layer, const char *text,
                         uint32_t *out, size_t count) {
     uint8_t *bytes = malloc(4 * count);
@@ -67,7 +70,7 @@ static bool from_base64(const level_reader *r, const level_layer *layer, const c
     return !why;
 }
 
-/* `count` numbers of a layer or a chunk; false after a report. */
+/* Reads the width * height cells of a layer or a chunk. False after a report. */
 static bool read_numbers(const level_reader *r, const level_layer *layer, const cJSON *data,
                          uint32_t *out, size_t width, size_t height) {
     size_t count = width * height, seen = 0;
@@ -97,11 +100,13 @@ static bool read_numbers(const level_reader *r, const level_layer *layer, const 
     return true;
 }
 
+/* Columns and rows, in cells. */
 typedef struct area {
     int column, row, width, height;
 } area;
 
-/* Where a layer or a chunk lies, in cells; false after a report. */
+/* Reads the columns and rows of a layer or a chunk. `placed`: it has a position; else that is (0,
+ * 0). False after a report. */
 static bool read_area(level_reader *r, const level_layer *layer, const cJSON *json, bool placed,
                       area *a) {
     level_values v = {.report = r->report, .chain = &layer->chain, .where = layer->name};
@@ -119,7 +124,7 @@ static bool read_area(level_reader *r, const level_layer *layer, const cJSON *js
     return true;
 }
 
-/* Room for an area's cells, all empty; false after a report. */
+/* Allocates an area's cells, all empty. False after a report. */
 static bool make_room(level_reader *r, const level_layer *layer, const area *a,
                       level_cells *cells) {
     double count = (double)a->width * a->height;
@@ -137,7 +142,7 @@ static bool make_room(level_reader *r, const level_layer *layer, const area *a,
     return cells->at != NULL;
 }
 
-/* The least area with both in it. */
+/* The smallest area that contains both. */
 static area around(area a, area b) {
     int column = a.column < b.column ? a.column : b.column;
     int row = a.row < b.row ? a.row : b.row;
@@ -147,6 +152,7 @@ static area around(area a, area b) {
                   (below_a > below_b ? below_a : below_b) - row};
 }
 
+/* Reads a chunk and copies its cells into those of the layer. */
 static void read_chunk(level_reader *r, const level_layer *layer, const cJSON *chunk,
                        const level_cells *cells) {
     area a;
@@ -163,6 +169,7 @@ static void read_chunk(level_reader *r, const level_layer *layer, const cJSON *c
     free(own.at);
 }
 
+/* Reads all chunks of a layer of an infinite map. False after a report. */
 static bool read_chunks(level_reader *r, const level_layer *layer, const cJSON *chunks,
                         level_cells *cells) {
     area all = {0};

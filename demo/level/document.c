@@ -1,4 +1,4 @@
-/* document.c: a file of the Tiled editor as JSON, whichever of its two forms it has. */
+/* document.c: parses a file of the Tiled editor, in JSON or XML, into JSON. */
 #include "reader.h"
 
 #include <stdio.h>
@@ -8,7 +8,7 @@ static bool is_space(char c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
-/* Where in the text parsing stopped, as an editor counts. */
+/* The line, counted from 1, in which parsing stopped. */
 static int line_of(const char *text, const char *end) {
     int line = 1;
     for (const char *p = text; end && p < end; p++)
@@ -17,7 +17,8 @@ static int line_of(const char *text, const char *end) {
 }
 
 cJSON *level_document(const char *text, size_t length, char *trouble, size_t size) {
-    static const char MARK[] = "\xEF\xBB\xBF"; /* what some editors begin a text with */
+    /* The UTF-8 byte order mark, which some editors write first. */
+    static const char MARK[] = "\xEF\xBB\xBF";
     size_t at = length >= 3 && memcmp(text, MARK, 3) == 0 ? 3 : 0;
     while (at < length && is_space(text[at]))
         at++;

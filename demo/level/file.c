@@ -1,4 +1,4 @@
-/* file.c: reads a map from a file, and from beside it what it refers to. */
+/* file.c: reads a map from a file, and the files that it refers to. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "reader.h"
@@ -8,10 +8,12 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* Larger files are no maps; a map can name any file as its tileset, /dev/zero's like among them. */
+/* Max size in bytes of a file that is read. A map can name any file as its tileset, also one that
+ * never ends, as /dev/zero. Chosen. */
 enum { LARGEST_FILE = 1 << 28 };
 
-/* The whole file in memory, or null. */
+/* Reads a file into memory from malloc. Null if it cannot be read, is no regular file or is too
+ * large. */
 static char *read_whole(const char *path, size_t *length) {
     FILE *file = fopen(path, "rb");
     struct stat about;
@@ -33,6 +35,7 @@ static char *read_whole(const char *path, size_t *length) {
     return text;
 }
 
+/* The part of a path after the last slash. */
 static const char *last_part(const char *path) {
     const char *base = path;
     for (const char *p = path; *p; p++)
@@ -41,7 +44,8 @@ static const char *last_part(const char *path) {
     return base;
 }
 
-/* The context is the map's own path. */
+/* Opens a file by its path from the map's folder: level_opener.open, with the map's own path as the
+ * context. */
 static char *open_beside(void *context, const char *path, size_t *length) {
     const char *map = context;
     size_t folder = (size_t)(last_part(map) - map);
@@ -55,7 +59,7 @@ static char *open_beside(void *context, const char *path, size_t *length) {
     return text;
 }
 
-/* "assets/levels/quarry.tmj" is "quarry". */
+/* The file's name without folder and suffix: "assets/levels/quarry.tmj" gives "quarry". */
 static void name_of(const char *path, char *name, size_t size) {
     const char *base = last_part(path);
     const char *dot = strrchr(base, '.');

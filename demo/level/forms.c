@@ -1,17 +1,20 @@
-/* forms.c: outlines of objects on their way from the file to the scene. */
+/* forms.c: reads the outlines of objects as forms, moves them as their objects are rotated, flipped
+ * and scaled, and adds bodies with their shapes to the scene. */
 #include "reader.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+/* Radians per degree. */
 static const double RADIANS = 0.017453292519943295;
 
-/* Sizes, in length scales, between which the engine takes them with room to spare for rounding. */
+/* Min and max of the half extents that are read, in length scales: within the engine's
+ * (THUD_SIZE_MIN, THUD_SIZE_MAX), with a margin for rounding to float. */
 static const double SMALLEST = 2e-4;
 static const double LARGEST = 16000;
 
-/* Two lengths count as equal within a thousandth: the editor rounds what it writes. */
+/* Equal to a relative tolerance of 1e-3, since the editor rounds what it writes. */
 static bool nearly_equal(double a, double b) {
     return fabs(a - b) <= 1e-3 * fmax(fabs(a), fabs(b));
 }
@@ -45,7 +48,8 @@ bool level_form_points(level_forms *forms, level_form *form, int count) {
 
 /* ---- reading ---- */
 
-/* The points of a line or polygon in memory from malloc; null after a report. */
+/* Reads the points of a line or polygon into memory from malloc. Null after a report, or if memory
+ * runs out. */
 static scene_point *read_points(level_values *v, const cJSON *list, int count, level_forms *forms) {
     scene_point *points = malloc((size_t)count * sizeof *points);
     forms->failed = forms->failed || !points;
@@ -64,6 +68,7 @@ static scene_point *read_points(level_values *v, const cJSON *list, int count, l
     return NULL;
 }
 
+/* Reads the points of a line, or of a polygon if `closed`. False after a report. */
 static bool read_line(level_values *v, const cJSON *list, bool closed, level_forms *forms) {
     int count = cJSON_IsArray(list) ? cJSON_GetArraySize(list) : 0, least = closed ? 3 : 2;
     if (count < least) {
@@ -125,6 +130,7 @@ void level_form_turn(level_form *form, double x, double y, double degrees) {
     }
 }
 
+/* Changes the sign of a form's rotation. */
 static void mirror(level_form *form) {
     double c, s;
     form->rotation = level_turn(0.0 - form->rotation, &c, &s);
@@ -180,8 +186,9 @@ bool level_form_scale(const level_values *v, level_form *form, double sx, double
     return true;
 }
 
-/* ---- what the engine takes ---- */
+/* ---- limits of the engine ---- */
 
+/* Whether the size of a box or circle is in the engine's range. False after a report. */
 static bool size_fits(const level_reader *r, const level_values *v, const level_form *form) {
     double hx = form->hx / r->pixels_per_unit, hy = form->hy / r->pixels_per_unit;
     double low = SMALLEST * r->s->length_scale, high = LARGEST * r->s->length_scale;
@@ -191,6 +198,8 @@ static bool size_fits(const level_reader *r, const level_values *v, const level_
     return false;
 }
 
+/* Reverses a line that runs from right to left. False, after a report, if its x do not increase
+ * strictly. */
 static bool line_fits(const level_reader *r, const level_values *v, level_form *form) {
     scene_point *points = form->points;
     int count = form->count;
@@ -213,6 +222,7 @@ static bool line_fits(const level_reader *r, const level_values *v, level_form *
     return true;
 }
 
+/* Prepares one form, see level_forms_settle. False if it has to be removed. */
 static bool settle(const level_reader *r, const level_values *v, const level_physics *physics,
                    level_form *form, double degrees, double lowest) {
     if (!form->points)
@@ -247,6 +257,7 @@ void level_forms_settle(const level_reader *r, const level_values *v, const leve
 
 /* ---- adding ---- */
 
+/* Adds a body without shapes at (x, y) pixels. `rotation` is in degrees, clockwise. */
 static scene_body *add_body(level_reader *r, const level_physics *physics, uint32_t id, double x,
                             double y, double rotation) {
     scene_body *body = scene_add_body(r->s, physics->kind, x / r->pixels_per_unit,
@@ -259,6 +270,7 @@ static scene_body *add_body(level_reader *r, const level_physics *physics, uint3
     return body;
 }
 
+/* Adds the body of a line; (x, y) is the place of the object's body. */
 static void add_line(level_reader *r, const level_physics *physics, uint32_t id,
                      const level_form *form, double x, double y) {
     double ppu = r->pixels_per_unit;
@@ -274,6 +286,7 @@ static void add_line(level_reader *r, const level_physics *physics, uint32_t id,
     free(points);
 }
 
+/* Adds a box or circle to the latest body. A box that can never rotate becomes an AABB. */
 static void add_box_or_circle(level_reader *r, const level_physics *physics, const level_form *form,
                               double rotation) {
     double ppu = r->pixels_per_unit;
@@ -289,7 +302,7 @@ static void add_box_or_circle(level_reader *r, const level_physics *physics, con
         shape = upright ? scene_add_aabb(r->s, hx, hy) : scene_add_obb(r->s, hx, hy);
         shape->angle = 0.0 - form->rotation * RADIANS;
         break;
-    case LEVEL_LINE: /* both have points, and so are lines */
+    case LEVEL_LINE: /* both have points: level_add_body adds them as lines */
     case LEVEL_POLYGON:
         return;
     }

@@ -1,5 +1,5 @@
-/* joints.c: reads the objects that are joints: what they are, where, and how they are driven. Which
- * bodies they tie is found by tie.c, when all of the map is read. */
+/* joints.c: reads the objects that are joints: their kind, place, limits, springs and motors. tie.c
+ * finds the bodies that they join after the whole map is read. */
 #include "reader.h"
 
 #include <math.h>
@@ -7,7 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Length scales; the engine takes 1e6, give or take what single precision rounds. */
+/* Max of lengths, of a frame's coordinates (length scales) and of motor speeds (length scales or
+ * radians a second): the engine's 1e6 (THUD_JOINT_LENGTH_MAX, THUD_JOINT_SPIN_MAX), with a margin
+ * for rounding to float. SHORTEST: min length of a distance, length scales. The others are
+ * THUD_JOINT_TURN_MAX, radians, and THUD_JOINT_FORCE_MAX. */
 static const double LONGEST = 999999;
 static const double SHORTEST = 1e-6;
 static const double LARGEST_TURN = 3.1415927;
@@ -15,7 +18,8 @@ static const double LARGEST_FORCE = 1e30;
 
 enum { ALONG = 1 << SCENE_ALONG, ACROSS = 1 << SCENE_ACROSS, TURN = 1 << SCENE_TURN };
 
-/* What each kind is called, which directions it drives, and whether both its objects are told. */
+/* For each kind its name, the directions that have limits, springs and motors, and whether it needs
+ * both `a` and `b`. */
 static const struct {
     const char *name;
     unsigned driven;
@@ -51,6 +55,7 @@ int level_joint_kind(const char *name) {
     return LEVEL_NO_JOINT;
 }
 
+/* Whether a kind of joint has limits, springs and motors in a direction. */
 static bool drives(int kind, int direction) {
     return kind == LEVEL_ANY_JOINT || KINDS[kind].driven >> direction & 1;
 }
@@ -78,15 +83,18 @@ bool level_joint_knows(int kind, const char *name) {
     return false;
 }
 
-/* ---- where it is ---- */
+/* ---- places ---- */
 
+/* Whether an object is drawn in a way that a joint can be: as no tile or polygon, and, if as a
+ * line, with two points. */
 static bool is_drawn_fit(const cJSON *object) {
     const cJSON *line = level_field(object, "polyline");
     return !level_field(object, "gid") && !level_field(object, "polygon") &&
            (!line || (cJSON_IsArray(line) && cJSON_GetArraySize(line) == 2));
 }
 
-/* A line is from one place to the other, or from the only place along the axis. */
+/* Reads a line. A distance goes from its first to its last point; any other joint is at the first
+ * point, with its axis along the line. */
 static void read_line(level_values *v, const cJSON *line, level_joint *o) {
     double c, s, x[2], y[2];
     level_turn(o->rotation, &c, &s);
@@ -106,6 +114,7 @@ static void read_line(level_values *v, const cJSON *line, level_joint *o) {
     o->rotation = dx * dx + dy * dy > 0 ? level_direction(dx, dy) : 0;
 }
 
+/* Reads the places of a joint on both bodies, and the rotation of its axis. */
 static void read_place(level_values *v, const cJSON *object, level_joint *o) {
     const cJSON *line = level_field(object, "polyline");
     if (line) {
@@ -118,7 +127,7 @@ static void read_place(level_values *v, const cJSON *object, level_joint *o) {
     level_turn(o->rotation, &c, &s);
     o->x[0] = o->x[1] = x + (c * hx - s * hy);
     o->y[0] = o->y[1] = y + (s * hx + c * hy);
-    if (o->joint.kind == SCENE_WHEEL) /* its suspension is upright */
+    if (o->joint.kind == SCENE_WHEEL) /* the suspension's axis points up, where the rotation is 0 */
         o->rotation = o->rotation - 90;
 }
 
@@ -127,16 +136,19 @@ scene_point level_joint_place(const level_reader *r, const level_joint *o, int s
                          scene_grid((r->map_height - o->y[side]) / r->pixels_per_unit)};
 }
 
+/* The distance between the two places of a joint, in units. */
 static double length_as_drawn(const level_reader *r, const level_joint *o) {
     scene_point from = level_joint_place(r, o, 0), to = level_joint_place(r, o, 1);
     double dx = to.x - from.x, dy = to.y - from.y;
     return sqrt(dx * dx + dy * dy);
 }
 
-/* ---- how it is driven ---- */
+/* ---- limits, springs and motors ---- */
 
+/* Room for the name of a property. */
 enum { NAME = 32 };
 
+/* Writes the name of a property, as "turn_motor_speed". */
 static const char *name_of(char *name, int direction, const char *field) {
     snprintf(name, NAME, "%s_%s", DIRECTIONS[direction], field);
     return name;
@@ -147,12 +159,14 @@ static bool is_set(const level_values *v, int direction, const char *field) {
     return level_property(v->chain, name_of(name, direction, field)) != NULL;
 }
 
+/* Reads a number of one direction. */
 static double number(level_values *v, int direction, const char *field, double fallback, double low,
                      double high) {
     char name[NAME];
     return level_number(v, name_of(name, direction, field), fallback, low, high);
 }
 
+/* Reads limits, spring and motor of one direction. */
 static void read_drive(const level_reader *r, level_values *v, scene_joint *joint, int direction) {
     scene_drive *d = &joint->drive[direction];
     bool distance = joint->kind == SCENE_DISTANCE;
@@ -177,6 +191,7 @@ static void read_drive(const level_reader *r, level_values *v, scene_joint *join
     }
 }
 
+/* Reads the other values of a joint, and its directions. */
 static void read_values(const level_reader *r, level_values *v, level_joint *o) {
     scene_joint *joint = &o->joint;
     scene_joint_kind kind = joint->kind;
@@ -203,6 +218,7 @@ static void read_values(const level_reader *r, level_values *v, level_joint *o) 
 
 /* ---- reading ---- */
 
+/* Appends a joint to those of the map. */
 static void keep(level_reader *r, const level_joint *o) {
     if (r->joint_count == r->joint_capacity) {
         int wanted = r->joint_capacity ? 2 * r->joint_capacity : 16;

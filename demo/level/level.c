@@ -1,4 +1,4 @@
-/* level.c: reads a Tiled map: the map itself, and its layers. */
+/* level.c: reads a Tiled map: its own values, its groups and layers. */
 #include "level.h"
 
 #include "reader.h"
@@ -9,6 +9,7 @@
 
 static void read_layers(level_reader *r, const level_layer *parent);
 
+/* Reads a layer, or a group with the layers in it. */
 static void read_layer(level_reader *r, const level_layer *parent, const cJSON *json) {
     const cJSON *name = level_field(json, "name");
     const cJSON *type = level_field(json, "type");
@@ -24,7 +25,7 @@ static void read_layer(level_reader *r, const level_layer *parent, const cJSON *
     }
     layer.chain.links[layer.chain.count++] = json;
     level_values v = {.report = r->report, .chain = &layer.chain, .where = layer.name};
-    const double far = 1e9;
+    const double far = 1e9; /* pixels, as LEVEL_FAR */
     if (level_field(json, "offsetx"))
         layer.ox = level_required(&v, json, "offsetx", -far, far);
     if (level_field(json, "offsety"))
@@ -56,7 +57,8 @@ static void read_layers(level_reader *r, const level_layer *parent) {
         read_layer(r, parent, json);
 }
 
-/* Copies the three texts behind a scene; its own storage, since the JSON goes away. */
+/* Sets the name, title and description of a scene. They are copied into memory of the scene, since
+ * the JSON that they are in is freed. */
 static void set_texts(scene *s, const char *name, const char *title, const char *about) {
     const char *texts[] = {name, title, about};
     const char **fields[] = {&s->name, &s->title, &s->about};
@@ -76,7 +78,8 @@ static void set_texts(scene *s, const char *name, const char *title, const char 
     }
 }
 
-/* The map's own values. What is wrong with them is fatal: every object depends on them. */
+/* Reads the map's own values. False if one is wrong, which is fatal, as every object depends on
+ * them. */
 static bool read_map_values(level_reader *r, const level_layer *map, const char *name) {
     scene *s = r->s;
     level_values v = {.report = r->report, .chain = &map->chain, .where = "map"};
@@ -105,6 +108,8 @@ static bool read_map_values(level_reader *r, const level_layer *map, const char 
     return true;
 }
 
+/* Reads the map's values, then its layers; joins bodies by the joints at the end. Errors are
+ * reported. */
 static void read_map(level_reader *r, const cJSON *json, const char *name) {
     const cJSON *type = level_field(json, "type");
     const cJSON *orientation = level_field(json, "orientation");
@@ -130,10 +135,11 @@ static void read_map(level_reader *r, const cJSON *json, const char *name) {
     level_tie_joints(r);
 }
 
-/* More cells than this are read of no map, in all its layers. */
+/* Max number of cells that are read of a map, over all its layers. Chosen. */
 static const double MOST_CELLS = 1 << 26;
 
-/* Reads the map into an empty scene; true if nothing in it collides, but tiles might. */
+/* Reads the map into an empty scene. True if nothing in it collides, but it has tiles that would if
+ * all tiles did. */
 static bool read_once(level_library *library, const cJSON *json, const char *name, bool all_solid,
                       scene *s, level_report *report) {
     scene_init(s);
@@ -146,6 +152,7 @@ static bool read_once(level_library *library, const cJSON *json, const char *nam
     return s->body_count == 0 && reader.unmarked > 0 && report->fatal == 0 && !s->failed;
 }
 
+/* Reads the map; if nothing in it collides, reads it again with all tiles solid. */
 static void read_document(level_library *library, const cJSON *json, const char *name, scene *s,
                           level_report *report) {
     if (!read_once(library, json, name, false, s, report))

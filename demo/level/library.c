@@ -1,4 +1,4 @@
-/* library.c: the tilesets and templates that a map refers to, each read once. */
+/* library.c: the tilesets and templates that a map refers to. Each file is read once. */
 #include "reader.h"
 
 #include <stdio.h>
@@ -7,7 +7,7 @@
 
 typedef struct file {
     struct file *next;
-    cJSON *json; /* null: it cannot be used */
+    cJSON *json; /* null: the file cannot be used; `trouble` says why */
     bool reported;
     char trouble[120];
     char path[];
@@ -40,9 +40,10 @@ void level_library_forget_reports(level_library *library) {
         f->reported = false;
 }
 
+/* Room for a path. Chosen. */
 enum { LONGEST_PATH = 1024 };
 
-/* Takes the last part off a path, unless that goes up already; false then. */
+/* Removes the last part of a path. False if there is none, or if it is "..". */
 static bool go_up(char *path, size_t *length) {
     size_t at = *length;
     while (at > 0 && path[at - 1] != '/')
@@ -54,6 +55,7 @@ static bool go_up(char *path, size_t *length) {
     return true;
 }
 
+/* Appends a part to a path. False if it gets too long. */
 static bool append(char *path, size_t *length, const char *part, size_t size) {
     if (*length + size + 2 > LONGEST_PATH)
         return false;
@@ -65,7 +67,8 @@ static bool append(char *path, size_t *length, const char *part, size_t size) {
     return true;
 }
 
-/* What `source` in the file `from` is called from the map's folder; false if that is nowhere. */
+/* Makes of `source`, a path in the file `from`, a path from the map's folder. False if it is
+ * absolute, names a host, or is too long. */
 static bool join(const char *from, const char *source, char path[LONGEST_PATH]) {
     if (source[0] == '/' || source[0] == '\\' || strchr(source, ':'))
         return false;
@@ -85,6 +88,7 @@ static bool join(const char *from, const char *source, char path[LONGEST_PATH]) 
     return length > 0;
 }
 
+/* The file with this path, if it was read before; else null. */
 static file *find(const level_library *library, const char *path) {
     for (file *f = library->files; f; f = f->next)
         if (strcmp(f->path, path) == 0)
@@ -92,6 +96,8 @@ static file *find(const level_library *library, const char *path) {
     return NULL;
 }
 
+/* Reads and parses a file. Its JSON stays null, and `trouble` says why, if it cannot be used or is
+ * not of this type. */
 static void load(const level_library *library, file *f, const char *type) {
     size_t length = 0;
     char *text =

@@ -1,15 +1,15 @@
-/* objects.c: reads an object layer; adds a body for each object. */
+/* objects.c: reads an object layer, and adds a body, a joint or the spawn point for each object. */
 #include "reader.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* An object with what its template says. */
+/* An object, with the values that it inherits from its template. */
 typedef struct thing {
-    const cJSON *json;           /* its fields; those of its template where it has none */
-    cJSON *merged;               /* that, if there is a template: the thing's own */
-    const level_tilesets *tiles; /* what its tile number is of */
+    const cJSON *json; /* its fields, and those of its template that it does not have itself */
+    cJSON *merged;     /* the same, owned by this struct, if it has a template; else null */
+    const level_tilesets *tiles; /* the tilesets in which its tile number is looked up */
     level_tilesets template_tiles;
 } thing;
 
@@ -18,7 +18,8 @@ static void thing_free(thing *o) {
     free(o->template_tiles.items);
 }
 
-/* A template's object with the fields of the one that is made after it put over its own. */
+/* A copy of the template's object, in which the fields of `object` replace its own. Null if memory
+ * runs out. */
 static cJSON *merge(const cJSON *template_object, const cJSON *object) {
     cJSON *merged = cJSON_Duplicate(template_object, true);
     const cJSON *field;
@@ -34,7 +35,7 @@ static cJSON *merge(const cJSON *template_object, const cJSON *object) {
     return merged;
 }
 
-/* Finds the template of an object that has one; false after a report. */
+/* Looks up the template of an object, if it has one. False after a report. */
 static bool resolve(level_reader *r, level_values *v, const cJSON *object, level_chain *chain,
                     thing *o) {
     const cJSON *source = level_field(object, "template");
@@ -55,7 +56,7 @@ static bool resolve(level_reader *r, level_values *v, const cJSON *object, level
     chain->links[chain->count - 1] = template_object;
     chain->links[chain->count++] = object;
     o->merged = merge(template_object, object);
-    /* A number of the template's own is of its own tileset. */
+    /* A tile number in the template refers to the template's own tileset. */
     cJSON *list = cJSON_CreateArray();
     const cJSON *tileset = level_field(file, "tileset");
     if (list && tileset)
@@ -75,11 +76,12 @@ static bool resolve(level_reader *r, level_values *v, const cJSON *object, level
     return true;
 }
 
-/* The class of an object: `type`, but `class` in files of Tiled 1.9. */
+/* The class of an object: its field `type`, which Tiled 1.9 calls `class`. */
 static const char *class_of(const cJSON *object) {
     return level_field_text(object, "type", level_field_text(object, "class", ""));
 }
 
+/* Reads a point that is no joint: the spawn point, or nothing. */
 static void read_point(level_reader *r, const level_values *v, const cJSON *object, double x,
                        double y) {
     if (strcmp(class_of(object), "spawn") == 0) {
@@ -90,11 +92,14 @@ static void read_point(level_reader *r, const level_values *v, const cJSON *obje
     }
 }
 
-/* How far below `y` ground reaches at least: nothing falls between it and the map's lower edge. */
+/* The depth below `y` to which a polygon has to reach to count as ground, pixels: the top of
+ * the map's lowest row of cells. No body can fall through between there and the map's lower edge.
+ */
 static double lowest_below(const level_reader *r, double y) {
     return r->map_height - r->tile_height - y;
 }
 
+/* Adds the body of a rectangle, ellipse, polygon or line. */
 static void add_shape(level_reader *r, level_values *v, const cJSON *object, double x, double y,
                       double degrees) {
     level_forms forms = {0};
@@ -123,7 +128,8 @@ static void add_shape(level_reader *r, level_values *v, const cJSON *object, dou
 
 /* ---- tile objects ---- */
 
-/* The chain with the tile's links before those of the object, of which it has `own`. */
+/* The chain with the tileset and the tile's entry inserted before the last `own` links, those of
+ * the tile object. *outer becomes the number of links before these. */
 static level_chain chain_of_tile(const level_chain *chain, int own, const level_tile *tile,
                                  int *outer) {
     level_chain longer = *chain;
@@ -138,16 +144,18 @@ static level_chain chain_of_tile(const level_chain *chain, int own, const level_
     return longer;
 }
 
-/* The number of a tile object's tile, or 0 after a report. */
+/* The tile number of a tile object. v->bad is set, after a report, if it is missing or invalid. */
 static uint32_t gid_of(level_values *v, const cJSON *object) {
     return (uint32_t)level_required(v, object, "gid", 1, UINT32_MAX);
 }
 
+/* The size of a tile object in pixels; `length`, that of its tile, if it has none of its own. */
 static double drawn(level_values *v, const cJSON *object, const char *name, double length) {
     double wanted = level_optional(v, object, name, 0, 0, LEVEL_FAR);
     return wanted > 0 ? wanted : length;
 }
 
+/* Adds the body of a tile object. */
 static level_solid add_tile(level_reader *r, level_values *v, const thing *o, int own, double x,
                             double y, double degrees) {
     uint32_t gid = gid_of(v, o->json);
@@ -186,14 +194,16 @@ static level_solid add_tile(level_reader *r, level_values *v, const thing *o, in
 
 /* ---- layers ---- */
 
-/* What joint an object is. A shape may be called a wheel, too: it is one if it says what it holds.
- */
+/* The kind of joint that an object is. An object with a joint's class that refers to no other
+ * object by `a` or `b` is a joint only if it is a point, as shapes may have the class "wheel". */
 static int joint_of(const level_values *v, const cJSON *object) {
     int kind = level_joint_kind(class_of(object));
     bool refers = level_property(v->chain, "a") || level_property(v->chain, "b");
     return refers || cJSON_IsTrue(level_field(object, "point")) ? kind : LEVEL_NO_JOINT;
 }
 
+/* Reads an object with its template's values. `own` is the number of its links in the chain,
+ * `joint` what joint_of returned. */
 static level_solid read_thing(level_reader *r, level_values *v, const thing *o,
                               const level_layer *layer, int own, int joint) {
     const char *what = level_field(o->json, "text")      ? "a text"
@@ -223,6 +233,7 @@ static level_solid read_thing(level_reader *r, level_values *v, const thing *o,
     return LEVEL_OPEN;
 }
 
+/* Reads one object of a layer. */
 static level_solid read_object(level_reader *r, const level_layer *layer, const cJSON *object) {
     const cJSON *id = level_field(object, "id");
     if (!cJSON_IsNumber(id) || !(id->valuedouble >= 1 && id->valuedouble <= UINT32_MAX)) {

@@ -1,13 +1,16 @@
-/* polygon.c: which polygons the engine has shapes for: those that boxes make up, and ground. */
+/* polygon.c: polygons for which the engine has shapes: those that boxes make up, and ground, which
+ * becomes a terrain line. */
 #include "reader.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Corners of what is cut into boxes: more are an outline of something else. */
+/* Max corners of a polygon that is cut into boxes. Chosen: outlines with more corners are something
+ * else. */
 enum { MOST_CORNERS = 64 };
 
+/* The larger of a polygon's width and height. */
 static double extent(const scene_point *p, int count) {
     double x0 = p[0].x, x1 = x0, y0 = p[0].y, y1 = y0;
     for (int i = 1; i < count; i++) {
@@ -19,8 +22,9 @@ static double extent(const scene_point *p, int count) {
     return fmax(x1 - x0, y1 - y0);
 }
 
-/* By operations that every language has alike: from the nearest quarter turn each round takes off
- * the sine of what is left, which triples the digits. */
+/* Computed by an iteration, since the atan2 of different languages may differ in the last bits.
+ * From the nearest quarter turn, each step adds the sine of the remaining angle e, which leaves e^3
+ * / 6. */
 double level_direction(double x, double y) {
     double length = sqrt(x * x + y * y), c, s;
     double degrees = fabs(x) >= fabs(y) ? (x > 0 ? 0 : 180) : y > 0 ? 90 : -90;
@@ -31,7 +35,8 @@ double level_direction(double x, double y) {
     return level_turn(degrees, &c, &s);
 }
 
-/* Four corners with square angles, turned as they may be. */
+/* Reads a polygon of four corners with right angles as a box, in any rotation. False if it is none.
+ */
 static bool read_turned_box(const scene_point *p, int count, double near, level_forms *forms) {
     if (count != 4)
         return false;
@@ -50,7 +55,8 @@ static bool read_turned_box(const scene_point *p, int count, double near, level_
     return true;
 }
 
-/* Numbers in order, those nearer to each other than `near` only once; how many are left. */
+/* Sorts numbers and removes those at most `near` above the one before. Returns how many are left.
+ */
 static int sort(double *values, int count, double near) {
     for (int i = 1; i < count; i++) {
         double value = values[i];
@@ -66,7 +72,7 @@ static int sort(double *values, int count, double near) {
     return kept;
 }
 
-/* One more box, or the one above it made longer. */
+/* Adds a box, or extends the box of equal width directly above it. */
 static void add_slab(level_forms *forms, int first, double x0, double x1, double y0, double y1,
                      double near) {
     double x = (x0 + x1) * 0.5, hx = (x1 - x0) * 0.5;
@@ -87,8 +93,8 @@ static void add_slab(level_forms *forms, int first, double x0, double x1, double
     form->hy = (y1 - y0) * 0.5;
 }
 
-/* An outline of upright and level edges: cut at every corner's height into slabs, of which those
- * that are equal and one above the other become one. */
+/* Reads a polygon of horizontal and vertical edges as boxes: it is cut at the height of each corner
+ * into slabs, and equal slabs that lie on top of each other are merged. False if it is none. */
 static bool read_upright_boxes(const scene_point *p, int count, double near, level_forms *forms) {
     if (count > MOST_CORNERS)
         return false;
@@ -128,13 +134,13 @@ void level_read_polygon(const scene_point *points, int count, level_forms *forms
 
 /* ---- ground ---- */
 
-/* Which way an edge goes: 1 to the right, -1 to the left, 0 up or down. */
+/* The direction of an edge: 1 to the right, -1 to the left, 0 vertical within `near`. */
 static int way(const scene_point *p, int count, int edge, double near) {
     double dx = p[(edge + 1) % count].x - p[edge % count].x;
     return dx > near ? 1 : dx < -near ? -1 : 0;
 }
 
-/* How many edges from `edge` on go that way. */
+/* The number of consecutive edges from `edge` on that have this direction. */
 static int run_of(const scene_point *p, int count, int edge, int which, double near) {
     int length = 0;
     while (length < count && way(p, count, edge + length, near) == which)
@@ -150,8 +156,8 @@ static void reverse(scene_point *p, int count) {
     }
 }
 
-/* Round once, the upper side runs to the right, then a wall or none goes down, the lower side runs
- * to the left, and a wall or none goes up. */
+/* Seen once around, the polygon has to consist of an upper side of edges to the right, a vertical
+ * wall or none, a lower side of edges to the left, and a vertical wall or none. */
 bool level_form_to_ground(const level_values *v, level_form *form) {
     scene_point *p = form->points;
     int count = form->count;

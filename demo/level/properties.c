@@ -1,4 +1,5 @@
-/* properties.c: Tiled's custom properties, inherited from map to layer to object. */
+/* properties.c: reads Tiled's custom properties, which objects inherit from their layer, groups and
+ * the map, and checks their types and ranges. */
 #include "reader.h"
 
 #include <math.h>
@@ -7,7 +8,7 @@
 
 static const char *const KNOWN[] = {
     "body",
-    "bodyType", /* what maps made for other engines call it */
+    "bodyType", /* the name in maps made for other engines */
     "fixed_rotation",
     "sensor",
     "may_sleep",
@@ -66,12 +67,13 @@ const cJSON *level_property(const level_chain *chain, const char *name) {
     return NULL;
 }
 
+/* Reports that a value cannot be used, and sets v->bad. */
 static void complain(level_values *v, const char *name, const char *what) {
     v->bad = true;
     level_complain(v, LEVEL_SKIP, "%s %s", name, what);
 }
 
-/* Longer numbers than anybody writes are none; the text is not read beyond. */
+/* Max characters of a number. Chosen, longer than any that is written in practice. */
 enum { LONGEST_NUMBER = 60 };
 
 static const char *skip_digits(const char *p) {
@@ -103,6 +105,7 @@ bool level_number_of(const char *text, double *value) {
     return true;
 }
 
+/* `value`, if it is in range; else `low`, after a report. */
 static double in_range(level_values *v, double value, const char *name, double low, double high) {
     if (isfinite(value) && value >= low && value <= high)
         return value;
@@ -110,6 +113,7 @@ static double in_range(level_values *v, double value, const char *name, double l
     return low;
 }
 
+/* The number in `value`, if it is one in range; else `low`, after a report. */
 static double checked_number(level_values *v, const cJSON *value, const char *name, double low,
                              double high) {
     if (!cJSON_IsNumber(value)) {
@@ -122,7 +126,7 @@ static double checked_number(level_values *v, const cJSON *value, const char *na
 double level_number(level_values *v, const char *name, double fallback, double low, double high) {
     const cJSON *value = level_property(v->chain, name);
     double number;
-    /* A property's type is string where nobody chose another. */
+    /* Tiled gives a property the type string unless its author chooses another. */
     if (cJSON_IsString(value) && level_number_of(value->valuestring, &number))
         return in_range(v, number, name, low, high);
     return value ? checked_number(v, value, name, low, high) : fallback;
@@ -169,6 +173,7 @@ const char *level_text(level_values *v, const char *name, const char *fallback) 
     return string_or(value, fallback);
 }
 
+/* Whether a property has a meaning for an object that is this joint, or none (LEVEL_NO_JOINT). */
 static bool means_something(const char *name, int joint) {
     bool known = level_joint_knows(joint, name);
     for (size_t i = 0; joint < 0 && i < sizeof KNOWN / sizeof KNOWN[0]; i++)
@@ -192,6 +197,8 @@ void level_note_unknown(level_report *report, const cJSON *json, uint32_t object
     }
 }
 
+/* The kind of body that the property `body` or `bodyType` names; static, after a report, if it is
+ * none. */
 static scene_body_kind read_kind(level_values *v) {
     const char *kind = level_text(v, "body", level_text(v, "bodyType", "static"));
     if (strcmp(kind, "dynamic") == 0)
@@ -212,7 +219,8 @@ double level_whole_number(level_values *v, const char *name, double fallback, do
 }
 
 level_physics level_read_physics(level_values *v) {
-    const double huge = 1e9; /* what follows from larger values leaves single precision */
+    /* Beyond this, values computed from it could exceed the range of float. */
+    const double huge = 1e9;
     level_physics p;
     p.kind = read_kind(v);
     p.fixed_rotation = level_flag(v, "fixed_rotation", false);

@@ -1,4 +1,4 @@
-/* report.c: collects what is amiss with a level. */
+/* report.c: collects the problems of a level. */
 #include "reader.h"
 
 #include <stdarg.h>
@@ -10,7 +10,8 @@ void level_report_free(level_report *report) {
     *report = (level_report){0};
 }
 
-/* Room for one more, or null: then it is only counted. */
+/* Room for one more problem; null if memory runs out or LEVEL_PROBLEMS are reached: then it is only
+ * counted. */
 static level_problem *next_problem(level_report *report) {
     if (report->count == LEVEL_PROBLEMS)
         return NULL;
@@ -25,6 +26,7 @@ static level_problem *next_problem(level_report *report) {
     return &report->problems[report->count++];
 }
 
+/* Adds a problem. Its text begins with the object's id, or with `where`. */
 static void add(level_report *report, level_severity severity, uint32_t object, const char *where,
                 const char *format, va_list arguments) {
     if (severity == LEVEL_NOTE)

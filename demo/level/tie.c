@@ -1,9 +1,10 @@
-/* tie.c: ties the bodies that a map's joints refer to, when all of the map is read. */
+/* tie.c: adds a map's joints to the scene, after the whole map is read. */
 #include "reader.h"
 
 #include <math.h>
 #include <stdlib.h>
 
+/* Radians per degree. */
 static const double RADIANS = 0.017453292519943295;
 
 void level_place_body(level_reader *r, uint32_t id, double rotation) {
@@ -23,7 +24,7 @@ void level_place_body(level_reader *r, uint32_t id, double rotation) {
 
 /* ---- objects by their ids ---- */
 
-/* By id, and of one id in the order of the map. */
+/* Compares by id; bodies of one object by the order in which they were made. */
 static int compare_placed(const void *a, const void *b) {
     const level_placed *p = a, *q = b;
     if (p->id != q->id)
@@ -31,7 +32,7 @@ static int compare_placed(const void *a, const void *b) {
     return p->index < q->index ? -1 : p->index > q->index;
 }
 
-/* The first of an id, or null. */
+/* The first entry of an id in a sorted list; null if it has none. */
 static const level_placed *find(const level_placed *sorted, int count, uint32_t id) {
     int low = 0, high = count;
     while (low < high) {
@@ -46,12 +47,14 @@ static const level_placed *find(const level_placed *sorted, int count, uint32_t 
 
 /* ---- joints of bodies ---- */
 
+/* Reports a problem of a joint. */
 static void complain(const level_reader *r, const level_joint *o, const char *what) {
     level_problem_add(r->report, LEVEL_SKIP, o->id, "a %s %s", level_joint_name(o->joint.kind),
                       what);
 }
 
-/* True after a report. */
+/* Reports that the object `id`, which property `which` of the joint refers to, is no `what`
+ * ("body", "joint"). False, without a report, if it was found or id is 0. */
 static bool is_missing(const level_reader *r, const level_joint *o, const level_placed *found,
                        char which, uint32_t id, const char *what) {
     if (found || id == 0)
@@ -61,7 +64,7 @@ static bool is_missing(const level_reader *r, const level_joint *o, const level_
     return true;
 }
 
-/* False after a report: the engine would refuse it. */
+/* Whether the engine accepts a joint of these bodies. False after a report. */
 static bool may_tie(const level_reader *r, const level_joint *o, const level_placed *a,
                     const level_placed *b) {
     bool a_moves = a && r->s->bodies[a->index].kind == SCENE_DYNAMIC;
@@ -76,8 +79,8 @@ static bool may_tie(const level_reader *r, const level_joint *o, const level_pla
     return false;
 }
 
-/* Where a side of a joint is in its body, or in the world's where there is none; false if that is
- * further than the engine takes. */
+/* Sets the frame of a side of a joint relative to its body; without a body, at the origin, with the
+ * axis in the world. False if it is further from the body than the engine accepts. */
 static bool set_frame(const level_reader *r, const level_joint *o, int side,
                       const level_placed *placed, scene_joint *joint) {
     double c, s, axis = 0.0 - level_turn(o->rotation, &c, &s) * RADIANS;
@@ -95,7 +98,8 @@ static bool set_frame(const level_reader *r, const level_joint *o, int side,
     return level_joint_fits(r, joint->x[side]) && level_joint_fits(r, joint->y[side]);
 }
 
-/* What holds to the world holds to a body without shapes. */
+/* Adds the static body without shapes, at the joint's place, that a joint to the world is tied to.
+ * Returns its index. */
 static int add_anchor(level_reader *r, const level_joint *o) {
     scene_body *anchor = scene_add_body(r->s, SCENE_STATIC, o->x[0] / r->pixels_per_unit,
                                         (r->map_height - o->y[0]) / r->pixels_per_unit);
@@ -103,6 +107,7 @@ static int add_anchor(level_reader *r, const level_joint *o) {
     return r->s->body_count - 1;
 }
 
+/* Adds a joint between two bodies, or reports why not. */
 static void tie(level_reader *r, level_joint *o) {
     const level_placed *a = find(r->placed, r->placed_count, o->a);
     const level_placed *b = find(r->placed, r->placed_count, o->b);
@@ -123,7 +128,8 @@ static void tie(level_reader *r, level_joint *o) {
 
 /* ---- gears, of joints ---- */
 
-/* The body that a joint moves, which a gear can tie to another; or -1. */
+/* The index of the body that a joint moves relative to a static one, so that a gear can tie it to
+ * another joint; -1 if the joint is none of that kind. */
 static int moved_by(const level_reader *r, const level_joint *o) {
     const scene_joint *joint = &r->s->joints[o->made];
     bool valued = joint->kind == SCENE_HINGE || joint->kind == SCENE_WHEEL ||
@@ -134,6 +140,8 @@ static int moved_by(const level_reader *r, const level_joint *o) {
     return valued && b == SCENE_STATIC ? joint->body[0] : -1;
 }
 
+/* Adds a gear between two joints, or reports why not. `sorted` has all joints that were added, by
+ * id. */
 static void mesh(level_reader *r, const level_joint *o, const level_placed *sorted, int count) {
     const level_placed *a = find(sorted, count, o->a), *b = find(sorted, count, o->b);
     bool missing = is_missing(r, o, a, 'a', o->a, "joint");
@@ -155,6 +163,7 @@ static void mesh(level_reader *r, const level_joint *o, const level_placed *sort
     }
 }
 
+/* Adds all gears. */
 static void mesh_all(level_reader *r) {
     level_placed *made = malloc((size_t)r->joint_count * sizeof *made);
     int count = 0;

@@ -1,8 +1,8 @@
-/* tiles.c: reads a tile layer; adds a static body for every tile that collides.
+/* tiles.c: reads a tile layer, and adds a static body for each tile that collides.
  *
- * The property `solid` of the layer decides for all its tiles; where it has none, that of the tile
- * decides, then that of its tileset; without any a tile collides with the shapes that Tiled's
- * collision editor gave it, and one that has none is decoration. */
+ * The property `solid` of the layer decides for all of its tiles. If the layer has none, that of
+ * the tile decides, then that of its tileset. If none has it, a tile with collision shapes from
+ * Tiled's collision editor collides, and other tiles do not. */
 #include "reader.h"
 
 #include <float.h>
@@ -11,20 +11,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What one tile number stands for in this layer. */
+/* What was read of one tile number for this layer. */
 typedef struct tile_kind {
     uint32_t gid;
-    bool known, full; /* full: it fills its cell, and stops what comes */
+    /* known: a tileset that can be used has it; full: one of its forms covers its whole cell. */
+    bool known, full;
     level_solid solid;
     level_physics physics;
     level_forms forms;
     bool has_ground;
-    double foot;            /* the highest that ground of it must reach down to, from its middle */
-    double dx, dy;          /* from the cell's lower left corner to its middle */
-    int placed, ungrounded; /* how many there are, and how many are no ground here */
+    double foot;   /* the highest lower side of its ground, pixels below the cell's lower edge */
+    double dx, dy; /* from the cell's lower left corner to the tile's centre, pixels, y down */
+    int placed, ungrounded; /* tiles with a body; those of them whose ground is left out */
 } tile_kind;
 
-/* Kinds by number: a table with open addressing, its size a power of two. */
+/* A hash table of tile kinds by tile number, with linear probing; its size is a power of two. */
 typedef struct tile_kinds {
     tile_kind *slots;
     uint32_t size, used;
@@ -36,6 +37,7 @@ static void free_kinds(tile_kinds *kinds) {
     free(kinds->slots);
 }
 
+/* The slot of a tile number, or the free one in which it belongs (gid 0). */
 static tile_kind *slot_of(const tile_kinds *kinds, uint32_t gid) {
     uint32_t at = gid * 2654435769u & (kinds->size - 1);
     while (kinds->slots[at].gid != 0 && kinds->slots[at].gid != gid)
@@ -56,7 +58,7 @@ static bool grow(tile_kinds *kinds) {
     return true;
 }
 
-/* Whether a form covers a cell of the map about the middle of which it lies. */
+/* Whether a form covers a cell of the map; the form is relative to the cell's centre. */
 static bool covers(const level_reader *r, const level_form *form) {
     double near = 1e-3 * fmax(r->tile_width, r->tile_height);
     return form->kind == LEVEL_BOX && form->rotation == 0 && !form->physics.sensor &&
@@ -64,7 +66,7 @@ static bool covers(const level_reader *r, const level_form *form) {
            fabs(form->y) + r->tile_height * 0.5 <= form->hy + near;
 }
 
-/* How large a tile is drawn, and from where in its cell; false after a report. */
+/* The size in pixels in which a tile is drawn. False after a report. */
 static bool lay_out(const level_reader *r, const level_values *v, const level_tile *tile,
                     uint32_t gid, double *width, double *height) {
     bool turned = gid & LEVEL_FLIP_TURN;
@@ -79,6 +81,7 @@ static bool lay_out(const level_reader *r, const level_values *v, const level_ti
     return true;
 }
 
+/* Reads a tile number's forms and physics. */
 static void read_kind(level_reader *r, const level_layer *layer, uint32_t gid, tile_kind *kind) {
     *kind = (tile_kind){.gid = gid, .solid = LEVEL_OPEN};
     level_tile tile = level_find_tile(r, &r->tilesets, gid);
@@ -118,7 +121,8 @@ static void read_kind(level_reader *r, const level_layer *layer, uint32_t gid, t
     }
 }
 
-/* Null without memory. */
+/* The kind of a tile number, read when it is first asked for; null if memory runs out. It moves
+ * when the table grows. */
 static tile_kind *kind_of(level_reader *r, const level_layer *layer, tile_kinds *kinds,
                           uint32_t gid) {
     if (2 * kinds->used >= kinds->size && !grow(kinds)) {
@@ -133,8 +137,8 @@ static tile_kind *kind_of(level_reader *r, const level_layer *layer, tile_kinds 
     return kind;
 }
 
-/* In each column the row from which on all cells are full; null without memory. What is below the
- * lowest row is out of the map. */
+/* For each column the first row of those at the bottom whose cells are all full; null if memory
+ * runs out. In an infinite map the lowest row with a tile counts as the bottom. */
 static int *find_floors(level_reader *r, const level_layer *layer, tile_kinds *kinds,
                         const level_cells *cells) {
     int *floors = malloc((size_t)cells->width * sizeof *floors), last = cells->height;
@@ -163,6 +167,8 @@ static int *find_floors(level_reader *r, const level_layer *layer, tile_kinds *k
     return floors;
 }
 
+/* Adds the body of a tile. `on_floor`: all cells below it are full, so that its polygons may be
+ * ground. */
 static void add_tile(level_reader *r, const level_layer *layer, tile_kind *kind, double column,
                      double row, bool on_floor) {
     double x = (layer->ox + column * r->tile_width) + kind->dx;
@@ -185,6 +191,7 @@ static void report_ungrounded(const level_reader *r, const level_layer *layer,
                           layer->name, ungrounded);
 }
 
+/* Adds the bodies of all cells, and reports what is wrong with them. */
 static void read_cells(level_reader *r, const level_layer *layer, const level_cells *cells,
                        tile_kinds *kinds) {
     int used = 0, colliding = 0, unknown = 0, unmarked = 0;
@@ -203,7 +210,7 @@ static void read_cells(level_reader *r, const level_layer *layer, const level_ce
                 floors = find_floors(r, layer, kinds, cells);
                 if (!floors)
                     return;
-                kind = slot_of(kinds, gid); /* the table may have grown */
+                kind = slot_of(kinds, gid); /* find_floors may have made the table grow */
             }
             if (kind->forms.count > 0)
                 add_tile(r, layer, kind, (double)cells->column + i, (double)cells->row + j,

@@ -1,4 +1,4 @@
-/* tilesets.c: what a tile number stands for, and what of that tile collides. */
+/* tilesets.c: finds the tile of a tile number, and reads the shapes that the tile collides with. */
 #include "reader.h"
 
 #include <math.h>
@@ -24,7 +24,7 @@ bool level_list_tilesets(level_tilesets *tilesets, const cJSON *list, const char
     return true;
 }
 
-/* The tileset itself, wherever it stands; null after a report. */
+/* The tileset's own JSON, from its file if it is in one. Null after a report. */
 static const cJSON *content_of(const level_reader *r, const level_tileset *tileset) {
     const cJSON *source = level_field(tileset->json, "source");
     const char *path;
@@ -34,7 +34,8 @@ static const cJSON *content_of(const level_reader *r, const level_tileset *tiles
                               cJSON_IsString(source) ? source->valuestring : "", "tileset", &path);
 }
 
-/* The entry of a tile in its tileset, which only tiles with something to say have; or null. */
+/* The entry of a tile in its tileset, or null: only tiles with properties, shapes or an image of
+ * their own have one. */
 static const cJSON *entry_of(const cJSON *tileset, double number) {
     const cJSON *tile;
     cJSON_ArrayForEach(tile, level_field(tileset, "tiles")) {
@@ -45,14 +46,15 @@ static const cJSON *entry_of(const cJSON *tileset, double number) {
     return NULL;
 }
 
-/* A length in pixels, or 0. */
+/* A length in pixels, from 1e-3 to 1e6; 0 if it is missing or out of range. */
 static double length_of(const cJSON *json, const char *name) {
     const cJSON *value = level_field(json, name);
     bool good = cJSON_IsNumber(value) && value->valuedouble >= 1e-3 && value->valuedouble <= 1e6;
     return good ? value->valuedouble : 0;
 }
 
-/* Of a part of a picture, a picture of its own, or a piece of the tileset's; 0 if nothing tells. */
+/* The width or height of a tile: of the part of an image that it shows, of an image of its own, or
+ * of the tileset's tiles, in this order. 0 if none is given. */
 static double side_of(const level_tile *tile, const char *part, const char *picture,
                       const char *piece) {
     double length = length_of(tile->json, part);
@@ -63,6 +65,7 @@ static double side_of(const level_tile *tile, const char *part, const char *pict
     return length == 0 ? length_of(tile->tileset, piece) : length;
 }
 
+/* A coordinate of the tileset's drawing offset, pixels; 0 if it has none. */
 static double shift_of(const cJSON *tileset, const char *axis) {
     const cJSON *value = level_field(level_field(tileset, "tileoffset"), axis);
     bool good = cJSON_IsNumber(value) && fabs(value->valuedouble) <= 1e6;
@@ -104,9 +107,9 @@ level_tile level_find_tile(const level_reader *r, const level_tilesets *tilesets
     return tile;
 }
 
-/* ---- what collides ---- */
+/* ---- collision shapes ---- */
 
-/* What an object of a tile's collision shapes is that none can be. */
+/* What an object in the collision editor is, if that cannot be a collision shape; else null. */
 static const char *no_shape(const cJSON *object) {
     return level_field(object, "gid")        ? "a tile"
            : level_field(object, "template") ? "an object from a template"
@@ -116,7 +119,7 @@ static const char *no_shape(const cJSON *object) {
                                              : NULL;
 }
 
-/* One collision shape as the tile lies. */
+/* Adds the forms of one collision shape, flipped and scaled as the tile is. */
 static void read_shape(level_values *v, const cJSON *object, uint32_t gid, const level_tile *tile,
                        double width, double height, level_forms *forms) {
     const char *what = no_shape(object);
@@ -148,8 +151,8 @@ static void read_shape(level_values *v, const cJSON *object, uint32_t gid, const
     forms->count = kept;
 }
 
-/* The chain with a collision shape in it: it knows better than its tile, and what a tile object
- * says goes before both. */
+/* The chain with a collision shape inserted at `at`: its properties go before those of its tile,
+ * and those of a tile object before both. */
 static level_chain insert(const level_chain *chain, int at, const cJSON *json) {
     level_chain longer = *chain;
     for (int i = longer.count++; i > at; i--)
@@ -158,7 +161,8 @@ static level_chain insert(const level_chain *chain, int at, const cJSON *json) {
     return longer;
 }
 
-/* What says whether a tile is solid: the object, else its layer, the tile, its tileset. */
+/* The property that says whether a tile is solid: that of the tile object, else of the layer, the
+ * tile, the tileset. Null if none has it. */
 static const cJSON *solid_of(const level_chain *chain, const level_tile *tile, int outer) {
     const cJSON *solid = NULL;
     for (int i = chain->count - 1; i >= outer && !solid; i--)

@@ -1,5 +1,6 @@
-/* tmx.c: the XML form of Tiled's files (.tmx, .tsx, .tx) as the JSON that Tiled would have written
- * for the same, so that the rest of the reader knows one form only. Parsed with Expat. */
+/* tmx.c: converts the XML form of Tiled's files (.tmx, .tsx, .tx) into the JSON that Tiled would
+ * have written for the same content, so that the rest of the reader has one form to read. Parsed
+ * with Expat. */
 #include "reader.h"
 
 #include <expat.h>
@@ -7,15 +8,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Groups in groups, as deep as anybody builds. */
+/* Max depth of nested elements, groups among them. Chosen. */
 enum { DEEPEST = 64 };
-/* Expat counts in int. */
+/* Max length of a text, since Expat takes it as an int. */
 enum { LONGEST_TEXT = 1 << 30 };
 
 typedef struct frame {
     const char *element;
-    cJSON *json; /* what the element's children go into; null: all of it means nothing here */
-    const char *text_as; /* the field that the element's text becomes, or null */
+    cJSON *json; /* receives the element's children; null: they are ignored, as the element is */
+    const char *text_as; /* the field that the element's text is stored in, or null */
 } frame;
 
 typedef struct tmx {
@@ -23,26 +24,26 @@ typedef struct tmx {
     cJSON *root;
     frame stack[DEEPEST];
     int depth;
-    char *text; /* of the innermost element that wants it */
+    char *text; /* text so far of the innermost element that stores its text */
     size_t used, capacity;
     const char *trouble;
 } tmx;
 
-/* What becomes of an element inside another. */
+/* How an element is stored in the JSON of its parent element. */
 typedef enum rule_kind {
-    IN_LIST,  /* one more of a list */
-    IN_FIELD, /* an object of its own */
-    IN_PLACE, /* what it holds belongs to the element around it */
-    A_FLAG,   /* true */
-    A_CELL,   /* a number of a list: the oldest form of cells */
-    POINTS    /* a list of points */
+    IN_LIST,  /* an object, appended to a list */
+    IN_FIELD, /* an object, in a field */
+    IN_PLACE, /* attributes and children are stored in the parent's own object */
+    A_FLAG,   /* true, in a field */
+    A_CELL,   /* a number, appended to a list: cells in the oldest form of maps */
+    POINTS    /* a list of points, in a field */
 } rule_kind;
 
 static const struct rule {
     const char *parents, *element; /* names between spaces */
     rule_kind kind;
     const char *name; /* of the list or field */
-    const char *type; /* the field "type" of layers, or null */
+    const char *type; /* value of a layer's field "type", or null */
 } RULES[] = {
     {" map ", "tileset", IN_LIST, "tilesets", NULL},
     {" template ", "tileset", IN_FIELD, "tileset", NULL},
@@ -70,12 +71,13 @@ static const struct rule {
     {" properties ", "property", IN_LIST, "properties", NULL},
 };
 
-/* The attributes that the reader asks for: those that are numbers in JSON, too, and others. */
+/* The attributes that are stored: those that are numbers in JSON, and those that are texts. */
 static const char NUMBERS[] = " width height tilewidth tileheight firstgid id gid x y rotation "
                               "offsetx offsety ";
 static const char TEXTS[] = " name type class value source template encoding compression "
                             "orientation objectalignment tilerendersize fillmode ";
 
+/* Whether `word` is one of `words`, which stand between spaces. */
 static bool in_words(const char *words, const char *word) {
     size_t length = strlen(word);
     for (const char *at = strstr(words, word); at && length > 0; at = strstr(at + 1, word))
@@ -84,13 +86,15 @@ static bool in_words(const char *words, const char *word) {
     return false;
 }
 
+/* Stops parsing. The first reason is kept. */
 static void give_up(tmx *t, const char *trouble) {
     if (!t->trouble)
         t->trouble = trouble;
     XML_StopParser(t->parser, XML_FALSE);
 }
 
-/* Adds an item that may be null for want of memory. Of two of a name the first stays. */
+/* Adds an item to an object and returns it. If `item` is null, memory ran out, and parsing stops.
+ * If the object has a field of this name already, that is kept and null is returned. */
 static cJSON *put(tmx *t, cJSON *json, const char *name, cJSON *item) {
     if (item && cJSON_GetObjectItemCaseSensitive(json, name)) {
         cJSON_Delete(item);
@@ -103,6 +107,7 @@ static cJSON *put(tmx *t, cJSON *json, const char *name, cJSON *item) {
     return NULL;
 }
 
+/* Appends an item to a list, which is created for its first item. */
 static cJSON *put_in_list(tmx *t, cJSON *json, const char *name, cJSON *item) {
     cJSON *list = cJSON_GetObjectItemCaseSensitive(json, name);
     if (!list)
@@ -114,6 +119,8 @@ static cJSON *put_in_list(tmx *t, cJSON *json, const char *name, cJSON *item) {
     return NULL;
 }
 
+/* Stores the attributes of an element that have a meaning. Numbers that are malformed stay texts.
+ */
 static void put_attributes(tmx *t, cJSON *json, const char **attributes) {
     for (const char **a = attributes; a[0] && !t->trouble; a += 2) {
         double number;
@@ -125,7 +132,7 @@ static void put_attributes(tmx *t, cJSON *json, const char **attributes) {
     }
 }
 
-/* A property's value in the type that it says it has. */
+/* Converts a property's value to the type that the property names. */
 static void put_typed_value(tmx *t, cJSON *property) {
     const char *type = level_field_text(property, "type", "string");
     const char *value = level_field_text(property, "value", NULL);
@@ -134,7 +141,7 @@ static void put_typed_value(tmx *t, cJSON *property) {
     if (!value)
         return;
     bool is_number = strcmp(type, "int") == 0 || strcmp(type, "float") == 0 ||
-                     strcmp(type, "object") == 0; /* another's id */
+                     strcmp(type, "object") == 0; /* a reference to another object, by its id */
     if (is_number && level_number_of(value, &number))
         typed = cJSON_CreateNumber(number);
     else if (strcmp(type, "bool") == 0)
@@ -145,7 +152,8 @@ static void put_typed_value(tmx *t, cJSON *property) {
         give_up(t, "out of memory");
 }
 
-/* "0,0 16,-8": pairs that are none become points without x or y, which is told later. */
+/* Stores points from a text like "0,0 16,-8". A pair that is malformed becomes a point without x
+ * and y, which is reported when the forms are read. */
 static void put_points(tmx *t, cJSON *json, const char *name, const char *text) {
     cJSON *points = put(t, json, name, cJSON_CreateArray());
     while (points && *text && !t->trouble) {
@@ -173,6 +181,7 @@ static void put_points(tmx *t, cJSON *json, const char *name, const char *text) 
     }
 }
 
+/* The value of an element's attribute; null if it has none. */
 static const char *attribute(const char **attributes, const char *name) {
     for (const char **a = attributes; a[0]; a += 2)
         if (strcmp(a[0], name) == 0)
@@ -180,7 +189,8 @@ static const char *attribute(const char **attributes, const char *name) {
     return NULL;
 }
 
-/* A cell in the oldest form: an element with a number, which is 0 if it has none. */
+/* Appends the number of a cell from an element `tile`, the oldest form of cells; 0 if it has none,
+ * -1 if that is malformed. */
 static void put_cell(tmx *t, cJSON *json, const char **attributes) {
     const char *gid = attribute(attributes, "gid");
     double number = 0;
@@ -189,7 +199,7 @@ static void put_cell(tmx *t, cJSON *json, const char **attributes) {
     put_in_list(t, json, "data", cJSON_CreateNumber(number));
 }
 
-/* The frame of an element inside another, which has a meaning there. */
+/* Stores an element by its rule in `around`, the JSON of its parent, and returns its frame. */
 static frame enter(tmx *t, const struct rule *rule, cJSON *around, const char **attributes) {
     frame next = {.element = rule->element};
     const char *points = attribute(attributes, "points");
@@ -218,7 +228,7 @@ static frame enter(tmx *t, const struct rule *rule, cJSON *around, const char **
     if (rule->type) {
         bool objects = strcmp(rule->type, "objectgroup") == 0;
         put(t, next.json, "type", cJSON_CreateString(rule->type));
-        /* Lists that an empty layer has in JSON, too. */
+        /* Tiled writes these lists for empty layers, too. */
         if (objects || strcmp(rule->type, "group") == 0)
             put(t, next.json, objects ? "objects" : "layers", cJSON_CreateArray());
     }
@@ -232,6 +242,7 @@ static frame enter(tmx *t, const struct rule *rule, cJSON *around, const char **
     return next;
 }
 
+/* Begins the outermost element: map, tileset or template. */
 static void begin_root(tmx *t, const char *element, const char **attributes) {
     static const char *const ROOTS[] = {"map", "tileset", "template"};
     frame *root = &t->stack[0];
@@ -249,6 +260,8 @@ static void begin_root(tmx *t, const char *element, const char **attributes) {
     put_attributes(t, root->json, attributes);
 }
 
+/* Expat's handler for the start of an element. An element without a rule in its parent is ignored.
+ */
 static void XMLCALL begin(void *context, const char *element, const char **attributes) {
     tmx *t = context;
     if (t->trouble)
@@ -273,6 +286,7 @@ static void XMLCALL begin(void *context, const char *element, const char **attri
     }
 }
 
+/* Expat's handler for the end of an element: stores its text. */
 static void XMLCALL end(void *context, const char *element) {
     (void)element;
     tmx *t = context;
@@ -287,12 +301,13 @@ static void XMLCALL end(void *context, const char *element) {
         put(t, last->json, last->text_as, cJSON_CreateString(t->text));
     } else if (last->json && strcmp(last->element, "data") == 0 &&
                !cJSON_GetObjectItemCaseSensitive(last->json, "data")) {
-        /* An infinite map's layer without a tile has not even chunks. */
+        /* A layer without tiles in an infinite map has no chunk in XML. */
         put(t, last->json, "chunks", cJSON_CreateArray());
     }
     t->used = 0;
 }
 
+/* Expat's handler for text, which may arrive in several pieces. */
 static void XMLCALL add_text(void *context, const char *text, int length) {
     tmx *t = context;
     if (t->trouble || t->depth == 0 || !t->stack[t->depth - 1].text_as)
@@ -311,7 +326,8 @@ static void XMLCALL add_text(void *context, const char *text, int length) {
     t->used += (size_t)length;
 }
 
-/* No file of Tiled's has entities; they are how a small file becomes a large one. */
+/* Tiled's files declare no entities; a small file with nested entities could expand to a very large
+ * text. */
 static void XMLCALL refuse_entity(void *context, const char *name, int is_parameter,
                                   const char *value, int length, const char *base,
                                   const char *system, const char *public, const char *notation) {

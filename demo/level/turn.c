@@ -1,5 +1,5 @@
-/* turn.c: sine and cosine with one result everywhere, which the C library's do not promise.
- * The series end where the next term is below 1e-15 at pi/4. */
+/* turn.c: sine and cosine with the same bits on every platform, which those of the C library do not
+ * have. The series end where the next term is below 1e-15 at pi/4. */
 #include "level.h"
 
 #include <math.h>

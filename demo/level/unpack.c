@@ -1,4 +1,4 @@
-/* unpack.c: cells in base64, packed by zlib, gzip or Zstandard. */
+/* unpack.c: decodes the cells of a layer from base64, and decompresses zlib, gzip and Zstandard. */
 #include "reader.h"
 
 #include <limits.h>
@@ -7,7 +7,7 @@
 #include <zlib.h>
 #include <zstd.h>
 
-/* What a letter stands for; -1 if nothing. */
+/* The six bits that a base64 letter stands for; -1 if it is none. */
 static int sextet(char c) {
     return c >= 'A' && c <= 'Z'   ? c - 'A'
            : c >= 'a' && c <= 'z' ? c - 'a' + 26
@@ -17,8 +17,8 @@ static int sextet(char c) {
                                   : -1;
 }
 
-/* The bytes behind base64 with white space anywhere, in memory from malloc; null if it is none.
- * Padding may be left out. */
+/* Decodes base64, which may contain white space anywhere and lack its padding, into memory from
+ * malloc. Null if the text is no base64, or if memory runs out. */
 static uint8_t *decode(const char *text, size_t *length) {
     uint8_t *bytes = malloc(strlen(text) / 4 * 3 + 4);
     uint32_t bits = 0;
@@ -56,6 +56,7 @@ static uint8_t *decode(const char *text, size_t *length) {
     return bytes;
 }
 
+/* False if the sizes differ. */
 static bool copy(const uint8_t *bytes, size_t length, uint8_t *out, size_t size) {
     if (length != size)
         return false;
@@ -63,7 +64,8 @@ static bool copy(const uint8_t *bytes, size_t length, uint8_t *out, size_t size)
     return true;
 }
 
-/* zlib's and gzip's form: `window` tells which, as inflateInit2 wants it. */
+/* Decompresses zlib or gzip to exactly `size` bytes. `window` is inflateInit2's windowBits, which
+ * chooses the format. False if the data is invalid or has another size. */
 static bool inflate_all(const uint8_t *bytes, size_t length, int window, uint8_t *out,
                         size_t size) {
     if (length > UINT_MAX || size > UINT_MAX)

@@ -1,24 +1,29 @@
 /* character.c: see character.h.
  *
- * Lengths are in length scales of the scene. Two kindnesses that players take for granted: a jump
- * counts a moment after the ground is gone, and a moment before it is there. */
+ * Lengths are in length scales of the scene. As is usual in platform games, a jump still succeeds
+ * shortly after the character has left the ground (coyote time), and a jump key that is pressed
+ * shortly before it lands counts (jump buffering). */
 #include "character.h"
 
 #include <math.h>
 
+/* Half extents of the character. */
 static const double HALF_WIDTH = 0.35, HALF_HEIGHT = 0.75;
-static const float RUN_SPEED = 8; /* per second */
-static const float RUN_GAIN = 60; /* per second, squared: on the ground */
-static const float AIR_GAIN = 35; /* ... and in the air */
+static const float RUN_SPEED = 8; /* max speed, length scales / s */
+static const float RUN_GAIN = 60; /* acceleration on the ground, length scales / s^2 */
+static const float AIR_GAIN = 35; /* acceleration in the air, length scales / s^2 */
 static const float JUMP_HEIGHT = 3.2f;
-static const float GRAVITY_MORE = 1.6f; /* than what falls by itself: jumps feel light otherwise */
+/* Multiple of the world's gravity; with 1 jumps feel slow. Chosen. */
+static const float GRAVITY_MORE = 1.6f;
+/* Max speed downwards, length scales / s. */
 static const float FALL_SPEED = 25;
-static const float CUT_SHORT = 0.45f; /* of the rise is left where the key is let go */
-static const double KINDNESS = 0.1;   /* seconds */
-static const double PUSH = 60;        /* force, for bodies of density 1 */
+/* Factor of the upward speed when the jump key is released while the character rises. */
+static const float CUT_SHORT = 0.45f;
+static const double KINDNESS = 0.1; /* coyote time and jump buffering, s */
+static const double PUSH = 60;      /* max force on bodies in its way, for bodies of density 1 */
 enum { ONE_WAY_CATEGORY = 2 };
 
-/* Falls that far below where it began are out of every level. */
+/* Depth below the start at which the character counts as lost and is placed at the start again. */
 static const double LOST_BELOW = 200;
 
 static void place_at_start(character *c) {
@@ -44,7 +49,7 @@ void character_start(character *c, session *s) {
     c->start_x = from->spawn_x;
     c->start_y = from->spawn_y;
     place_at_start(c);
-    /* What moves by itself meets it as a kinematic body. */
+    /* A kinematic body at the character's place, with which other moving bodies collide. */
     thud_body_def body = thud_default_body_def();
     thud_shape_def shape = thud_default_shape_def();
     body.kind = THUD_KINEMATIC;
@@ -55,10 +60,12 @@ void character_start(character *c, session *s) {
         c->present = false;
 }
 
+/* `from`, moved towards `to` by at most `by`. */
 static float approach(float from, float to, float by) {
     return from < to ? fminf(from + by, to) : fmaxf(from - by, to);
 }
 
+/* Applies the horizontal keys and gravity to the velocity. */
 static void steer(character *c, float unit, float dt) {
     float wanted = (float)(c->keys.right - c->keys.left) * RUN_SPEED * unit;
     float gain = (c->mover.on_ground ? RUN_GAIN : AIR_GAIN) * unit * dt;
@@ -68,6 +75,7 @@ static void steer(character *c, float unit, float dt) {
     c->velocity.y = fmaxf(c->velocity.y - c->gravity * dt, -FALL_SPEED * unit);
 }
 
+/* Starts a jump, or cuts it short when the key is released. */
 static void jump(character *c, float unit, double dt) {
     thud_vec2 ground = c->ground_velocity;
     c->since_ground = c->mover.on_ground ? 0 : c->since_ground + dt;
@@ -84,7 +92,8 @@ static void jump(character *c, float unit, double dt) {
     }
 }
 
-/* Lifts turn back where they meet what stands still, sensors too. */
+/* Reverses a lift's velocity if a static shape, sensors included, is within two steps ahead of it.
+ */
 static void turn_lift(thud_world *world, thud_body_id lift, thud_shape_id id, double dt) {
     thud_body_state body;
     thud_shape_state shape;
@@ -115,6 +124,7 @@ static void turn_lift(thud_world *world, thud_body_id lift, thud_shape_id id, do
     }
 }
 
+/* Turns lifts: kinematic bodies with one AABB. */
 static void turn_lifts(session *s, double dt) {
     for (int i = 0; i < s->body_count; i++) {
         const session_body *body = &s->bodies[i];
@@ -137,7 +147,7 @@ void character_step(character *c, session *s) {
     steer(c, unit, (float)dt);
     jump(c, unit, dt);
     if (thud_mover_move(s->world, &c->mover, c->velocity, dt, &report) != THUD_OK)
-        return; /* the log has the message */
+        return; /* log_message has stored the message */
     c->velocity = report.velocity;
     c->ground_velocity = report.ground_velocity;
     if (c->mover.shape.y < c->start_y - LOST_BELOW * (double)unit)

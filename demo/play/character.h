@@ -1,4 +1,5 @@
-/* character.h: a figure to play with, on levels that ask for one, and the lifts that carry it. */
+/* character.h: the character that a player controls, on levels that ask for one, and the lifts
+ * (moving platforms) that carry it. */
 #ifndef THUD_PLAY_CHARACTER_H
 #define THUD_PLAY_CHARACTER_H
 
@@ -6,7 +7,7 @@
 
 #include <thud/thud_mover.h>
 
-/* What the player wants, as long as it lasts. */
+/* The keys that are down. */
 typedef struct character_keys {
     bool left, right, jump, down;
 } character_keys;
@@ -16,26 +17,28 @@ typedef struct character {
     thud_mover mover;
     thud_one_way one_way;
     thud_vec2 velocity, ground_velocity;
-    thud_pos before; /* where it was a step ago */
+    thud_pos before; /* its centre before the last step */
     character_keys keys;
-    bool jump_held;      /* by the jump under way */
-    bool jump_was_down;  /* the key, a step ago */
-    double since_ground; /* seconds */
+    bool jump_held;      /* the jump key is down since the current jump began */
+    bool jump_was_down;  /* whether the jump key was down in the last step */
+    double since_ground; /* seconds since it stood on ground */
     double since_jump_key;
-    float gravity; /* length/s^2 */
+    float gravity; /* length/s^2, downwards */
     float facing;  /* -1 left, 1 right */
     double start_x, start_y;
 } character;
 
-/* At the scene's spawn place, if its level has a character; gone if not. */
+/* Places the character at the scene's spawn point, if its level has one; else sets `present` to
+ * false. */
 void character_start(character *c, session *s);
 
-/* Moves it on by a step of the world, after that was made. */
+/* Moves the character by one step, after the world's step. */
 void character_step(character *c, session *s);
 
+/* Whether the last step moved it. */
 bool character_moves(const character *c);
 
-/* Where its middle is seen, `alpha` between the last two steps. */
+/* Its centre on the screen, interpolated by `alpha` between the last two steps. */
 thud_pos character_place(const character *c, double alpha);
 
 #endif

@@ -3,7 +3,7 @@
 
 #include <stdio.h>
 
-/* In multiples of the scene's length scale. */
+/* In length scales of the scene. */
 static const double CRATER_RADIUS = 1.5;
 static const double MOUND_RADIUS = 2;
 static const double MOUND_HEIGHT = 0.4;
@@ -14,6 +14,7 @@ static thud_result dig_shape(session *s, thud_shape_id shape, thud_pos at, bool 
                  : thud_shape_dig(s->world, shape, at, CRATER_RADIUS * unit);
 }
 
+/* Digs or raises every terrain line with vertices. A message says so if there is none. */
 static void dig(session *s, thud_pos at, bool mound) {
     if (!s->world)
         return;
@@ -27,7 +28,7 @@ static void dig(session *s, thud_pos at, bool mound) {
             continue;
         lines++;
         if (dig_shape(s, s->shapes[i].id, at, mound) != THUD_OK)
-            return; /* the log has the message */
+            return; /* log_message has stored the message */
     }
     if (lines == 0)
         snprintf(s->message, sizeof s->message,

@@ -1,16 +1,19 @@
 /* grab.c: see grab.h.
  *
- * The joint pulls no harder than a multiple of the body's weight, so that a light body does not
- * drag a heavy one along that it is tied to, nor is pressed through a wall. */
+ * The joint's max force is a multiple of the body's weight, so that a light body cannot drag a
+ * heavy one that it is joined to, and is not pressed through a wall. */
 #include "grab.h"
 
 #include <math.h>
 
-static const float FREQUENCY = 5, DAMPING = 1; /* Hz; critical: it comes to the pointer and stays */
-static const float WEIGHTS = 40;               /* of the body: the largest force */
-static const float GRAVITY_LEAST = 10;         /* length scales / s^2, also without gravity */
-static const float CALM = 20;                  /* rad/s^2: a held body stops turning */
+static const float FREQUENCY = 5, DAMPING = 1; /* Hz and damping ratio: critical */
+static const float WEIGHTS = 40;               /* max force, in weights of the body */
+/* Min gravity from which that weight is computed, length scales / s^2; for scenes with less or
+ * none. */
+static const float GRAVITY_LEAST = 10;
+static const float CALM = 20; /* rad/s^2: max angular deceleration of a held body */
 
+/* Creates the pin and the joint. False if the world refuses. */
 static bool add_joint(grab *g, session *s, const thud_body_state *body) {
     thud_body_def pin = thud_default_body_def();
     thud_joint_def def = thud_default_joint_def(THUD_TARGET);
@@ -57,7 +60,7 @@ void grab_move(grab *g, session *s, thud_pos to) {
         return;
     }
     if (to.x == g->target.x && to.y == g->target.y)
-        return; /* what rests may fall asleep in the hand */
+        return; /* so that a held body at rest may fall asleep */
     thud_joint_frame frame = {{(float)(to.x - g->from.x), (float)(to.y - g->from.y)}, 0};
     if (thud_joint_set_frame(s->world, g->joint, 0, frame) == THUD_OK)
         g->target = to;
@@ -65,7 +68,7 @@ void grab_move(grab *g, session *s, thud_pos to) {
 
 void grab_end(grab *g, session *s) {
     if (g->held)
-        thud_body_destroy(s->world, g->pin); /* the joint goes with it */
+        thud_body_destroy(s->world, g->pin); /* destroys the joint as well */
     g->held = false;
 }
 

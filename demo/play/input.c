@@ -29,10 +29,12 @@ const char INPUT_HELP[] =
     "  Tab                hide and show panel and texts\n"
     "  F11                full screen          Esc          quit\n";
 
+/* Factor of the scale for a notch of the wheel. */
 static const double ZOOM_PER_NOTCH = 1.15;
-static const float PICK_PIXELS = 3; /* points round the pointer that still hit a body */
+/* Distance in points from the pointer at which a body is still picked. */
+static const float PICK_PIXELS = 3;
 
-/* Events speak of the window's own units, which on dense displays are larger than pixels. */
+/* Pixels of the output in a unit of event coordinates; more than 1 on dense displays. */
 static float pixels_per_window_unit(const viewer *v, SDL_Window *window) {
     int width = 0;
     SDL_GetWindowSize(window, &width, NULL);
@@ -52,6 +54,7 @@ static double pick_margin(const viewer *v) {
     return fmax(margin, 1e-4 * v->session.scene.length_scale);
 }
 
+/* Begins a click on the panel, a pull at a body, or a pan of the view. */
 static void press(viewer *v, int button) {
     if (button == SDL_BUTTON_LEFT) {
         v->ui.down = true;
@@ -124,7 +127,7 @@ static void toggle_full_screen(SDL_Window *window) {
     SDL_SetWindowFullscreen(window, full ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
 }
 
-/* Keys that do something once however long they are held. */
+/* Keys that act once when they are pressed. Overlay keys are among them. */
 static void press_key(viewer *v, SDL_Window *window, SDL_Keycode key) {
     for (int i = 0; i < OVERLAY_COUNT; i++)
         if (key == SDL_tolower(overlay_key((overlay)i))) {
@@ -185,7 +188,7 @@ static void press_key(viewer *v, SDL_Window *window, SDL_Keycode key) {
     }
 }
 
-/* Keys that go on doing it while they are held. */
+/* Keys that act again while they are held. */
 static void repeat_key(viewer *v, SDL_Keycode key, bool shift) {
     switch (key) {
     case SDLK_n:
@@ -231,6 +234,7 @@ static void repeat_key(viewer *v, SDL_Keycode key, bool shift) {
     }
 }
 
+/* Handles one event. */
 static void handle(viewer *v, SDL_Window *window, const SDL_Event *event) {
     float scale = pixels_per_window_unit(v, window);
     switch (event->type) {
@@ -269,7 +273,7 @@ static void handle(viewer *v, SDL_Window *window, const SDL_Event *event) {
     }
 }
 
-/* Keys that a character heeds as long as they are down. */
+/* Sets the character's keys to those that are down. */
 static void steer_character(viewer *v) {
     const Uint8 *down = SDL_GetKeyboardState(NULL);
     v->character.keys = (character_keys){
@@ -287,7 +291,7 @@ void input_poll(viewer *v, SDL_Window *window) {
     while (SDL_PollEvent(&event))
         handle(v, window, &event);
     steer_character(v);
-    /* Also while the pointer rests and the view or the body moves. */
+    /* In each frame, since the view or the body may move while the pointer rests. */
     if (v->grab.held)
         grab_move(&v->grab, &v->session, pointer_place(v));
 }

@@ -1,12 +1,12 @@
-/* input.h: what keys and pointer do. */
+/* input.h: keyboard and pointer. */
 #ifndef THUD_PLAY_INPUT_H
 #define THUD_PLAY_INPUT_H
 
 #include "viewer.h"
 
-extern const char INPUT_HELP[]; /* the keys, for --help */
+extern const char INPUT_HELP[]; /* the list of keys, for --help */
 
-/* Handles all events that wait. */
+/* Handles all pending events. */
 void input_poll(viewer *v, SDL_Window *window);
 
 #endif

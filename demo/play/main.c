@@ -1,4 +1,4 @@
-/* main.c: thud-play, the viewer: a window that one plays in, or a picture without a display. */
+/* main.c: the program thud-play: a viewer in a window, or a picture without a display. */
 #define SDL_MAIN_HANDLED
 #include "input.h"
 #include "options.h"
@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Frames come at most this fast, also where the display does not set the pace. */
+/* s. Min time between frames, also where the display does not limit their rate. Chosen. */
 static const double FRAME_SHORTEST = 1.0 / 250;
 
 static int fail(const char *what) {
@@ -27,7 +27,7 @@ static void print_list(const catalog *c) {
     }
 }
 
-/* The first thing to see, before anything is drawn. */
+/* Opens the first scene or level with the options of the command line. False after a message. */
 static bool open_first(viewer *v, const options *o) {
     int entry = o->show ? catalog_find(&v->catalog, o->show) : 0;
     if (entry == -1) {
@@ -53,6 +53,7 @@ static bool open_first(viewer *v, const options *o) {
     return false;
 }
 
+/* Runs the steps that the options ask for, and writes a picture. Returns the exit status. */
 static int take_picture(viewer *v, const options *o) {
     SDL_Surface *surface =
         SDL_CreateRGBSurfaceWithFormat(0, o->width, o->height, 32, SDL_PIXELFORMAT_ARGB8888);
@@ -77,6 +78,8 @@ static double seconds_now(void) {
     return (double)SDL_GetPerformanceCounter() / (double)SDL_GetPerformanceFrequency();
 }
 
+/* The loop of events, steps and drawing, until the viewer quits or `frames` frames are drawn; < 0:
+ * no limit. */
 static void run(viewer *v, SDL_Window *window, int frames) {
     double last = seconds_now();
     for (int i = 0; (frames < 0 || i < frames) && !v->quit; i++) {
@@ -94,6 +97,7 @@ static void run(viewer *v, SDL_Window *window, int frames) {
     }
 }
 
+/* Opens the window and runs the viewer in it. Returns the exit status. */
 static int play(viewer *v, const options *o) {
     int status = EXIT_FAILURE;
     SDL_Renderer *renderer = NULL;

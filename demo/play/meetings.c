@@ -1,14 +1,16 @@
-/* meetings.c: what two kinds of a scene are to each other, by a user's hand; see session.h. */
+/* meetings.c: lets a user choose the collision rule of two kinds of a scene; see session.h. */
 #include "session.h"
 
 #include <thud/thud_rules.h>
 
 #include <stdio.h>
 
+/* The category bit of a kind, counted from 0. */
 static uint32_t kind(int index) {
     return 2u << index;
 }
 
+/* How the chosen pair of kinds interacts now. */
 static thud_meeting meeting_of(const session *s) {
     thud_rule rule;
     thud_result result =
@@ -32,7 +34,7 @@ void session_next_pair(session *s) {
     tell(s, meeting_of(s));
 }
 
-/* What the scene's timetable has of the two goes, so that it stays. */
+/* Removes the rules of these kinds from the scene's timetable, which would replace the user's. */
 static void forget_rules(scene_fields *fields, uint32_t first, uint32_t second) {
     int kept = 0;
     for (int i = 0; i < fields->rule_count; i++)

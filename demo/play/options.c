@@ -37,12 +37,14 @@ void options_print_help(void) {
         INPUT_HELP);
 }
 
+/* Prints an error message; returns false. */
 static bool complain(const char *what, const char *argument) {
     fprintf(stderr, "thud-play: %s '%s'; see thud-play --help\n", what, argument);
     return false;
 }
 
-/* A whole number in [low, high], followed by nothing but `end`. */
+/* Parses a whole number in [low, high] that is followed by the character `end`. *rest becomes the
+ * text after it, if `rest` is not null. */
 static bool parse_number(const char *text, long low, long high, char end, int *out,
                          const char **rest) {
     char *stop;
@@ -102,6 +104,8 @@ static bool parse_screenshot(options *o, const char *text) {
            complain("--screenshot writes .png and .bmp files only, not", text);
 }
 
+/* Parses an option with a value, which may be null. False after a message. *known: `name` is such
+ * an option. */
 static bool parse_valued(options *o, const char *name, const char *value, bool *known) {
     static const struct {
         const char *name;
@@ -120,6 +124,7 @@ static bool parse_valued(options *o, const char *name, const char *value, bool *
     return true;
 }
 
+/* Parses an option without a value. False after a message. */
 static bool parse_switch(options *o, const char *name) {
     const struct {
         const char *name;

@@ -1,4 +1,4 @@
-/* options.h: thud-play's command line. */
+/* options.h: the command line of thud-play, parsed. */
 #ifndef THUD_PLAY_OPTIONS_H
 #define THUD_PLAY_OPTIONS_H
 
@@ -8,19 +8,19 @@
 #include <thud/thud.h>
 
 typedef struct options {
-    const char *show;       /* scene or level, null for the first */
-    const char *screenshot; /* file, or null */
-    int frames;             /* to run before the end; -1 for no end */
+    const char *show;       /* a scene's name or a level's path; null for the first scene */
+    const char *screenshot; /* file to write, or null */
+    int frames;             /* number of frames until the program ends; -1: it does not */
     int width, height;
     overlay_set overlays;
-    int quality;               /* of QUALITIES in choices.h */
-    int detection, broadphase; /* as in session.h */
-    bool overlays_given;       /* else those of the scene */
+    int quality;               /* index in QUALITIES of choices.h */
+    int detection, broadphase; /* indices in DETECTIONS and BROADPHASES of choices.h */
+    bool overlays_given;       /* false: those of the scene are used */
     pair_look pair_look;
     bool bare, paused, list, help;
 } options;
 
-/* False, and stderr has heard why, if the arguments make no sense. */
+/* Parses the arguments. False, after a message on stderr, if one is wrong. */
 bool options_parse(options *o, int argc, char **argv);
 void options_print_help(void);
 

@@ -13,8 +13,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A frame that steps for longer than this feels stuck: the world then runs slower than asked. */
+/* s. Max time that the steps of a frame may take: frames that take longer make the viewer sluggish.
+ * The world then runs slower than its speed says. Chosen. */
 static const double STEPPING_BUDGET = 0.040;
+/* Max number of steps in a frame. */
 enum { STEPS_PER_FRAME = 16 };
 
 static double clock_seconds(void *context) {
@@ -22,6 +24,7 @@ static double clock_seconds(void *context) {
     return (double)SDL_GetPerformanceCounter() / (double)SDL_GetPerformanceFrequency();
 }
 
+/* The world's log function: stores the text in session.message. */
 static void log_message(thud_result result, const char *text, void *context) {
     session *s = context;
     snprintf(s->message, sizeof s->message, "%s: %s", thud_result_text(result), text);
@@ -45,7 +48,8 @@ void session_free(session *s) {
     *s = (session){0};
 }
 
-/* Doubles *block, of `size` bytes an element, until `wanted` elements fit. */
+/* Doubles *capacity until `wanted` elements of `size` bytes fit in *block. False if memory runs
+ * out. */
 static bool grow(void **block, int *capacity, int wanted, size_t size) {
     int room = *capacity > 0 ? *capacity : 64;
     while (room < wanted)
@@ -60,13 +64,14 @@ static bool grow(void **block, int *capacity, int wanted, size_t size) {
     return true;
 }
 
+/* Max distance of a shape's points from the body's origin; an upper bound. */
 static float shape_reach(const session_shape *shape) {
     if (shape->kind == THUD_TERRAIN)
         return INFINITY;
     return hypotf(shape->offset.x, shape->offset.y) + hypotf(shape->half.x, shape->half.y);
 }
 
-/* Reads a body's shapes for drawing. */
+/* Appends a body and its shapes to the lists for drawing. False if memory runs out. */
 static bool list_body(session *s, thud_body_id id) {
     thud_body_state body;
     if (thud_body_get(s->world, id, &body) != THUD_OK ||
@@ -100,6 +105,7 @@ static bool list_body(session *s, thud_body_id id) {
     return true;
 }
 
+/* Lists all bodies of a new world. False after a message. */
 static bool list_bodies(session *s, const thud_body_id *ids, int count) {
     s->body_count = s->shape_count = 0;
     for (int i = 0; i < count; i++)
@@ -110,7 +116,8 @@ static bool list_bodies(session *s, const thud_body_id *ids, int count) {
     return true;
 }
 
-/* They are told in the order in which the scene made them. */
+/* Reads the handles of all joints, which are in the order of the scene's. False if memory runs out.
+ */
 static bool list_joints(session *s) {
     free(s->joints);
     s->joint_count = 0;
@@ -170,7 +177,7 @@ static bool is_listed(const session *s, thud_body_id id) {
     return false;
 }
 
-/* What broke in a step leaves the list, and its pieces come into it. */
+/* After a step in which bodies broke: removes them from the list, and adds their pieces. */
 static void list_pieces(session *s) {
     int kept = 0, count = 0, bodies = (int)thud_world_stats(s->world).bodies;
     if (s->scene.fields.breaks == 0 || bodies == s->body_count)
@@ -188,6 +195,7 @@ static void list_pieces(session *s) {
         snprintf(s->message, sizeof s->message, "Out of memory while listing the bodies.");
 }
 
+/* One step of the world, with what follows from it. Does nothing more if the step fails. */
 static void run_step(session *s) {
     if (scene_step_thud(&s->scene.fields, s->world) != THUD_OK)
         return;
@@ -200,7 +208,8 @@ static void run_step(session *s) {
         s->stepped(s, s->stepped_context);
 }
 
-/* As thud_world_advance does it, with a look at every step. */
+/* Like thud_world_advance, but each step is a run_step. */
+/* `elapsed` is in world seconds. At most `steps_max` steps are run; time beyond them is dropped. */
 static void advance(session *s, double elapsed, int steps_max) {
     double due = s->alpha * s->time_step + elapsed;
     for (; due >= s->time_step && steps_max > 0; steps_max--) {
@@ -255,15 +264,16 @@ void session_spawn(session *s, thud_shape_kind kind, thud_pos at, float size) {
         made =
             thud_shape_create_obb(s->world, id, &shape, center, (thud_vec2){half, half}, 0, NULL);
         break;
-    case THUD_TERRAIN: /* nothing to drop */
+    case THUD_TERRAIN: /* cannot be added by a user */
         break;
     }
     if (made != THUD_OK || !list_body(s, id))
         thud_body_destroy(s->world, id);
 }
 
-/* Multiples of the length scale: within the first all of it arrives, and over the second it falls
- * to nothing; and the speed that a box of density 1 and one length scale gets from it, a second. */
+/* In length scales: radius with the full impulse, and width of the falloff to zero around it; and
+ * the speed in length scales per second that a box of density 1 with sides of a length scale gets
+ * within the radius. */
 static const double BLAST_RADIUS = 1.5, BLAST_FALLOFF = 6, BLAST_SPEED = 30;
 
 void session_explode(session *s, thud_pos at) {
@@ -287,10 +297,11 @@ typedef struct picking {
     thud_pos at;
     thud_body_kind kind;
     bool found;
-    double distance; /* of the nearest body's centre */
+    double distance; /* from the place to the centre of the nearest body so far */
     thud_body_id body;
 } picking;
 
+/* The query's callback: keeps the body whose centre is nearest. */
 static bool pick_nearest(thud_shape_id id, void *context) {
     picking *p = context;
     thud_shape_state shape;

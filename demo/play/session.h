@@ -1,4 +1,4 @@
-/* session.h: the world on show: what it was made of, its bodies, its clock. */
+/* session.h: the world that is shown: its scene, its bodies for drawing, and its time. */
 #ifndef THUD_PLAY_SESSION_H
 #define THUD_PLAY_SESSION_H
 
@@ -7,7 +7,7 @@
 #include <choices.h>
 #include <thud/thud_joint.h>
 
-/* What drawing needs of a shape, read once: shapes of thud do not change in their body. */
+/* What drawing needs of a shape. It is read once, since a shape does not change within its body. */
 typedef struct session_shape {
     thud_shape_id id;
     thud_shape_kind kind;
@@ -19,24 +19,25 @@ typedef struct session_shape {
 typedef struct session_body {
     thud_body_id id;
     thud_body_kind kind;
-    int look;    /* as scene_body has it */
-    float reach; /* no shape goes farther from the body's origin; infinite for terrain */
+    int look;    /* as in scene_body */
+    float reach; /* max distance of its shapes from the body's origin; infinite for terrain */
     int first_shape, shape_count;
 } session_body;
 
-/* What detection could not do, over all steps of a world. */
+/* What collision detection could not do, summed over all steps of a world. */
 typedef struct session_missed {
-    long held;      /* times that a body was held back before a step's end ... */
-    double seconds; /* ... and what those lost, together */
+    long held;      /* times that a body was held before the end of a step */
+    double seconds; /* the times that these bodies lost, s */
     long fast;      /* times that a body was too fast for bisection */
 } session_missed;
 
-/* What a user set off, as long as it is to be seen. */
+/* An explosion that a user triggered, while its ring is drawn. */
 typedef struct session_blast {
     thud_pos at;
-    double step; /* of the world, after which; below 0 once it is over */
+    double step; /* number of the world's steps before it; negative: none */
 } session_blast;
 
+/* Max number of rings that are drawn at the same time. */
 enum { SESSION_BLASTS = 8 };
 
 typedef struct session session;
@@ -45,52 +46,56 @@ typedef struct session session;
 typedef void session_stepped_fn(session *s, void *context);
 
 struct session {
-    thud_world *world; /* null until something was loaded */
+    thud_world *world; /* null until a scene was loaded */
     scene scene;
     session_body *bodies;
     session_shape *shapes;
     int body_count, body_capacity, shape_count, shape_capacity;
-    thud_joint_id *joints; /* of scene.joints */
+    thud_joint_id *joints; /* in the order of scene.joints */
     int joint_count;
-    int quality;               /* of QUALITIES in choices.h */
-    int detection, broadphase; /* of DETECTIONS and BROADPHASES; the next load heeds them */
+    int quality;               /* index in QUALITIES of choices.h */
+    int detection, broadphase; /* indices in DETECTIONS and BROADPHASES; they take effect when a
+                                  scene is loaded */
     bool paused;
-    double speed;     /* seconds of the world per second */
-    double time_step; /* seconds */
-    double alpha;     /* for thud_world_poses */
+    double speed;     /* world seconds per real second */
+    double time_step; /* of the world, s */
+    double alpha;     /* interpolation for thud_world_poses, [0, 1] */
     session_missed missed;
     session_blast blasts[SESSION_BLASTS];
-    int next_blast;              /* the place of the oldest one */
-    session_stepped_fn *stepped; /* null: nobody asks */
+    int next_blast;              /* index of the oldest in `blasts` */
+    session_stepped_fn *stepped; /* or null */
     void *stepped_context;
-    int pair[2];       /* of kinds, the first one not after the second */
-    char message[256]; /* the last thing that went wrong; empty if nothing did */
+    int pair[2]; /* the chosen kinds, whose rule a user sets; the first is not after the second */
+    char message[256]; /* the last error or notice; else empty */
 };
 
 void session_init(session *s);
 void session_free(session *s);
 
-/* Builds the entry's world anew. When that fails the old one stays, and the message says why. */
+/* Builds the world of an entry. False, and `message` says why, if that fails; then the old world
+ * stays. */
 bool session_load(session *s, const catalog_entry *entry);
 
-/* Runs as many steps as `elapsed` seconds ask for at the session's speed; none while paused. */
+/* Runs the steps that are due after `elapsed` real seconds at the session's speed; none while
+ * paused. */
 void session_advance(session *s, double elapsed);
-void session_step(session *s); /* exactly one */
+void session_step(session *s); /* runs one step */
 void session_set_quality(session *s, int quality);
 
-/* Drops a new body of `size` times the scene's typical size at a place. */
+/* Adds a dynamic body of `size` length scales at a place. */
 void session_spawn(session *s, thud_shape_kind kind, thud_pos at, float size);
 
-/* The next pair of kinds is chosen, of those whose rules a user sets, or what the chosen two are to
- * each other changes; the message tells. */
+/* The first chooses the next pair of kinds, of those whose rules a user may set; the second sets
+ * the next rule of the chosen pair. `message` says which. */
 void session_next_pair(session *s);
 void session_next_meeting(session *s);
 
-/* An explosion at a place; what stands in between gives cover. */
+/* Triggers an explosion at a place. Bodies in between shield others from it. */
 void session_explode(session *s, thud_pos at);
 
-/* The body whose shape lies under a place, within `margin`. False if there is none. */
+/* Finds the body of this kind with a shape within `margin` of a place. False if there is none. */
 bool session_pick(session *s, thud_pos at, double margin, thud_body_kind kind, thud_body_id *out);
+/* Destroys a body and removes it from the list. */
 void session_remove(session *s, thud_body_id body);
 
 #endif

@@ -12,9 +12,11 @@
 
 #include <math.h>
 
-/* Height of the view that follows a character, in length scales, and how fast it does, in 1/s. */
+/* Height of the view that follows a character, in length scales, and the rate at which it does,
+ * 1/s. */
 static const double CHARACTER_VIEW = 20, FOLLOW_RATE = 6;
 
+/* The speeds to choose from, world seconds per real second. */
 static const double SPEEDS[] = {0.1, 0.25, 0.5, 1, 2, 4};
 enum { SPEED_COUNT = sizeof SPEEDS / sizeof SPEEDS[0] };
 
@@ -33,8 +35,9 @@ static void stepped(session *s, void *context) {
     character_step(context, s);
 }
 
+/* Builds the world of an entry, with its character. */
 static bool load(viewer *v, int entry) {
-    grab_end(&v->grab, &v->session); /* its joint goes with the world */
+    grab_end(&v->grab, &v->session); /* its joint belongs to the world that is destroyed */
     if (!session_load(&v->session, &v->catalog.entries[entry]))
         return false;
     character_start(&v->character, &v->session);
@@ -89,7 +92,8 @@ void viewer_set_broadphase(viewer *v, int broadphase) {
 void viewer_toggle_pause(viewer *v) {
     v->session.paused = !v->session.paused;
     if (v->session.paused)
-        v->session.alpha = 1; /* the overlays belong to the last step */
+        /* Overlays show the state after the last step, so poses must not be interpolated. */
+        v->session.alpha = 1;
 }
 
 void viewer_single_step(viewer *v) {
@@ -119,6 +123,7 @@ void viewer_layout(viewer *v) {
     camera_set_view(&v->camera, view);
 }
 
+/* Adds the last step's times to the graph, if there was a step. */
 static void record_timings(viewer *v, uint64_t steps_before) {
     if (!v->session.world)
         return;
@@ -127,8 +132,8 @@ static void record_timings(viewer *v, uint64_t steps_before) {
         timings_add(&v->timings, &stats);
 }
 
-/* The view closes in on the character while it moves, and is the player's to move while it stands.
- */
+/* Moves the camera exponentially towards the character while the character moves. While it stands,
+ * the user may move the camera. */
 static void follow_character(viewer *v, double elapsed) {
     const character *c = &v->character;
     if (!c->present || v->panning || v->session.paused || !character_moves(c))

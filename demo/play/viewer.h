@@ -1,4 +1,4 @@
-/* viewer.h: the whole viewer's state, and what a key or a button can do to it. */
+/* viewer.h: the state of the viewer, and the actions of its keys and buttons. */
 #ifndef THUD_PLAY_VIEWER_H
 #define THUD_PLAY_VIEWER_H
 
@@ -16,49 +16,54 @@
 
 typedef struct viewer {
     catalog catalog;
-    int selected; /* in the catalog */
+    int selected; /* index in the catalog; -1: none */
     session session;
     camera camera;
     canvas canvas;
     grab grab;
     character character;
     overlay_set overlays;
-    overlay_set lent; /* of the overlays those that the scene asked for, and takes along */
+    /* Those of `overlays` that are on only because the scene shows them; they go off with the
+     * scene. */
+    overlay_set lent;
     pair_look pair_look;
     timings timings;
     texture_prints prints;
     ui ui;
-    bool bare; /* the picture alone: no panel, no texts */
+    bool bare; /* the picture alone: no panel and no texts */
     bool panning;
-    float list_scroll;    /* of the panel's list, in pixels */
-    bool reveal;          /* the list has to scroll to the selected entry */
-    double frame_seconds; /* smoothed time between frames; 0 where time is not real */
+    float list_scroll;    /* of the panel's list, pixels */
+    bool reveal;          /* the list has to scroll to the selected entry in the next frame */
+    double frame_seconds; /* mean time between frames, s; 0 for pictures */
     bool quit;
 } viewer;
 
 void viewer_init(viewer *v);
 void viewer_free(viewer *v);
 
-/* Loads the catalog's entry and looks at it; on failure everything stays, and the session's
- * message says why. */
+/* Loads an entry of the catalog and moves the camera to it. False, and the session's message says
+ * why, if that fails; then everything stays. */
 bool viewer_open(viewer *v, int entry);
-void viewer_reset(viewer *v); /* the same world from its start, seen from the same place */
+void viewer_reset(viewer *v); /* builds the scene anew; the camera stays */
+/* Moves the camera to the scene's first view, or to the character. */
 void viewer_look_home(viewer *v);
 void viewer_toggle_overlay(viewer *v, overlay which);
-/* Start the scene anew with another one. */
+/* Both build the scene anew with the chosen system. */
 void viewer_set_detection(viewer *v, int detection);
 void viewer_set_broadphase(viewer *v, int broadphase);
 void viewer_toggle_pause(viewer *v);
-void viewer_single_step(viewer *v);                 /* pauses first */
-void viewer_change_speed(viewer *v, int direction); /* to the next of a row of speeds */
+void viewer_single_step(viewer *v); /* pauses, and runs one step */
+/* To the next faster (1) or slower (-1) speed of a list. */
+void viewer_change_speed(viewer *v, int direction);
 void viewer_spawn_at_home(viewer *v, thud_shape_kind kind);
 
-/* Divides the output between panel and world. Call when either changes. */
+/* Divides the output between panel and world. Has to be called when the output's size or `bare`
+ * changes. */
 void viewer_layout(viewer *v);
 
-/* Moves time on by `elapsed` seconds. */
+/* Advances the world, the camera and the timings by `elapsed` real seconds. */
 void viewer_advance(viewer *v, double elapsed);
-/* One step and no clock: for pictures that must come out the same every time. */
+/* Runs one step without a clock, for pictures that have to be the same every time. */
 void viewer_step_once(viewer *v);
 void viewer_draw(viewer *v);
 

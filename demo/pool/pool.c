@@ -1,25 +1,28 @@
-/* pool.c: threads that wait for work. Between two steps of a game they sleep; between two tasks of
- * a step, which follow each other within microseconds, they stay awake for a moment. */
+/* pool.c: the worker threads of a job system. Between two tasks of a step, which follow each other
+ * within microseconds, a worker polls for the next one; between two steps it sleeps on a condition
+ * variable. */
 #include "pool.h"
 
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 
-enum { LOOKS_BEFORE_SLEEP = 1000000 }; /* about half a millisecond */
+/* Polls of `round` before a worker sleeps, about half a millisecond. */
+enum { LOOKS_BEFORE_SLEEP = 1000000 };
 
 struct pool {
     pthread_mutex_t mutex;
     pthread_cond_t work;
     thud_task_fn *task;
     void *argument;
-    atomic_uint round; /* rises with every task */
-    atomic_int busy;   /* threads that have not finished the present one */
+    atomic_uint round; /* incremented for every task, and once when the pool is destroyed */
+    atomic_int busy;   /* workers that have not finished the current task */
     atomic_bool closing;
     int workers, started;
     pthread_t threads[THUD_WORKERS_MAX];
 };
 
+/* Waits until `round` differs from `done`: first by polling, then on the condition variable. */
 static void wait_for_round(pool *p, unsigned done) {
     for (int i = 0; i < LOOKS_BEFORE_SLEEP; i++)
         if (atomic_load_explicit(&p->round, memory_order_acquire) != done)
@@ -30,6 +33,8 @@ static void wait_for_round(pool *p, unsigned done) {
     pthread_mutex_unlock(&p->mutex);
 }
 
+/* The function of a worker's thread: runs each task until the pool is closing. `done` counts the
+ * tasks that this worker has run. */
 static void *work(void *context) {
     pool *p = context;
     for (unsigned done = 0;; done++) {
@@ -41,6 +46,7 @@ static void *work(void *context) {
     }
 }
 
+/* Publishes the task in p->task, or p->closing, to all workers and wakes those that sleep. */
 static void start_round(pool *p) {
     pthread_mutex_lock(&p->mutex);
     atomic_fetch_add_explicit(&p->round, 1, memory_order_release);
@@ -48,6 +54,8 @@ static void start_round(pool *p) {
     pthread_mutex_unlock(&p->mutex);
 }
 
+/* The job system's function: runs `task` once on each thread of the pool and on the calling thread,
+ * and returns when all have finished. `workers` is ignored: it is the pool's own number. */
 static void run(thud_task_fn *task, void *argument, int workers, void *context) {
     pool *p = context;
     (void)workers;

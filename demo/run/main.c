@@ -1,4 +1,5 @@
-/* main.c: thud-run runs a scene or a level without a display and reports. */
+/* main.c: the program thud-run, which loads a scene or a level, runs a number of steps without a
+ * display, and prints what it measured. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "act_thud.h"
@@ -17,6 +18,7 @@
 #include <time.h>
 #include <unistd.h>
 
+/* A thud_clock_fn, in seconds. */
 static double seconds_now(void *context) {
     (void)context;
     struct timespec now;
@@ -30,6 +32,7 @@ static void log_to_stderr(thud_result result, const char *message, void *context
     fprintf(stderr, "thud: %s\n", message);
 }
 
+/* Prints a level's problems, and how many more were only counted. */
 static void print_report(const char *path, const level_report *report) {
     static const char *const WORDS[] = {"note", "unsupported", "error"};
     for (int i = 0; i < report->count; i++)
@@ -40,6 +43,7 @@ static void print_report(const char *path, const level_report *report) {
         fprintf(stderr, "%s: and %d more\n", path, more);
 }
 
+/* Loads a level into *s. False, and *s is empty, after messages on stderr. */
 static bool load_level(const run_options *options, scene *s) {
     level_report report;
     bool loaded = level_read_file(options->source, options->skip_unsupported, s, &report);
@@ -53,7 +57,8 @@ static bool load_level(const run_options *options, scene *s) {
     return loaded;
 }
 
-/* A file's name has a dot or a slash, which no scene's has. */
+/* Loads the built-in scene or the level that the command line names. False after a message. A
+ * source with a dot or a slash is a level's path; names of scenes have neither. */
 static bool load(const run_options *options, scene *s) {
     const scene_info *info = scenes_find(options->source);
     bool is_path = strpbrk(options->source, "./") != NULL;
@@ -80,6 +85,7 @@ static bool load(const run_options *options, scene *s) {
     return true;
 }
 
+/* Builds the scene's world with the systems that the options choose. Null after a message. */
 static thud_world *build(const run_options *options, const scene *s, pool *threads) {
     thud_world_def def = thud_default_world_def();
     def.quality = QUALITIES[options->quality];
@@ -101,7 +107,8 @@ static thud_world *build(const run_options *options, const scene *s, pool *threa
     return NULL;
 }
 
-/* One line on a terminal, renewed four times a second, for runs that take over a second. */
+/* Prints a progress line on stderr four times a second once a run takes more than a second. `start`
+ * and *last are times in seconds; *last is when the line was last printed. */
 static void show_progress(const run_options *options, long step, double start, double *last) {
     double now = seconds_now(NULL);
     if (now - start > 1 && now - *last > 0.25) {
@@ -111,6 +118,7 @@ static void show_progress(const run_options *options, long step, double start, d
     }
 }
 
+/* Raises each value of *worst to that of a step where that is larger. */
 static void keep_worst(thud_step_error *worst, thud_step_error step, bool first) {
     worst->penetration_max = fmax(worst->penetration_max, step.penetration_max);
     worst->penetration_mean = fmax(worst->penetration_mean, step.penetration_mean);
@@ -123,6 +131,7 @@ static void keep_worst(thud_step_error *worst, thud_step_error step, bool first)
         worst->overlaps = step.overlaps;
 }
 
+/* Steps the world and fills *o. False after a message, if a step fails. */
 static bool run(thud_world *world, const scene *s, const run_options *options, run_outcome *o) {
     bool terminal = isatty(STDERR_FILENO);
     double start = seconds_now(NULL), last_shown = 0;
@@ -155,6 +164,7 @@ static bool run(thud_world *world, const scene *s, const run_options *options, r
     return true;
 }
 
+/* Returns the exit status. */
 static int load_and_run(const run_options *options) {
     scene s;
     if (!load(options, &s))
@@ -162,7 +172,7 @@ static int load_and_run(const run_options *options) {
     run_outcome outcome;
     pool *threads = pool_create(options->workers);
     if (options->workers > 1 && !threads)
-        fprintf(stderr, "thud-run: no threads to be had; going on alone\n");
+        fprintf(stderr, "thud-run: threads cannot be created; running on one thread\n");
     thud_world *world = build(options, &s, threads);
     bool done = world && run(world, &s, options, &outcome);
     if (done && options->json)

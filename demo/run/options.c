@@ -1,4 +1,4 @@
-/* options.c: the command line of thud-run. */
+/* options.c: parses the command line of thud-run, and prints its help and its list of scenes. */
 #include "options.h"
 
 #include "choices.h"
@@ -9,11 +9,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Prints an error message; returns false. */
 static bool complain(const char *what, const char *argument) {
     fprintf(stderr, "thud-run: %s '%s'; see thud-run --help\n", what, argument);
     return false;
 }
 
+/* Parses a whole number from `low` to `high`. False after a message. */
 static bool parse_number(const char *option, const char *text, long low, long high, long *out) {
     char *end;
     errno = 0;
@@ -27,7 +29,8 @@ static bool parse_number(const char *option, const char *text, long low, long hi
     return true;
 }
 
-/* `found` is the index of a name, or -1. */
+/* Stores `found`, the index of the name `text` in a list of choices. False, after a message, if it
+ * is -1. */
 static bool choose(const char *option, const char *names, const char *text, int found, int *out) {
     *out = found;
     if (found < 0)
@@ -35,7 +38,7 @@ static bool choose(const char *option, const char *names, const char *text, int 
     return found >= 0;
 }
 
-/* An option with a value. */
+/* Parses an option that takes a value. False after a message. */
 static bool parse_valued(const char *option, const char *value, run_options *out) {
     long number;
     if (!value) {
@@ -60,6 +63,7 @@ static bool parse_valued(const char *option, const char *value, run_options *out
     return true;
 }
 
+/* Parses an option without a value. False after a message. */
 static bool parse_plain(const char *option, run_options *out) {
     if (strcmp(option, "--json") == 0)
         out->json = true;

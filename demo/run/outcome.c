@@ -1,4 +1,4 @@
-/* outcome.c: prints the result of a run, for people or as JSON. */
+/* outcome.c: prints the result of a run as text or as JSON. */
 #include "choices.h"
 #include "outcome.h"
 

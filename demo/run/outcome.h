@@ -1,4 +1,4 @@
-/* outcome.h: what a run found, and how it is printed. */
+/* outcome.h: what a run measured, and printing it as text or JSON. */
 #ifndef THUD_RUN_OUTCOME_H
 #define THUD_RUN_OUTCOME_H
 
@@ -6,19 +6,19 @@
 #include "scene.h"
 
 typedef struct run_outcome {
-    thud_stats stats;     /* of the last step */
-    thud_measure measure; /* of the last state */
+    thud_stats stats;     /* after the last step */
+    thud_measure measure; /* of the state after the last step */
     long steps;
-    double seconds, worst_seconds; /* all steps; the slowest one */
+    double seconds, worst_seconds; /* step time summed over all steps; of the slowest step */
     double stage_seconds[THUD_STAGE_COUNT];
-    double penetration_max; /* of all steps, sleepers too */
-    thud_step_error worst;  /* the largest of each over all steps */
+    double penetration_max; /* a length; over all steps, contacts of sleeping bodies included */
+    thud_step_error worst;  /* the largest of each value over all steps */
     long quarantined;
     uint64_t hash;
 } run_outcome;
 
 void run_print_text(const run_outcome *o, const scene *s, const run_options *options);
-/* False when memory is short. */
+/* Prints one JSON object. False if memory runs out. */
 bool run_print_json(const run_outcome *o, const scene *s, const run_options *options);
 
 #endif

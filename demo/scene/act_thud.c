@@ -9,22 +9,24 @@
 
 #include <math.h>
 
-/* Steps from gust to gust, long ones and short ones, and steps that either takes for a metre. */
+/* Periods of the two gusts that are added, in steps, and the delay of the gusts, in steps per metre
+ * along the wind. Chosen; act.js has the same. */
 static const double LONG_GUST = 300, SHORT_GUST = 113, STEPS_PER_METRE = 4;
 
-/* From -1 to 1, in parabolas, which look like a sine of period 1. */
+/* A wave of period 1 with values from -1 to 1, made of parabolas; close to a sine. */
 static double wave(double t) {
     t -= floor(t);
     return t < 0.5 ? 16 * t * (0.5 - t) : -16 * (t - 0.5) * (1 - t);
 }
 
 double scene_wind_at(const scene_fields *fields, double step, double x) {
-    /* By whole metres: those are exact wherever a scene stands. */
+    /* x counts in whole metres, which are exact wherever a scene is placed (scene_shift). */
     double metres = floor(x - fields->wind_origin);
     double t = step - STEPS_PER_METRE * (fields->wind < 0 ? -metres : metres);
     return fields->wind * (1 + 0.5 * wave(t / LONG_GUST) + 0.3 * wave(t / SHORT_GUST));
 }
 
+/* Triggers the explosions of this step. */
 static thud_result explode(const scene_fields *fields, thud_world *world, double step) {
     thud_result result = THUD_OK;
     for (int i = 0; i < fields->blast_count && result == THUD_OK; i++) {
@@ -41,6 +43,7 @@ static thud_result explode(const scene_fields *fields, thud_world *world, double
     return result;
 }
 
+/* Applies water and wind to a body, if it is dynamic and awake. */
 static thud_result act_on(const scene_fields *fields, thud_world *world, double step,
                           thud_body_id id) {
     thud_body_state body;
@@ -62,10 +65,12 @@ static thud_result act_on(const scene_fields *fields, thud_world *world, double 
     return result;
 }
 
+/* Equal, or both NaN. */
 static bool same(float a, float b) {
     return a == b || (isnan(a) && isnan(b));
 }
 
+/* Whether the world has this rule for the pair of kinds `first` and `second`, one bit each. */
 static bool pair_has(const thud_world *world, uint32_t first, uint32_t second,
                      const thud_rule *rule) {
     thud_rule old;
@@ -77,7 +82,8 @@ static bool pair_has(const thud_world *world, uint32_t first, uint32_t second,
            same(old.most_impulse, rule->most_impulse);
 }
 
-/* Setting a rule wakes what is of its kinds: none is set that is there already. */
+/* Whether all pairs of the kinds `first` and `second` have this rule. A rule that the world has is
+ * not set again, because setting a rule wakes all bodies of its kinds. */
 static bool is_there(const thud_world *world, uint32_t first, uint32_t second,
                      const thud_rule *rule) {
     for (uint32_t f = first; f; f &= f - 1)
@@ -99,7 +105,8 @@ static thud_result set_rule(thud_world *world, const scene_rule *from) {
     return thud_world_set_rule(world, from->first, from->second, &rule);
 }
 
-/* Whether a rule that comes later in the list holds in its place already. */
+/* Whether a later rule of the list with the same kinds is in effect at this step and replaces this
+ * one. */
 static bool replaced(const scene_fields *fields, int index, double step) {
     const scene_rule *rule = &fields->rules[index];
     for (int i = index + 1; i < fields->rule_count; i++) {

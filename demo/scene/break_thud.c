@@ -4,6 +4,7 @@
 #include <thud/thud_forces.h>
 #include <thud/thud_rules.h>
 
+/* Creates one piece with its centre at `place`, a point in the frame of the body `whole`. */
 static thud_result add_piece(const scene_fields *fields, thud_world *world, thud_body_id whole,
                              const thud_body_state *body, const thud_shape_state *box,
                              thud_vec2 place) {
@@ -27,7 +28,8 @@ static thud_result add_piece(const scene_fields *fields, thud_world *world, thud
     return thud_shape_create_obb(world, piece, &shape, (thud_vec2){0, 0}, half, 0, NULL);
 }
 
-/* What was broken already, or is not to be, is left alone. */
+/* Breaks the body of a shape into four pieces. A shape that no longer exists, as its body broke
+ * earlier in the list of events, or that is of another kind, is left as it is. */
 static thud_result break_shape(const scene_fields *fields, thud_world *world, thud_shape_id id) {
     thud_shape_state box;
     thud_body_state body;

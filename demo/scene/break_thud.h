@@ -1,4 +1,5 @@
-/* break_thud.h: after each step, what bore more than its rule lets it bear goes to pieces. */
+/* break_thud.h: breaks boxes into pieces after a step, if a contact pressed them with more than the
+ * max impulse of its rule. */
 #ifndef THUD_DEMO_BREAK_THUD_H
 #define THUD_DEMO_BREAK_THUD_H
 
@@ -6,8 +7,9 @@
 
 #include <thud/thud.h>
 
-/* Puts four boxes of half the size in place of each body whose shape, a box, is of the kind
- * `breaks` and had an impulse event in the last step. They go on as it moved there. */
+/* Replaces each body whose box shape is of the kind `fields->breaks`, and which had an impulse
+ * event in the last step, by four boxes of half its size and of the kind `fields->pieces`. Each
+ * piece has the velocity that the body had at its centre. Does nothing if `breaks` is 0. */
 thud_result scene_break_thud(const scene_fields *fields, thud_world *world);
 
 #endif

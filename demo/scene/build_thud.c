@@ -1,5 +1,5 @@
-/* build_thud.c: reads a scene, writes a thud world. The only place where a scene's doubles become
- * the engine's floats. */
+/* build_thud.c: builds a thud world from a scene. A scene's doubles are rounded to the engine's
+ * floats here and nowhere else. */
 #include "build_thud.h"
 
 #include "act_thud.h"
@@ -124,6 +124,7 @@ static thud_result add_joint(thud_world *world, const scene_joint *joint,
     return thud_joint_create(world, &def, &joints[index]);
 }
 
+/* Creates all joints in the scene's order; a gear refers to joints before it. */
 static thud_result add_joints(thud_world *world, const scene *s, const thud_body_id *bodies) {
     thud_joint_id *joints = malloc((size_t)s->joint_count * sizeof *joints);
     if (!joints)

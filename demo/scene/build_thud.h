@@ -1,4 +1,4 @@
-/* build_thud.h: makes a thud world of a scene. */
+/* build_thud.h: builds a thud world from a scene. */
 #ifndef THUD_DEMO_BUILD_THUD_H
 #define THUD_DEMO_BUILD_THUD_H
 
@@ -8,8 +8,8 @@
 
 /* Creates a world from `settings` (null: the defaults) with the scene's gravity and length scale,
  * and every body, shape and joint in the scene's order. `bodies`, if not null, has room for
- * scene.body_count handles. When it fails there is no world, *out is null, and *failed_body (if
- * not null) is the index of the body that was refused, or -1. */
+ * scene.body_count handles. If it fails, no world remains, *out is null, and *failed_body (if not
+ * null) is the index of the body that was refused, or -1. */
 thud_result scene_build_thud(const scene *s, const thud_world_def *settings, thud_world **out,
                              thud_body_id *bodies, int *failed_body);
 

@@ -1,5 +1,5 @@
-/* random.h: the scenes' own random numbers, equal on every platform.
- * SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom number generators, 2014). */
+/* random.h: the random numbers of scenes, the same on every platform: SplitMix64 (Steele, Lea and
+ * Flood, "Fast Splittable Pseudorandom Number Generators", 2014). */
 #ifndef THUD_DEMO_RANDOM_H
 #define THUD_DEMO_RANDOM_H
 

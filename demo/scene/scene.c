@@ -1,5 +1,6 @@
-/* scene.c: growable arrays behind a scene description. Once memory has run out every helper
- * hands out a spare, so that a scene's code needs no checks; `failed` tells at the end. */
+/* scene.c: the growable arrays of a scene. Once memory has run out, scene.failed is set and every
+ * function that adds something returns a spare element, so that the code of a scene needs no
+ * checks. */
 #include "scene.h"
 
 #include <math.h>
@@ -31,7 +32,8 @@ double scene_grid(double x) {
     return floor(x * 65536.0 + 0.5) / 65536.0;
 }
 
-/* Makes room for `more` elements behind `count`; false, and nothing changed, without memory. */
+/* Makes room for `more` elements after the first `count`. False, with nothing changed, if memory
+ * runs out. */
 static bool make_room(void **array, int *capacity, int count, int more, size_t element) {
     if (more <= *capacity - count)
         return true;
@@ -69,7 +71,7 @@ scene_body *scene_add_body(scene *s, scene_body_kind kind, double x, double y) {
     return body;
 }
 
-/* The shape belongs to the latest body. */
+/* Adds a shape to the latest body. */
 static scene_shape *add_shape(scene *s, scene_shape_kind kind) {
     scene_shape *shape = &s->spare_shape;
     void *shapes = s->shapes;
@@ -114,7 +116,8 @@ scene_shape *scene_add_flat(scene *s, double slope) {
     return shape;
 }
 
-/* Room for a terrain's points, or null. */
+/* Adds `count` points to a terrain; the caller fills them. Null, and s->failed is set, if memory
+ * runs out. */
 static scene_point *add_points(scene *s, scene_shape *shape, int count) {
     void *points = s->points;
     if (s->failed || count < 0 ||
@@ -165,6 +168,7 @@ scene_body *scene_dynamic_circle(scene *s, double x, double y, double radius) {
     return body;
 }
 
+/* Adds a joint with the default values; its frames are set by the caller. */
 static scene_joint *add_joint(scene *s, scene_joint_kind kind, int a, int b) {
     scene_joint *joint = &s->spare_joint;
     void *joints = s->joints;
@@ -189,6 +193,8 @@ static scene_joint *add_joint(scene *s, scene_joint_kind kind, int a, int b) {
     return joint;
 }
 
+/* Sets the frame of one side of a joint from a place in the world. The body's angle is taken to be
+ * 0. */
 static void see(const scene *s, scene_joint *joint, int side, double x, double y, double angle) {
     const scene_body *body = &s->bodies[joint->body[side]];
     joint->x[side] = scene_grid(x) - body->x;

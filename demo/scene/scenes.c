@@ -1,4 +1,4 @@
-/* scenes.c: the list of built-in scenes, which CMakeLists.txt makes of the files here. */
+/* scenes.c: the list of built-in scenes. demo/scenes/CMakeLists.txt generates it (scene_list.h). */
 #include "scenes.h"
 
 #include <string.h>

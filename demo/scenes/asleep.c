@@ -1,11 +1,12 @@
-/* asleep.c: shelves full of small stacks that fall asleep, below a box of a hundred circles that
- * never do; with sleeping on, a step costs what the hundred cost. */
+/* asleep.c: shelves with small stacks that fall asleep, below a closed box of 100 moving circles
+ * that never sleep. With sleeping on, a step should cost no more than the 100 circles. */
 #include "gas.h"
 #include "scene_facts.h"
 #include "scenes.h"
 
 #include <math.h>
 
+/* Boxes in a stack, and circles that never sleep. */
 enum { PER_STACK = 5, AWAKE = 100 };
 
 static void fill(scene *s, int size) {

@@ -1,21 +1,23 @@
-/* blobs.c: soft balls of springs: twelve circles about a hub, tied to it and to each other by
- * springs whose stiffness is told by a frequency.
+/* blobs.c: soft balls: twelve circles around a hub, connected to the hub and to each other by
+ * springs (distance joints), whose stiffness is given as a frequency.
  *
- * Bodies: floor and walls, then of each blob its hub and the circles round it. */
+ * Bodies: floor and two walls; then for each blob its hub and the circles around it. */
 #include "parts.h"
 #include "random.h"
 #include "scene_facts.h"
 #include "scenes.h"
 
+/* Circles around a hub. */
 enum { RIM = 12 };
 
-/* The twelfths of a turn. */
+/* Unit vectors at the twelfths of a turn. */
 static const scene_point ROUND[RIM] = {
     {1, 0},  {0.8660254037844386, 0.5},   {0.5, 0.8660254037844386},
     {0, 1},  {-0.5, 0.8660254037844386},  {-0.8660254037844386, 0.5},
     {-1, 0}, {-0.8660254037844386, -0.5}, {-0.5, -0.8660254037844386},
     {0, -1}, {0.5, -0.8660254037844386},  {0.8660254037844386, -0.5}};
 
+/* Connects the centres of two bodies by a spring; `frequency` in Hz. */
 static void spring(scene *s, int a, int b, double frequency) {
     if (s->failed)
         return;
@@ -24,12 +26,13 @@ static void spring(scene *s, int a, int b, double frequency) {
     joint->drive[SCENE_ALONG].frequency = frequency;
     joint->drive[SCENE_ALONG].damping = 0.3;
     joint->drive[SCENE_ALONG].target = joint->length;
-    /* A spring that gets too short would turn inside out. */
+    /* A blob whose springs were compressed to nothing would turn inside out. */
     joint->drive[SCENE_ALONG].limited = true;
     joint->drive[SCENE_ALONG].lower = 0.4 * joint->length;
     joint->drive[SCENE_ALONG].upper = 1.6 * joint->length;
 }
 
+/* The shapes of one blob do not collide with each other. */
 static void add_blob(scene *s, double x, double y, double radius, double frequency, int number) {
     int hub = part_circle(s, x, y, 0.3 * radius);
     for (int i = 0; i < RIM; i++) {

@@ -1,19 +1,19 @@
-/* boats.c: boats with loose cargo on a lake. Each floats as deep as it and its cargo weigh, and so
- * does all that lies in the water by itself: crates from light to too heavy, a log in tow, a buoy
- * on its chain.
+/* boats.c: boats with loose cargo on a lake, which float by their weight and that of their cargo,
+ * and other bodies in the water: crates from light to too heavy to float, a log in tow, a buoy on a
+ * chain.
  *
- * Bodies: the land (irregular terrain), the jetty; of each boat its hull, then its cargo or what it
- * tows; the buoy's anchor, the links of its chain, the buoy; the crates, the ball. */
+ * Bodies: the land (irregular terrain), the jetty; for each boat its hull, then its cargo or what
+ * it tows; the buoy's anchor, the links of its chain, the buoy; the crates, the ball. */
 #include "parts.h"
 #include "scene_facts.h"
 #include "scenes.h"
 
 #include <math.h>
 
-static const double SPACING = 9; /* from boat to boat */
-static const double WATER = 2;   /* a body of density 1 floats half in and half out */
+static const double SPACING = 9; /* between boats, m */
+static const double WATER = 2;   /* density, kg/m^2: a body of density 1 floats half submerged */
 
-/* The lake's bed, and both shores. */
+/* Adds the lake's bed with both shores, and the jetty. */
 static void add_land(scene *s, double half) {
     const scene_point land[] = {
         {-half - 24, 9},   {-half - 14, 3},   {-half - 6, 1.7}, {-half - 1.5, 0.8}, {-half, 0},
@@ -29,7 +29,7 @@ static void add_land(scene *s, double half) {
     part_add_bar(s, (scene_point){-half + 3.4, -4}, (scene_point){-half + 3.4, 1.2}, 0.12);
 }
 
-/* A further box of the latest body, from its origin. */
+/* Adds a box to the latest body; (x, y) is relative to the body's origin. */
 static void add_box(scene *s, double x, double y, double hx, double hy, double density) {
     s->material.density = density;
     scene_shape *box = scene_add_obb(s, hx, hy);
@@ -37,7 +37,7 @@ static void add_box(scene *s, double x, double y, double hx, double hy, double d
     box->y = y;
 }
 
-/* A hull with a bow and a stern that lean outwards and keep the cargo in. Returns the body. */
+/* Adds a hull with a bow and a stern that lean outwards and keep the cargo in. Returns the body. */
 static int add_hull(scene *s, double x, double y, double hx, double hy, double density) {
     s->material.density = density;
     int hull = part_box(s, x, y, hx, hy);
@@ -82,7 +82,7 @@ static void add_tug(scene *s, double x) {
     rope->drive[SCENE_ALONG].upper = rope->length;
 }
 
-/* On a chain, which reaches to the ground. */
+/* Adds a buoy on a chain from an anchor on the ground. */
 static void add_buoy(scene *s, double x) {
     enum { LINKS = 8 };
     const double y = 0.3, top = y - 0.9;
@@ -108,7 +108,7 @@ static void add_buoy(scene *s, double x) {
     part_keep_apart(s, first, -1);
 }
 
-/* By themselves, from light to too heavy. */
+/* Adds crates from light to too heavy to float, and a ball. */
 static void add_loose(scene *s, double half) {
     static const double densities[] = {0.3, 0.8, 1.4, 5};
     for (int i = 0; i < 4; i++) {

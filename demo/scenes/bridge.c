@@ -1,5 +1,5 @@
-/* bridge.c: a bridge of `size` planks, hinged to each other and to both sides of a valley, which a
- * lorry crosses that weighs some hundred times as much as one of them.
+/* bridge.c: a suspension bridge of `size` planks, hinged to each other and to both sides of a
+ * valley. A lorry about a hundred times as heavy as a plank drives over it.
  *
  * Bodies: the land (irregular terrain), the planks from left to right, the lorry with its wheels.
  */
@@ -7,15 +7,16 @@
 #include "scene_facts.h"
 #include "scenes.h"
 
+/* Half the thickness of a plank, m. */
 static const double HALF_PLANK = 0.12;
 
-/* The hinge before plank i of n: on a parabola that hangs below both ends by a thirtieth of the
- * span. */
+/* The hinge before plank i of n, on a parabola that sags by a thirtieth of the span. */
 static scene_point knot(int i, int n) {
     double t = 2.0 * i / n - 1;
     return (scene_point){0.5 * n * t, -HALF_PLANK - n / 30.0 * (1 - t * t)};
 }
 
+/* Returns the index of the body. */
 static int add_land(scene *s, int size) {
     double edge = 0.5 * size, deep = -4 - 0.12 * size;
     const scene_point land[] = {

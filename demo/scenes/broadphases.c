@@ -1,5 +1,5 @@
-/* broadphases.c: few bodies of many sizes drift about, so that one sees what each broadphase goes
- * by: the cells of the grid, or the sorted intervals of the plane sweep. */
+/* broadphases.c: a few drifting bodies of many sizes, to show how each broadphase sorts them: by
+ * the cells of the grid, or by the intervals along an axis. */
 #include "random.h"
 #include "scene_facts.h"
 #include "scenes.h"
@@ -7,7 +7,7 @@
 #include <math.h>
 
 static void fill(scene *s, int size) {
-    const double cell = 2.6; /* a body of the largest size fits into one */
+    const double cell = 2.6; /* m; the largest body fits into a cell of the start lattice */
     int columns = (int)ceil(sqrt(1.5 * size));
     int rows = (size + columns - 1) / columns;
     double half_x = 0.5 * cell * columns + 0.5, half_y = 0.5 * cell * rows + 0.5;
@@ -23,7 +23,7 @@ static void fill(scene *s, int size) {
         double x = (i % columns - 0.5 * (columns - 1)) * cell;
         double y = (i / columns - 0.5 * (rows - 1)) * cell;
         double part = scene_random_range(&random, 0, 1);
-        double half = 0.06 + 0.8 * part * part * part; /* most are small */
+        double half = 0.06 + 0.8 * part * part * part; /* small ones are the most frequent */
         double vx = scene_random_range(&random, -3, 3), vy = scene_random_range(&random, -3, 3);
         scene_body *body = i % 2 == 0 ? scene_dynamic_circle(s, x, y, half)
                                       : scene_dynamic_box(s, x, y, half, 0.6 * half);
@@ -31,7 +31,7 @@ static void fill(scene *s, int size) {
         body->vy = vy;
         body->may_sleep = false;
     }
-    s->camera_y = -2; /* the intervals stand below the field */
+    s->camera_y = -2; /* leaves room for the intervals, which are drawn below the field */
     s->camera_height = 2 * half_y + 9;
 }
 

@@ -1,7 +1,7 @@
-/* bullets.c: fast small bodies between static walls 0.02 m thick, which they must not pass.
+/* bullets.c: fast small bodies between static walls 0.02 m thick, which they must not pass through.
  *
- * Every lane is a closed room of its own: four static walls, then the bullet. Speeds go from 10
- * to 10^5 m/s, kinds from circle over upright box to turning box. */
+ * Each lane is a closed room: four static walls, then the bullet. Speeds are from 10 to 10^5 m/s;
+ * the shape is a circle, a box that cannot rotate (AABB) or a box that can (OBB). */
 #include "scene_facts.h"
 #include "scenes.h"
 

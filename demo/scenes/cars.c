@@ -1,16 +1,19 @@
-/* cars.c: cars of several makes drive over a mountain, on sprung axles with a motor each; see
- * part_wheel for how their suspension is tuned.
+/* cars.c: cars of random sizes drive over a mountain, on sprung axles with a motor each; part_wheel
+ * says how their suspension is tuned.
  *
- * Bodies: the land (uniform terrain), then of each car its body and its wheels. */
+ * Bodies: the land (uniform terrain), then for each car its body and its wheels. */
 #include "parts.h"
 #include "random.h"
 #include "scene_facts.h"
 #include "scenes.h"
 
-enum { POINTS = 321, COARSE = 20 }; /* heights, and how many of them from knoll to knoll */
+/* Heights of the terrain, and how many of them from one knoll to the next. */
+enum { POINTS = 321, COARSE = 20 };
+/* Distance of the heights, m. */
 static const double SPACING = 0.36;
 
-/* Smooth from knoll to knoll: 3 t^2 - 2 t^3. */
+/* A mountain in the middle, knolls all over, joined by 3 t^2 - 2 t^3, and a slope at both ends that
+ * keeps the cars in. */
 static void add_land(scene *s, double heights[POINTS]) {
     double knolls[POINTS / COARSE + 2];
     scene_random random = {11};

@@ -1,7 +1,7 @@
-/* chain.c: a chain of `size` links, level at first, with a ball of 10,000 times a link's mass at
- * its end. It swings by its own weight for ever.
+/* chain.c: a chain of `size` links, horizontal at the start, with a ball of 10,000 times a link's
+ * mass at its end, which swings without end.
  *
- * Bodies: the hook, from left to right the links, the ball. */
+ * Bodies: the hook, the links from left to right, the ball. */
 #include "parts.h"
 #include "scene_facts.h"
 #include "scenes.h"
@@ -11,7 +11,7 @@
 static void fill(scene *s, int size) {
     const double length = 0.5, half = 0.06, pi = 3.141592653589793;
     double reach = length * size;
-    /* Not much larger than what it hangs by is long, whatever its mass. */
+    /* m; grows with the chain's length, so that the ball stays in proportion to it */
     double radius = 0.4 + 0.04 * reach;
     int hook = s->body_count;
     scene_static_box(s, 0, 0.5, 0.5, 0.5);

@@ -1,4 +1,4 @@
-/* circle_pit.c: circles of several sizes rain into a pit. */
+/* circle_pit.c: circles of several sizes fall into a pit. */
 #include "random.h"
 #include "scene_facts.h"
 #include "scenes.h"

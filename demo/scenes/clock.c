@@ -1,34 +1,41 @@
-/* clock.c: a clock that a falling weight drives. Gears lead to an escape wheel, whose teeth the
- * anchor lets pass one at a time while its pendulum swings, and each tooth pushes it on.
+/* clock.c: a clock that is driven by a falling weight. Gears lead to an escape wheel. The pallets
+ * of the anchor release its teeth one at a time as the pendulum swings, and each tooth pushes the
+ * pendulum on.
  *
- * Bodies: the case (which nothing meets), the anchor with its pendulum, the escape wheel, from it
- * on the other wheels, the hands, the weight. */
+ * Bodies: the case, which collides with nothing; the anchor with its pendulum; the escape wheel;
+ * the other wheels in the order of the gear train; the hands; the weight. */
 #include "parts.h"
 #include "scene_facts.h"
 #include "scenes.h"
 
 #include <math.h>
 
+/* Number of teeth of the escape wheel, and the category bits of teeth and pallets. */
 enum { TEETH = 15, TOOTH = 2, PALLET = 4 };
 
-/* A tooth lets the anchor swing by half the way to the next one: it spans three and a half. */
+/* RIM: radius of the escape wheel, m. SPAN: sine and cosine of 42 degrees, the angle at the wheel's
+ * axle between the vertical and each pallet. The two pallets span 3.5 teeth of 24 degrees, so that
+ * the wheel advances by half a pitch at each swing. */
 static const double RIM = 2, SPAN_SINE = 0.6691306063588582, SPAN_COSINE = 0.7431448254773942;
-/* The fifteenth, the twelfth and the thirtieth part of a turn. */
+/* Rotations by a fifteenth, a twelfth and a thirtieth of a turn, as cosine and sine. */
 static const scene_point FIFTEENTH = {0.9135454576426009, 0.4067366430758002};
 static const scene_point TWELFTH = {0.8660254037844386, 0.5};
 static const scene_point THIRTIETH = {0.9781476007338057, 0.20791169081775934};
 
+/* Centre of the dial, m. */
 static const scene_point DIAL = {-3.5, -1.4};
 
+/* The vector p rotated by the unit vector `by`. */
 static scene_point turned(scene_point p, scene_point by) {
     return (scene_point){p.x * by.x - p.y * by.y, p.x * by.y + p.y * by.x};
 }
 
+/* The point at the distance `radius` from `center` in a direction, which is a unit vector. */
 static scene_point from(scene_point center, scene_point direction, double radius) {
     return (scene_point){center.x + radius * direction.x, center.y + radius * direction.y};
 }
 
-/* All shapes of the latest body, from one of them on. */
+/* Sets the filter of all shapes from `first_shape` on. */
 static void set_filter(scene *s, int first_shape, unsigned category, unsigned mask) {
     for (int i = first_shape; !s->failed && i < s->shape_count; i++) {
         s->shapes[i].category = category;
@@ -36,6 +43,7 @@ static void set_filter(scene *s, int first_shape, unsigned category, unsigned ma
     }
 }
 
+/* Adds the case with the dial. Returns the body. */
 static int add_case(scene *s) {
     int body = s->body_count;
     scene_add_body(s, SCENE_STATIC, 0, 0);
@@ -59,7 +67,8 @@ static int add_case(scene *s) {
     return body;
 }
 
-/* Two pallets on arms that touch the rim, and the pendulum below. */
+/* Adds the anchor: two pallets on arms, which touch the rim of the escape wheel, and the pendulum
+ * below. */
 static int add_anchor(scene *s, int frame, scene_point wheel) {
     const double pallet = 0.12, length = 6.6;
     scene_point pivot = {wheel.x, wheel.y + RIM / SPAN_COSINE};
@@ -89,7 +98,8 @@ static int add_anchor(scene *s, int frame, scene_point wheel) {
     return body;
 }
 
-/* Turns in the case; returns its hinge. */
+/* Adds a wheel with its pinion (radius `pinion`), hinged to the case. Returns the index of its
+ * hinge. */
 static int add_wheel(scene *s, int frame, scene_point at, double radius, double pinion) {
     int first = s->shape_count;
     s->material.density = 1;
@@ -109,6 +119,7 @@ static int add_wheel(scene *s, int frame, scene_point at, double radius, double 
     return s->joint_count - 1;
 }
 
+/* Adds the escape wheel. Returns the index of its hinge. */
 static int add_escape_wheel(scene *s, int frame, scene_point at) {
     s->material.density = 1;
     int first = s->shape_count, body = part_circle(s, at.x, at.y, 0.6);
@@ -131,6 +142,7 @@ static int add_escape_wheel(scene *s, int frame, scene_point at) {
     return s->joint_count - 1;
 }
 
+/* Adds a hand of the dial. Returns the index of its hinge. */
 static int add_hand(scene *s, int frame, scene_point at, double length, double half) {
     int first = s->shape_count;
     s->material.density = 1;
@@ -141,7 +153,7 @@ static int add_hand(scene *s, int frame, scene_point at, double length, double h
     return s->joint_count - 1;
 }
 
-/* On its rail below the drum; returns the slider. */
+/* Adds the weight on its rail below the drum. Returns the index of its slider. */
 static int add_weight(scene *s, int frame, scene_point drum) {
     int weight = part_box(s, drum.x, drum.y - 2, 0.45, 0.7);
     set_filter(s, s->shape_count - 1, 1, PART_MEETS_NOTHING);
@@ -154,7 +166,7 @@ static int add_weight(scene *s, int frame, scene_point drum) {
 }
 
 static void fill(scene *s, int size) {
-    /* Radii of wheels and pinions add up to what lies between their axles. */
+    /* The radii of a wheel and the pinion that drives it add up to the distance of their axles. */
     const scene_point escape = {0, 3.4}, second = {2.304, 2.728}, third = {3.074, 0.088};
     const double load = 220.0 * size, drum = 0.6;
     s->material = (scene_material){.density = 1, .friction = 0};
@@ -167,10 +179,10 @@ static void fill(scene *s, int size) {
     int hour_hinge = add_hand(s, frame, DIAL, 1.3, 0.12);
     s->material.density = load / (4 * 0.45 * 0.7);
     int slide = add_weight(s, frame, (scene_point){third.x + drum, third.y});
-    /* Each pinion has a third, and a quarter, of the wheel that it drives. */
+    /* A pinion has a third, or a quarter, of the radius of the wheel that it meshes with. */
     scene_tie_gear(s, first_hinge, second_hinge, 3);
     scene_tie_gear(s, second_hinge, third_hinge, 4);
-    /* A turn to the right lets the weight down by the drum's circumference. */
+    /* The weight sinks by the drum's radius times the angle by which the drum turns clockwise. */
     scene_tie_gear(s, slide, third_hinge, -drum);
     scene_tie_gear(s, first_hinge, minute_hinge, -2);
     scene_tie_gear(s, minute_hinge, hour_hinge, -12);

@@ -1,8 +1,8 @@
-/* cradle.c: Newton's cradle without threads: circles that touch, in a row, without gravity.
+/* cradle.c: Newton's cradle without strings: touching circles in a row, without gravity.
  *
- * Bodies: two walls; then three rows of `size` circles of radius 0.5, from left to right. In row
- * k (1, 2, 3, from the top) the first k fly in at 5 m/s and the others rest; as many should leave
- * at that speed on the other side, come back from the wall, and so on for ever. */
+ * Bodies: two walls; then three rows of `size` circles of radius 0.5, from left to right. In row k
+ * (1, 2, 3, from the top) the first k circles start apart and fly in at 5 m/s; the others rest. As
+ * many should leave at that speed on the other side, bounce off the wall, and so on without end. */
 #include "scene_facts.h"
 #include "scenes.h"
 

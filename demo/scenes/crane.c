@@ -1,12 +1,13 @@
-/* crane.c: a crane sets a lintel on two piers. A spring draws its trolley along the jib to its
- * place, without a swing, while the winch pays out rope, by a motor that ends at a limit.
+/* crane.c: a crane sets a lintel on two piers. A spring moves its trolley along the jib, with
+ * little swing, while the winch pays out rope: a motor of a distance joint that stops at a limit.
  *
- * Bodies: the ground (flat terrain), the crane (which nothing meets), the piers' blocks row by row,
- * the trolley, the hook, the lintel. */
+ * Bodies: the ground (flat terrain), the crane (which collides with nothing), the piers' blocks row
+ * by row, the trolley, the hook, the lintel. */
 #include "parts.h"
 #include "scene_facts.h"
 #include "scenes.h"
 
+/* Height of the jib, and x of the mast, m. */
 static const double JIB = 13, MAST = -9;
 
 static int add_crane(scene *s) {
@@ -46,7 +47,8 @@ static void add_piers(scene *s, int size) {
             part_box(s, 3 + side * 2.4, hy + 2 * hy * i, hx, hy);
 }
 
-/* From the trolley a rope to the hook, and from there two to the lintel's ends. */
+/* Adds trolley, hook and lintel: a rope from the trolley to the hook, and two from the hook to the
+ * lintel. The trolley moves from x to `end`; the rope becomes longer by `drop`. */
 static void add_load(scene *s, int crane, double x, double end, double drop) {
     const double half = 3.1;
     double hook_y = JIB - 2.4, lintel_y = hook_y - 2;
@@ -67,7 +69,7 @@ static void add_load(scene *s, int crane, double x, double end, double drop) {
     drive->frequency = 0.3;
     drive->damping = 1.5;
     drive->target = end - x;
-    drive->spring_force = 0.06 * weight; /* sets off gently */
+    drive->spring_force = 0.06 * weight; /* small, so that the trolley starts gently */
     scene_joint *rope = scene_tie_distance(s, trolley, hook, x, JIB + 0.1, x, hook_y);
     drive = &rope->drive[SCENE_ALONG];
     drive->limited = true;
@@ -90,7 +92,7 @@ static void fill(scene *s, int size) {
     int crane = add_crane(s);
     s->material = (scene_material){.density = 20, .friction = 0.8};
     add_piers(s, size);
-    /* Lowered to where it lies, and the straps go slack. */
+    /* 0.8 m more than the lintel's height above the piers, so that the ropes go slack. */
     add_load(s, crane, from, to, JIB - 4.7 - top + 0.8);
     s->camera_x = -1.5;
     s->camera_y = 8;

@@ -1,15 +1,21 @@
-/* crates.c: stacks of crates, and weights that fall onto some of them. A crate that bears more than
- * its rule lets it bear breaks into four: break_thud.h.
+/* crates.c: stacks of crates, and weights that fall onto some of them. A crate breaks into four
+ * pieces if the impulse of a contact exceeds the max of its rule (break_thud.h).
  *
- * Bodies: the ground, both walls; then the crates, stack by stack from below; then the weights. */
+ * Bodies: the ground, both walls; then the crates, stack by stack from the bottom; then the
+ * weights. */
 #include "scene_facts.h"
 #include "scenes.h"
 
+/* Half the size of a crate, and the distance of stacks, m. */
 static const double HALF = 0.5, APART = 1.3;
-static const double MOST = 6; /* kg m/s in a step: as if it fell from 1.8 m */
-static const double RADIUS = 0.7, LOWEST = 8, HIGHER = 3; /* of the weights */
+/* kg m/s in a step: what stops a crate, which has 1 kg, after a fall of 1.8 m. */
+static const double MOST = 6;
+/* Of the weights, m: radius, height of the lowest, difference in height to the next. */
+static const double RADIUS = 0.7, LOWEST = 8, HIGHER = 3;
 
-enum { ROWS = 4, EVERY = 3 /* stacks to a weight */ };
+/* Crates in a stack. */
+enum { ROWS = 4, EVERY = 3 /* stacks for each weight */ };
+/* Kinds: everything else, crates, and pieces of crates. */
 enum { ANY = 1 << 0, CRATE = 1 << 1, PIECE = 1 << 2 };
 
 static void fill(scene *s, int size) {

@@ -1,8 +1,8 @@
-/* detection.c: the four ways of detection next to each other, a lane for each.
+/* detection.c: the four kinds of collision detection beside each other, in a lane each.
  *
  * At the top of a lane three bullets fly up and down between floor and ceiling, with two thin walls
- * in their way; below them a gas of elastic circles. All is the same in each lane but for the
- * detection that the lane's bodies choose. */
+ * in their path; below them is a gas of elastic circles. The lanes differ only in the detection of
+ * their bodies. */
 #include "gas.h"
 #include "scene_facts.h"
 #include "scenes.h"
@@ -11,12 +11,16 @@
 
 enum { LANES = 4, BULLETS = 3, WALLS = 2 };
 
-/* m/s. A bullet moves by up to 0.75 m a step: far beyond what a wall and it measure together, and
- * less than half of what floor and ceiling do, so that overlap pushes it back inside. */
+/* m/s. A bullet moves by up to 0.75 m a step: further than its diameter plus the thickness of a
+ * thin wall, but less than half the thickness of floor and ceiling, so that discrete detection
+ * pushes it back inside. */
 static const double SPEEDS[BULLETS] = {12, 24, 45};
+/* Radius of a bullet, half the thickness of a thin wall, distance of thin walls, half the width of
+ * a pillar, m. */
 static const double RADIUS = 0.12, THIN = 0.02, STOREY = 3, PILLAR = 0.5;
 
-/* Three slabs from end to end, and pillars between them that part the lanes. */
+/* Adds floor, ceiling and the slab between, through all lanes, and the pillars that separate the
+ * lanes. */
 static void add_house(scene *s, double half, double range) {
     double pitch = 2 * (half + PILLAR), end = 0.5 * LANES * pitch + PILLAR;
     s->material = (scene_material){.density = 1, .friction = 0, .restitution = 1};
@@ -29,7 +33,8 @@ static void add_house(scene *s, double half, double range) {
     }
 }
 
-/* From x - half to x + half, on `floor`. Bullets keep clear of each other. */
+/* Adds the thin walls and bullets of a lane, from x - half to x + half, above `floor`. The bullets
+ * fly side by side and do not meet. */
 static void add_range(scene *s, double x, double half, double floor) {
     for (int i = 1; i <= WALLS; i++)
         scene_static_box(s, x, floor + i * STOREY, half, THIN);

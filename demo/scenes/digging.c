@@ -1,14 +1,14 @@
-/* digging.c: boxes and balls on a real hillside, whose ground is there to be dug away.
+/* digging.c: boxes and balls on a real hillside, in which a user digs.
  *
- * The hills are samples 60 to 180 of assets/terrain/jacksboro_200.csv: a metre of the scene from
- * one to the next, 74.4 m in Tennessee, with heights scaled half as much again. */
+ * The ground consists of samples 60 to 180 of assets/terrain/jacksboro_200.csv (Tennessee), which
+ * are 74.4 m apart there and 1 m apart in the scene; heights are exaggerated by 1.5. */
 #include "random.h"
 #include "scene_facts.h"
 #include "scenes.h"
 
 #include <math.h>
 
-/* Metres above the sea. */
+/* Metres above sea level. */
 static const short ELEVATION[] = {
     545, 561, 573, 565, 568, 576, 574, 562, 544, 527, 502, 479, 461, 441, 419, 397, 386, 386,
     400, 413, 421, 433, 445, 461, 477, 494, 518, 542, 565, 584, 591, 591, 599, 616, 637, 654,
@@ -23,10 +23,10 @@ enum {
     SAMPLES = sizeof ELEVATION / sizeof ELEVATION[0],
     FINER = 4, /* vertices from one sample to the next, so that craters are round */
     VERTICES = (SAMPLES - 1) * FINER + 1,
-    LOWEST = 386
+    LOWEST = 386 /* m: the smallest sample */
 };
 
-static const double RISE = 1.5 / 74.4; /* of the scene's metres in one of the real ones */
+static const double RISE = 1.5 / 74.4; /* metres of height in the scene for a real metre */
 
 static void add_ground(scene *s) {
     double heights[VERTICES];
@@ -41,7 +41,7 @@ static void add_ground(scene *s) {
     scene_add_uniform(s, -0.5 * (SAMPLES - 1), 1.0 / FINER, heights, VERTICES);
 }
 
-/* A wall on either end of the ground. */
+/* Adds a wall at each end of the ground. */
 static void add_walls(scene *s) {
     double x = 0.5 * (SAMPLES - 1) + 1;
     scene_static_box(s, -x, 20, 1, 40);
@@ -49,7 +49,7 @@ static void add_walls(scene *s) {
 }
 
 static void fill(scene *s, int size) {
-    const double spacing = 1.45; /* more than the diagonal of the largest box */
+    const double spacing = 1.45; /* m; more than the diagonal of the largest box */
     int columns = (int)((SAMPLES - 3) / spacing);
     scene_random random = {5};
     add_ground(s);

@@ -1,13 +1,16 @@
-/* explosion.c: explosions between crates, of which one half stands behind a wall. What is in the
- * open flies; the wall gives cover, and so does a crate to the one behind it.
+/* explosion.c: explosions between crates, half of which stand behind a wall. The wall shields the
+ * crates behind it from the explosion, and a crate shields the next one; the crates in the open fly
+ * off.
  *
- * Bodies: the ground (irregular terrain), the wall, the shelter, then by pairs the crates: one in
- * the open, on the left, and its twin behind the wall. */
+ * Bodies: the ground (irregular terrain), the wall, the shelter; then the crates in pairs: one in
+ * the open, on the left, and its mirror image behind the wall. */
 #include "parts.h"
 #include "scene_facts.h"
 #include "scenes.h"
 
+/* Half the size of a crate, distance of stacks, distance of the first stack from the centre, m. */
 static const double HALF = 0.5, APART = 1.2, NEAREST = 6;
+/* Crates in a stack. */
 enum { ROWS = 4 };
 
 static void add_ground(scene *s, double half) {

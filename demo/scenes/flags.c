@@ -1,21 +1,25 @@
-/* flags.c: a park of flags in a gusty wind. A flag is three stripes of plates, hinged to one
- * another and to its pole; wind that slants along a plate lifts it, and so flags flutter.
+/* flags.c: flags in a gusty wind. A flag is three stripes of plates, hinged to one another and to
+ * its pole. Wind that strikes a plate at an angle lifts it, so that the flags flutter.
  *
- * Bodies: the park (irregular terrain), what stands in it, the poles, then stripe by stripe over
- * all flags the plates, those at the pole first: colours go by the order of bodies. */
+ * Bodies: the ground (irregular terrain), trees and benches, the poles; then the plates, stripe by
+ * stripe over all flags, from the pole outwards. */
 #include "parts.h"
 #include "scene_facts.h"
 #include "scenes.h"
 
+/* Stripes of a flag, and plates of a stripe. */
 enum { STRIPES = 3, PLATES = 7 };
 
-static const double SPACING = 6.5; /* from pole to pole */
+static const double SPACING = 6.5; /* from pole to pole, m */
+/* Half extents of a plate, m. */
 static const double HALF_LENGTH = 0.3, HALF_HEIGHT = 0.24;
 
+/* The x of pole i. */
 static double pole_x(int size, int i) {
     return SPACING * (i - 0.5 * size);
 }
 
+/* The height of pole i. */
 static double pole_top(int i) {
     return 7 + 0.9 * (i % 3);
 }
@@ -28,7 +32,7 @@ static void add_park(scene *s, double half) {
     scene_add_irregular(s, land, sizeof land / sizeof land[0]);
 }
 
-/* A further box of the latest body, from its origin. */
+/* Adds a box to the latest body; (x, y) is relative to the body's origin. */
 static void add_box(scene *s, double x, double y, double hx, double hy, double angle) {
     scene_shape *box = scene_add_obb(s, hx, hy);
     box->x = x;
@@ -51,7 +55,7 @@ static void add_bench(scene *s, double x) {
         add_box(s, 0.6 * side, 0.22, 0.06, 0.22, 0);
 }
 
-/* Nothing meets it: flags hang down along it. */
+/* Adds a pole. It collides with nothing, since flags hang down along it. */
 static void add_pole(scene *s, double x, double top) {
     scene_add_body(s, SCENE_STATIC, x, 0);
     add_box(s, 0, 0.5 * top, 0.07, 0.5 * top, 0);
@@ -68,7 +72,7 @@ static void add_stripe(scene *s, int pole, double x, double y, int look) {
         int plate = part_box(s, left + HALF_LENGTH, y, HALF_LENGTH, HALF_HEIGHT);
         if (!s->failed) {
             s->bodies[plate].look = look;
-            s->bodies[plate].may_sleep = false; /* the wind wakes nobody */
+            s->bodies[plate].may_sleep = false; /* wind does not wake sleeping bodies */
             s->shapes[s->shape_count - 1].group = -1;
         }
         part_hinge(s, last, plate, (scene_point){left, y});

@@ -1,4 +1,4 @@
-/* gas.c: elastic circles in a closed box; their energy ought to stay. */
+/* gas.c: elastic circles in a closed box, whose kinetic energy should stay constant. */
 #include "gas.h"
 
 #include "random.h"
@@ -7,7 +7,8 @@
 
 #include <math.h>
 
-/* A random point on the unit circle, by rejection: no trigonometry. */
+/* A random unit vector: a point in the unit disc by rejection, normalised, as sine and cosine
+ * differ between platforms. */
 static scene_point random_direction(scene_random *random) {
     for (;;) {
         double x = scene_random_range(random, -1, 1);
@@ -20,7 +21,7 @@ static scene_point random_direction(scene_random *random) {
     }
 }
 
-/* Of the lattice on which they start, a circle a place. */
+/* Spacing of the square lattice of their start positions, m. */
 static const double SPACING = 1.25;
 
 static int columns_of(int count) {

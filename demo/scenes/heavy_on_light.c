@@ -1,7 +1,7 @@
-/* heavy_on_light.c: density ratios of 10, 100, 1000 ... pressing on boxes of density 1.
+/* heavy_on_light.c: boxes of density 10, 100, 1000 ... on boxes of density 1.
  *
- * Bodies: the ground; then for every ratio a light box and the heavy one on it; then for every
- * ratio a column of ten light boxes and the heavy one on top. */
+ * Bodies: the ground; then for each density a light box and the heavy one on it; then for each
+ * density a column of ten light boxes and the heavy one on top. */
 #include "scene_facts.h"
 #include "scenes.h"
 

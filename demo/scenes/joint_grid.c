@@ -1,6 +1,7 @@
 /* joint_grid.c: a plate of `size` times `size` circles, each hinged to its neighbours, which hangs
- * by the middle of its upper edge. None of them can turn unless its neighbours do, and those that
- * hold it cannot: where the plate sags, hinges have opened. The circles themselves meet nothing.
+ * from static circles in the middle of its upper edge. A circle can rotate only with its
+ * neighbours, and the static ones cannot rotate, so the plate is rigid: where it sags, hinges have
+ * opened. The circles do not collide with each other.
  *
  * Bodies: column by column from the left, each from the top down. */
 #include "parts.h"
@@ -19,7 +20,7 @@ static void fill(scene *s, int size) {
             int body = s->body_count - 1;
             if (k > 0)
                 part_hinge(s, body - 1, body, (scene_point){x, 0.5 - k});
-            /* Two of the held ones need no joint between them. */
+            /* No joint between two static circles. */
             if (i > 0 && !(still && i > held - 3))
                 part_hinge(s, body - size, body, (scene_point){x - 0.5, -k});
         }

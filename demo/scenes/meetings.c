@@ -1,14 +1,16 @@
-/* meetings.c: four kinds of bodies in a drum, and what each two of them are to each other, which
- * changes by a timetable until a user sets it.
+/* meetings.c: bodies of four kinds in a rotating drum. The collision rules of the kinds change by a
+ * timetable, until a user sets one.
  *
- * Bodies: the drum (kinematic), then the kinds in turns. None turns, so that one-way is from above,
- * and none sleeps, so that a rule that is set wakes nobody. */
+ * Bodies: the drum (kinematic), then one of each kind in turn. Their rotation is fixed, so that the
+ * solid side of a one-way rule stays on top, and they never sleep, so that setting a rule wakes no
+ * body. */
 #include "scene_facts.h"
 #include "scenes.h"
 
 #include <math.h>
 
-static const double HALF = 0.3, APART = 0.7, TURN = 0.4363323129985824; /* 25 degrees a second */
+/* TURN: rad/s, 25 degrees a second. */
+static const double HALF = 0.3, APART = 0.7, TURN = 0.4363323129985824;
 
 enum { KINDS = 4 };
 

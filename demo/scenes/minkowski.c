@@ -1,7 +1,7 @@
-/* minkowski.c: shapes to drag about, two by two, each pair with its Minkowski sum.
+/* minkowski.c: pairs of shapes that a user drags, each pair drawn with its Minkowski sum.
  *
- * The two of a pair pass through each other: where the second's centre is in the sum drawn about
- * the first, they overlap. */
+ * The two shapes of a pair do not collide. They overlap where the second's centre is inside of the
+ * sum, which is drawn about the first's centre. */
 #include "scene_facts.h"
 #include "scenes.h"
 
@@ -9,7 +9,7 @@ static void add_shape(scene *s, double x, double y, double hx, double hy, double
     scene_body *body = scene_add_body(s, SCENE_DYNAMIC, x, y);
     body->angle = angle;
     body->may_sleep = false;
-    body->linear_damping = body->angular_damping = 6; /* 1/s: they stay where they are put */
+    body->linear_damping = body->angular_damping = 6; /* 1/s: stops it where it is left */
     scene_shape *shape = hy > 0 ? scene_add_obb(s, hx, hy) : scene_add_circle(s, hx);
     shape->group = -1;
 }

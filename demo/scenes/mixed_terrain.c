@@ -1,13 +1,14 @@
-/* mixed_terrain.c: circles and boxes rain on an irregular ground line. */
+/* mixed_terrain.c: circles and boxes fall on irregular terrain. */
 #include "random.h"
 #include "scene_facts.h"
 #include "scenes.h"
 
 #include <math.h>
 
+/* Number of heights between which the hills are interpolated. */
 enum { KNOTS = 64 };
 
-/* Smooth hills: random heights at equal distances, joined by 3t^2 - 2t^3. */
+/* Smooth hills: random heights at equal distances, joined by 3 u^2 - 2 u^3. `t` is in [0, 1]. */
 static double hill(const double *knots, double t) {
     double scaled = t * (KNOTS - 1);
     int i = (int)scaled;
@@ -18,7 +19,8 @@ static double hill(const double *knots, double t) {
     return knots[i] + (knots[i + 1] - knots[i]) * blend;
 }
 
-/* Points 0.5 to 2 m apart; the ground rises towards both ends, so that things gather inside. */
+/* Points 0.5 to 2 m apart (more where that would be too many points); the ground rises towards both
+ * ends, so that bodies gather in the middle. */
 static void add_ground(scene *s, scene_random *random, double half_width) {
     double knots[KNOTS];
     for (int i = 0; i < KNOTS; i++) {

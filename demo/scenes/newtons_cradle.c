@@ -1,9 +1,10 @@
-/* newtons_cradle.c: three Newton's cradles, one above the other: balls that touch and hang side by
- * side, each on a string of its own from a bar.
+/* newtons_cradle.c: three Newton's cradles, one above the other: touching balls side by side, each
+ * on a string of its own from a bar.
  *
- * Bodies: cradle by cradle, from the top, the bar, then `size` balls from left to right. In cradle
- * k (1, 2, 3) the first k balls are lifted to the left on their strings, by the angle of a triangle
- * of sides 3, 4 and 5. As many should swing out on the right, to the same height, and back. */
+ * Bodies: for each cradle, from the top, the bar, then `size` balls from left to right. In cradle k
+ * (1, 2, 3) the first k balls are lifted to the left on their strings, by the angle of a triangle
+ * with the sides 3, 4 and 5. As many should swing out on the right, to the same height, and back.
+ */
 #include "parts.h"
 #include "scene_facts.h"
 #include "scenes.h"

@@ -1,5 +1,5 @@
-/* one_spot.c: a crowd in one spot of a world 10 km wide, which a grid over the whole world would
- * put into a single cell. */
+/* one_spot.c: many bodies in one spot of a world 10 km wide. A grid of fixed size over the whole
+ * world would have all of them in a single cell. */
 #include "scene_facts.h"
 #include "scenes.h"
 

@@ -5,8 +5,8 @@
 
 static const double PI = 3.141592653589793;
 
-/* Three times tan(a / 2) = tan(a) / (1 + sqrt(1 + tan(a)^2)), then the series, whose next term is
- * below the last bit there. */
+/* Half the angle is taken twice by tan(a / 2) = tan(a) / (1 + sqrt(1 + tan(a)^2)), after a first
+ * half from x and y; then the series of atan, whose next term is below the last bit. */
 double part_angle(double x, double y) {
     if (x < 0)
         return (y < 0 ? -PI : PI) - part_angle(-x, y);
@@ -29,6 +29,7 @@ int part_circle(scene *s, double x, double y, double radius) {
     return s->body_count - 1;
 }
 
+/* Adds a bar from a to b to the latest body, at the body's origin. */
 static scene_shape *add_bar(scene *s, scene_point a, scene_point b, double half, double short_of) {
     double dx = b.x - a.x, dy = b.y - a.y;
     scene_shape *shape = scene_add_obb(s, 0.5 * sqrt(dx * dx + dy * dy) - short_of, half);
@@ -76,13 +77,12 @@ double part_mass(const scene *s, int body) {
     return mass;
 }
 
-/* The suspension is tuned as that of a car is: by the frequency f at which the body would bounce,
+/* The suspension is tuned like that of a car: by the frequency f of the body's bounce, with
  * stiffness k = m (2 pi f)^2 for the share m of its mass that the wheel carries. A joint's
- * frequency is about the mass that both bodies have along it, m' = 1 / (1 / body + 1 / wheel),
- * which is nearly the wheel's: the same k takes f sqrt(m / m'), and the same damper a ratio that is
- * larger by as much. Under the body's weight the spring gives way by g / (2 pi f)^2, which its rest
- * is lower by.
- */
+ * frequency refers to the effective mass of both bodies along it, m' = 1 / (1 / body + 1 / wheel),
+ * which is nearly the wheel's. For the same k it has to be f sqrt(m / m'), and for the same damper
+ * the damping ratio is larger by the same factor. The body's weight compresses the spring by g / (2
+ * pi f)^2; the spring's target is set lower by that. */
 scene_joint *part_wheel(scene *s, int body, int wheels, double x, double y, double radius) {
     const double bounce = 1.5, ratio = 0.4, travel = 0.35 * radius;
     int wheel = part_circle(s, x, y, radius);

@@ -1,21 +1,25 @@
-/* planks.c: balls and crates under one-way planks, through which they rise and on which they land.
- * Planks are belts, which take balls to the right and crates to the left; there they fall onto
- * trampolines, and what falls between lands on ice and slides to these. No callback: all of it is
- * rules between kinds.
+/* planks.c: balls and crates under one-way planks, which they pass from below and land on from
+ * above. The planks are conveyor belts, which move balls to the right and crates to the left. At
+ * their ends bodies fall onto trampolines; those that fall in between land on ice and slide to the
+ * trampolines. All this is done by collision rules between kinds, without callbacks.
  *
- * Bodies: walls and roof; the ice; the trampolines; the planks, from the lowest on; then the balls
- * and crates, in turns. */
+ * Bodies: walls and roof; the ice; the trampolines; the planks, from the lowest up; then balls and
+ * crates alternately. */
 #include "parts.h"
 #include "scene_facts.h"
 #include "scenes.h"
 
-static const double GAP = 3; /* between a plank's end and the wall, over a trampoline */
+static const double GAP = 3; /* between a plank's end and the wall, over a trampoline, m */
+/* Height of the roof, m. */
 static const double ROOF = 16;
+/* Half the size of balls and crates, and their distance at the start, m. */
 static const double HALF = 0.35, APART = 1.1;
 
 enum { PLANKS = 2 };
+/* Heights of the planks, m. */
 static const double HEIGHTS[PLANKS] = {5.6, 9.2};
 
+/* Kinds; ANY is everything else. */
 enum {
     ANY = 1 << 0,
     PLANK = 1 << 1,
@@ -39,7 +43,7 @@ static void add_frame(scene *s, double half) {
     scene_static_box(s, 0, ROOF + 0.5, half, 0.5);
 }
 
-/* A bar on the right, and the same on the left. */
+/* Adds a body with two bars: one from a to b on the right, and its mirror image on the left. */
 static void add_floor(scene *s, scene_point a, scene_point b, double thick, uint32_t category) {
     scene_add_body(s, SCENE_STATIC, 0, 0);
     part_add_bar(s, a, b, thick)->category = category;

@@ -5,11 +5,12 @@
 
 #include <math.h>
 
+/* Height of a storey in tiles, and number of tiles for each body. */
 enum { STOREY = 6, TILES_PER_BODY = 5 };
 
 typedef struct layout {
     scene *s;
-    int left; /* tiles still to lay */
+    int left; /* number of tiles that are still to be placed */
 } layout;
 
 static void tile(layout *l, int x, int y) {
@@ -19,8 +20,8 @@ static void tile(layout *l, int x, int y) {
     }
 }
 
-/* One storey: platforms of 5 to 14 tiles with gaps between them, on some a flight of stairs, and
- * a wall at both ends. The lowest has no gaps. */
+/* Adds one storey: platforms of 5 to 14 tiles with gaps between them, stairs on some of them, and a
+ * wall at both ends. The lowest storey has no gaps. */
 static void lay_storey(layout *l, scene_random *random, int width, int base) {
     for (int y = base; y < base + STOREY; y++) {
         tile(l, -1, y);
@@ -42,8 +43,8 @@ static void lay_storey(layout *l, scene_random *random, int width, int base) {
     }
 }
 
-/* Every fourth body has no friction and glides over the seams of the tiles until it meets a wall
- * or a gap. */
+/* Adds the moving bodies. Every fourth has no friction and slides over the seams of the tiles until
+ * it meets a wall or a gap. */
 static void add_walkers(scene *s, scene_random *random, int size, int width, int storeys) {
     int per_storey = (size + storeys - 1) / storeys;
     double spacing = (double)width / (per_storey + 1);

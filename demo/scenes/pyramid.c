@@ -1,4 +1,4 @@
-/* pyramid.c: boxes stacked to a triangle; nothing moves, everything presses. */
+/* pyramid.c: boxes stacked to a triangle, at rest. */
 #include "scene_facts.h"
 #include "scenes.h"
 

@@ -1,30 +1,31 @@
-/* ragdolls.c: dolls of eleven bodies and ten hinges, whose limits are those of people's joints,
- * fall down a flight of stairs.
+/* ragdolls.c: dolls of eleven bodies and ten hinges, with the limits of human joints, fall down a
+ * flight of stairs.
  *
- * Bodies: the ground (flat terrain), the steps from the top down, the dolls: of each head, chest,
- * hips, and for the left and the right side upper arm, forearm, thigh, shin. */
+ * Bodies: the ground (flat terrain), the steps from the top down; then for each doll head, chest,
+ * hips, and for either side upper arm, forearm, thigh, shin. */
 #include "parts.h"
 #include "random.h"
 #include "scene_facts.h"
 #include "scenes.h"
 
 enum { STEPS = 9 };
+/* Width and height of a step, m. */
 static const double RUN = 1.35, RISE = 0.62;
 
-/* Ties b to a so that it turns from `lower` to `upper` against how the doll stands. */
+/* Hinges b to a at (x, y), with limits in radians relative to the standing doll. */
 static void limb(scene *s, int a, int b, double x, double y, double lower, double upper) {
     scene_joint *joint = part_hinge(s, a, b, (scene_point){x, y});
     scene_drive *turn = &joint->drive[SCENE_TURN];
     turn->limited = true;
     turn->lower = lower;
     turn->upper = upper;
-    /* As muscles that are not quite loose. */
+    /* A weak spring: muscles with some tension. */
     turn->frequency = 0.5;
     turn->damping = 1;
     turn->target = 0;
 }
 
-/* Standing upright with its feet at (x, y), seen from the side and looking to the right. */
+/* Adds a doll that stands upright with its feet at (x, y), seen from the side and facing right. */
 static void add_doll(scene *s, double x, double y, double speed, int number) {
     int first = s->body_count;
     int head = part_circle(s, x, y + 1.83, 0.17);

@@ -1,17 +1,20 @@
-/* scissor.c: a scissor lift of `size` stages raises 100 times its own mass: a motor draws its foot
- * together until a limit.
+/* scissor.c: a scissor lift of `size` stages raises 100 times its own mass. A motor pulls its
+ * sliding foot inwards until a limit.
  *
- * Bodies: the ground (flat terrain), the sliding foot, from below the two bars of each stage, the
- * sliding head, the platform with its load. */
+ * Bodies: the ground (flat terrain), the two bars of each stage from the bottom, the sliding foot,
+ * the platform with its load, the sliding head. */
 #include "parts.h"
 #include "scene_facts.h"
 #include "scenes.h"
 
 #include <math.h>
 
+/* Length of a bar; horizontal distance of its ends at the start, and raised; half the width of a
+ * bar; height of the lowest hinges. All in m. */
 static const double BAR = 3, FROM = 2.88, TO = 2.7, HALF = 0.07, FEET = 0.3;
 
-/* A small body at `at`, hinged to `bar`, that slides along the x axis of `carrier`. */
+/* Adds a small body at `at`, hinged to `bar`, that slides along the x axis of `carrier`. Returns
+ * the slider. */
 static scene_joint *add_slide(scene *s, int carrier, int bar, scene_point at) {
     int slide = part_circle(s, at.x, at.y, 0.12);
     part_hinge(s, bar, slide, at);

@@ -1,13 +1,13 @@
-/* sizes.c: bodies from 0.05 to 20 m in one heap; of every size that doubles there are half as
- * many, as in natural rubble. */
+/* sizes.c: bodies of 0.05 to 20 m in one heap; half as many with each doubling of the size, as in
+ * natural rubble. */
 #include "random.h"
 #include "scene_facts.h"
 #include "scenes.h"
 
 #include <math.h>
 
-/* A half extent from 0.025 to 10: an octave, each half as likely as the one below, and a place
- * within it. */
+/* A random half extent from 0.025 to 10 m: an octave, each half as likely as the one below, and
+ * uniform within it. */
 static double random_half(scene_random *random) {
     double octave = 0.025;
     while (octave < 5 && scene_random_range(random, 0, 1) < 0.5)
@@ -25,7 +25,7 @@ static void fill(scene *s, int size) {
     double top = 0;
     for (int i = 0; i < size; i++) {
         double half = random_half(&random);
-        double reach = 1.5 * half; /* no neighbour within the circle about a turned square */
+        double reach = 1.5 * half; /* more than the radius of the circle around a rotated square */
         double angle = scene_random_range(&random, -3, 3);
         if (x + 2 * reach > half_width) {
             x = -half_width;

@@ -1,13 +1,13 @@
-/* slopes.c: discs that roll and boxes that slide down slopes of 10, 20, 30 and 40 degrees, and
- * out on a level plain.
+/* slopes.c: discs that roll and boxes that slide down slopes of 10, 20, 30 and 40 degrees, and out
+ * onto a level plain.
  *
- * Bodies: the plain (flat terrain at height 0); then for every slope its ramp (irregular terrain),
- * a disc, and a box with friction 0.5 on friction 0.5, which begins to slide at 26.6 degrees. */
+ * Bodies: the plain (flat terrain at height 0); then for each slope its ramp (irregular terrain), a
+ * disc, and a box with friction 0.5 on friction 0.5, which begins to slide at 26.6 degrees. */
 #include "scene_facts.h"
 #include "scenes.h"
 
 typedef struct slope {
-    double run, rise; /* metres of cosine and sine: the direction downhill is (run, -rise) */
+    double run, rise; /* cosine and sine of the slope: the direction downhill is (run, -rise) */
 } slope;
 
 /* Unit vectors, rounded to double. */
@@ -28,7 +28,7 @@ static void add_slope(scene *s, double x, double length, slope d, double angle) 
     s->material.friction = 0.5;
     scene_add_body(s, SCENE_STATIC, x, 0);
     scene_add_irregular(s, ramp, 3);
-    /* Placed on the ramp: a point of it, and from there half a size along its normal. */
+    /* Centres: a point on the ramp, plus half a size along the ramp's normal. */
     const double half = 0.5;
     double disc_along = 3, box_along = 1;
     scene_dynamic_circle(s, x + disc_along * d.run + half * d.rise,

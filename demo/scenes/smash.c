@@ -9,7 +9,8 @@ static void fill(scene *s, int size) {
     s->gravity_y = 0;
     int columns = (int)ceil(sqrt(1.5 * size));
     int rows = (size + columns - 1) / columns;
-    double block = spacing * rows; /* the block's height; the hammer is an eighth of it */
+    /* The block's height, m; the half extent of the heavy box is an eighth of it. */
+    double block = spacing * rows;
     double hammer = block / 8 < 0.4 ? 0.4 : block / 8;
     scene_body *body = scene_add_body(s, SCENE_DYNAMIC, -5 - hammer, 0);
     body->vx = 40;

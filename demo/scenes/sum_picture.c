@@ -5,7 +5,7 @@
 
 static const double TURN = 6.283185307179586;
 
-/* Places on a circle about a vertex, between two directions. */
+/* Adds points on a circle about a vertex, from one angle to another, in `lines` equal parts. */
 static void add_arc(sum_picture *out, thud_pos center, double radius, double from, double to,
                     int lines) {
     for (int i = 0; i <= lines; i++) {
@@ -15,7 +15,8 @@ static void add_arc(sum_picture *out, thud_pos center, double radius, double fro
     }
 }
 
-/* The outward direction of the face that begins at a vertex; only half of them are listed. */
+/* The angle of the outward normal of the face that begins at a vertex. The sum lists the normals of
+ * one half of the faces; those of the other half are opposite. */
 static double direction_of(const thud_minkowski *sum, int face) {
     int half = sum->count / 2;
     double sign = face < half ? 1 : -1;
@@ -23,6 +24,7 @@ static double direction_of(const thud_minkowski *sum, int face) {
     return atan2(sign * normal.y, sign * normal.x);
 }
 
+/* Adds the outline: at each vertex an arc between the normals of its two faces. */
 static void outline(const thud_minkowski *sum, sum_picture *out) {
     out->count = 0;
     if (sum->count == 1)

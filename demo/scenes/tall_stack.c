@@ -1,4 +1,4 @@
-/* tall_stack.c: one column of boxes, which must neither sag nor lean. */
+/* tall_stack.c: one column of boxes, which should neither sag nor lean. */
 #include "scene_facts.h"
 #include "scenes.h"
 

@@ -8,7 +8,7 @@ const texture_row TEXTURE[TEXTURE_ROWS] = {{"rock", 1.2},
                                            {"ice", 0.01},
                                            {"sand", 0.3}};
 
-/* A foot on the end of a line may touch it a little beyond. */
+/* x limited to the line: a foot at its end may touch it slightly beyond. */
 static double within(const thud_terrain *line, double x) {
     double first = line->points[0].x, last = line->points[line->count - 1].x;
     return x < first ? first : x > last ? last : x;

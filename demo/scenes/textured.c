@@ -1,16 +1,16 @@
-/* textured.c: walkers on ground with a texture, which says what the ground is made of: rock, grass,
- * ice and sand take turns, each with its friction.
+/* textured.c: walkers on textured ground, whose texture shows its material: rock, grass, ice and
+ * sand in turn, each with its friction.
  *
- * Bodies: the ground, one terrain line a band; then the walkers. */
+ * Bodies: the ground, with one terrain line for each band; then the walkers. */
 #include "random.h"
 #include "scene_facts.h"
 #include "scenes.h"
 #include "texture.h"
 #include "walker.h"
 
-static const double BAND = 6, WALL = 4; /* metres: from material to material, and at both ends */
+static const double BAND = 6, WALL = 4; /* m: width of a band; height of the wall at both ends */
 
-/* Vertices at uneven distances; neighbours have their ends in common. */
+/* Adds the bands. Vertices are at uneven distances; adjacent bands share their end points. */
 static void add_bands(scene *s, double start, int count) {
     scene_random random = {5};
     scene_point end = {start, WALL};
@@ -36,7 +36,7 @@ static void fill(scene *s, int size) {
     add_bands(s, -6.0 * size - 6, 12 + 2 * size);
     for (int i = 0; i < size; i++)
         walker_add(s, i, 12.0 * (i - 0.5 * (size - 1)));
-    s->camera_x = 9; /* which does not go along */
+    s->camera_x = 9; /* ahead of the walkers, since the camera does not follow them */
     s->camera_y = 2;
     s->camera_height = 9;
     s->camera_width = 24 + 11 * size;

@@ -1,14 +1,16 @@
-/* trebuchet.c: a trebuchet throws a stone at a tower. The sling lets go where it bears no more: it
- * is a rope that breaks.
+/* trebuchet.c: a trebuchet throws a stone at a tower. The sling is a distance joint that breaks at
+ * a force, which releases the stone.
  *
- * Bodies: the ground (flat terrain), the trestle (which nothing meets), the arm, its counterweight,
- * the stone, the bricks of the tower row by row. */
+ * Bodies: the ground (flat terrain), the trestle (which collides with nothing), the arm, its
+ * counterweight, the stone, the bricks of the tower row by row. */
 #include "parts.h"
 #include "scene_facts.h"
 #include "scenes.h"
 
 #include <math.h>
 
+/* Height of the axle, long and short end of the arm, length of the sling, radius of the stone, m.
+ */
 static const double AXLE = 5.2, LONG = 6.4, SHORT = 1.5, SLING = 2.4, STONE = 0.32;
 
 static int add_trestle(scene *s, double x) {
@@ -23,7 +25,8 @@ static int add_trestle(scene *s, double x) {
     return trestle;
 }
 
-/* The arm reaches down to the left, to just above the ground, and the stone lies in front of it. */
+/* Adds the trebuchet with its axle at x, loaded: the arm's long end points down to the left, to
+ * just above the ground, and the stone lies to the right of it. */
 static void add_engine(scene *s, double x) {
     const double low = 0.6;
     int trestle = add_trestle(s, x);
@@ -45,7 +48,7 @@ static void add_engine(scene *s, double x) {
     scene_joint *sling = scene_tie_distance(s, arm, stone, tip.x, tip.y, tip.x + beside, STONE);
     sling->drive[SCENE_ALONG].limited = true;
     sling->drive[SCENE_ALONG].upper = sling->length;
-    sling->break_force = 6900;
+    sling->break_force = 6900; /* N; decides at which angle the stone is released. Chosen */
     part_keep_apart(s, trestle, -1);
 }
 

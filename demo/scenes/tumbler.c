@@ -1,5 +1,5 @@
-/* tumbler.c: a drum of four walls, one kinematic body, turns for ever and churns what is inside;
- * in one variant boxes, in the other half of them circles. */
+/* tumbler.c: a drum of four walls, one kinematic body, rotates and churns its load: boxes, or in
+ * the second scene boxes and circles alternately. */
 #include "scene_facts.h"
 #include "scenes.h"
 
@@ -9,7 +9,7 @@ static void fill_drum(scene *s, int size, int circle_every) {
     const double half = 0.125;
     const double spacing = 0.28;
     int columns = (int)ceil(sqrt(size));
-    double inner = columns * 0.22; /* half the drum's width; the load starts inside it */
+    double inner = columns * 0.22; /* half the drum's width, m; the load starts inside */
     if (inner < 1)
         inner = 1;
     const double wall = 0.5;

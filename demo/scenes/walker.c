@@ -1,7 +1,8 @@
-/* walker.c: walking linkages: of Theo Jansen, whose legs go by the lengths that he found, and of
- * Joe Klann, as his patent (US 6,260,862) draws it. One motor turns the crank, all else are hinges.
+/* walker.c: walking linkages: Theo Jansen's, with the lengths that he published, and Joe Klann's,
+ * as drawn in his patent (US 6,260,862). One motor turns the crank; all other joints are hinges.
  *
- * Bodies: the ground (irregular terrain), then of each walker its frame, its crank and its legs. */
+ * Bodies: the ground (irregular terrain), then for each walker its frame, its crank and its legs.
+ */
 #include "walker.h"
 
 #include "parts.h"
@@ -10,19 +11,21 @@
 
 #include <math.h>
 
-/* Where a leg is made: its parts are described for the left of the crank's axle, and mirrored for
- * the right. */
+/* The state of adding a walker. A leg is described in coordinates relative to the crank's axle, for
+ * the left side; it is mirrored for the right side. */
 typedef struct builder {
     scene *scene;
-    scene_point axle;   /* in the world */
-    double scale, side; /* -1: mirrored */
+    scene_point axle;   /* the crank's axle in the world */
+    double scale, side; /* metres per unit of the leg's description; -1: mirrored */
     int frame, crank;
 } builder;
 
+/* A place of the leg's description in the world. */
 static scene_point place(const builder *b, scene_point p) {
     return (scene_point){b->axle.x + b->side * b->scale * p.x, b->axle.y + b->scale * p.y};
 }
 
+/* The distance of two places. */
 static double away(scene_point a, scene_point b) {
     double dx = b.x - a.x, dy = b.y - a.y;
     return sqrt(dx * dx + dy * dy);
@@ -32,7 +35,7 @@ static int bar(const builder *b, scene_point from, scene_point to) {
     return part_bar(b->scene, place(b, from), place(b, to), 0.06, 0);
 }
 
-/* One body of three places: two or three bars. */
+/* Adds a body that connects three places, by two bars, or by three if `closed`. */
 static int plate(const builder *b, scene_point p, scene_point q, scene_point r, bool closed) {
     int body = bar(b, p, q);
     part_add_bar(b->scene, place(b, q), place(b, r), 0.06);
@@ -41,6 +44,7 @@ static int plate(const builder *b, scene_point p, scene_point q, scene_point r, 
     return body;
 }
 
+/* Adds a foot to the latest body. */
 static void foot(const builder *b, scene_point p) {
     scene *s = b->scene;
     scene_shape *shape = scene_add_circle(s, 0.14);
@@ -52,12 +56,13 @@ static void foot(const builder *b, scene_point p) {
     shape->material.friction = 1.5;
 }
 
+/* Hinges two bodies together. */
 static void pin(const builder *b, int one, int other, scene_point p) {
     part_hinge(b->scene, one, other, place(b, p));
 }
 
-/* Jansen's numbers, in the units that he gives them in: letters are his. The crank has radius 15,
- * and the fixed axle lies 38 beside its own and 7.8 below. */
+/* Adds a leg of Jansen's. Lengths are in his units, named by his letters. The crank has radius 15;
+ * the fixed axle is 38 beside the crank's and 7.8 below. */
 static void add_jansen_leg(const builder *b, scene_point crank) {
     const double j = 50, k = 61.9, b_ = 41.5, c = 39.3, d = 40.1, e = 55.8, f = 39.4, g = 36.7,
                  h = 65.7, i = 49;
@@ -83,7 +88,8 @@ static void add_jansen_leg(const builder *b, scene_point crank) {
     pin(b, link, leg, knee);
 }
 
-/* Klann's places with the crank level, from its axle on; a crank elsewhere keeps the lengths. */
+/* Adds a leg of Klann's. The places are those with the crank horizontal, relative to its axle; at
+ * other angles of the crank the lengths between them are kept. */
 static void add_klann_leg(const builder *b, scene_point crank) {
     const scene_point high = {-0.233, 0.616}, deep = {-0.59, -0.176};
     const scene_point pin0 = {-0.268, 0}, elbow0 = {-0.858, 0}, knee0 = {-1.367, 0.116},
@@ -104,7 +110,7 @@ static void add_klann_leg(const builder *b, scene_point crank) {
     pin(b, arm, leg, knee);
 }
 
-/* The crank's pins, as parts of its radius: thirds of a turn, and halves. */
+/* The crank's pins, as fractions of its radius: at thirds of a turn, and at halves. */
 static const scene_point THIRDS[] = {{1, 0},
                                      {-0.5, 0.8660254037844386},
                                      {-0.5, -0.8660254037844386}};
@@ -113,8 +119,9 @@ static const scene_point HALVES[] = {{-1, 0}, {1, 0}};
 typedef struct make {
     const scene_point *turns;
     int turn_count;
-    double scale, radius, height; /* of the crank, and of its axle above the ground */
-    scene_point fixed[2];         /* where the legs turn in the frame */
+    double scale, radius, height; /* of the leg's units: factor to metres, the crank's radius, its
+                                     axle's height above the ground */
+    scene_point fixed[2];         /* the hinges of the legs on the frame */
     double speed;                 /* of the crank, rad/s */
     void (*add_leg)(const builder *b, scene_point crank);
 } make;

@@ -1,11 +1,12 @@
-/* walker.h: walking linkages, which stand at height 0; see walker.c. */
+/* walker.h: walking linkages, see walker.c. */
 #ifndef THUD_DEMO_WALKER_H
 #define THUD_DEMO_WALKER_H
 
 #include "scene.h"
 
-/* A walker, whose crank turns about x. By their numbers, from 0 on, both kinds take turns; those of
- * one number do not meet themselves. Changes the scene's material. */
+/* Adds a walker that stands at height 0, with its crank's axle at x. Even numbers are Jansen's, odd
+ * ones Klann's. The parts of a walker do not collide with each other: `number` is their group.
+ * Changes the scene's material. */
 void walker_add(scene *s, int number, double x);
 
 #endif

@@ -1,17 +1,18 @@
-/* wrecking_ball.c: a ball of 1,000 times a brick's mass swings on its chain into a wall.
+/* wrecking_ball.c: a ball of 1,000 times a brick's mass swings on a chain into a wall.
  *
- * Bodies: the ground (flat terrain), the crane (boxes, seen from afar: nothing meets them), the
- * links of the chain from the jib on, the ball, the bricks row by row. */
+ * Bodies: the ground (flat terrain), the crane (boxes that collide with nothing), the links of the
+ * chain from the jib on, the ball, the bricks row by row. */
 #include "parts.h"
 #include "scene_facts.h"
 #include "scenes.h"
 
 #include <math.h>
 
+/* Height from which the chain hangs, and radius of the ball, m. */
 static const double PIVOT = 14, RADIUS = 1.1;
 enum { LINKS = 16 };
 
-/* A mast with lattice and a jib that reaches to the chain. */
+/* Adds the crane: a lattice mast, and a jib that reaches to the chain. */
 static int add_crane(scene *s) {
     const double mast = -13, width = 1;
     int crane = s->body_count;
@@ -36,7 +37,8 @@ static int add_crane(scene *s) {
     return crane;
 }
 
-/* Drawn up to the left, at 60 degrees from where it hangs: to where the mast is not. */
+/* Adds chain and ball, raised to the left by 60 degrees from the vertical, clear of the mast.
+ * `brick` is the mass of a brick. */
 static void add_chain(scene *s, int crane, double brick) {
     const double length = 0.62, pi = 3.141592653589793;
     const double sine = 0.8660254037844386, cosine = 0.5;

@@ -3,7 +3,8 @@
 
 #include <math.h>
 
-/* Beyond these, pixels or double precision run out. */
+/* Pixels per unit of length. Chosen; beyond these, coordinates exceed the precision of float or
+ * double. */
 static const double SCALE_MIN = 1e-4, SCALE_MAX = 1e6;
 
 void camera_look(camera *c, thud_pos center, double height, double width) {

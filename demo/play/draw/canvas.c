@@ -1,4 +1,5 @@
-/* canvas.c: see canvas.h. Convex outlines are drawn as rings of vertices around a filled inside. */
+/* canvas.c: see canvas.h. A convex outline is drawn as concentric rings of vertices around a filled
+ * inside. */
 #include "draw/canvas.h"
 
 #include "draw/palette.h"
@@ -8,10 +9,10 @@
 #include <string.h>
 
 enum {
-    VERTEX_ROOM = 1 << 16,
-    INDEX_ROOM = 3 << 16,
-    OUTLINE_MAX = 64, /* points of one outline */
-    RINGS = 3
+    VERTEX_ROOM = 1 << 16, /* max number of vertices in a batch */
+    INDEX_ROOM = 3 << 16,  /* max number of indices in a batch */
+    OUTLINE_MAX = 64,      /* max number of points of an outline */
+    RINGS = 3              /* rings of an outline, see add_convex */
 };
 
 bool canvas_init(canvas *c, SDL_Renderer *renderer, float unit) {
@@ -58,7 +59,8 @@ void canvas_flush(canvas *c) {
     c->vertex_count = c->index_count = 0;
 }
 
-/* Makes room and returns the number of the first of `vertices` new vertices. */
+/* Makes room for vertices and indices, by a flush if necessary. Returns the index of the next
+ * vertex. */
 static int reserve(canvas *c, int vertices, int indices) {
     if (c->vertex_count + vertices > VERTEX_ROOM || c->index_count + indices > INDEX_ROOM)
         canvas_flush(c);
@@ -83,8 +85,8 @@ void canvas_quad(canvas *c, const SDL_FPoint corners[4], const SDL_Color colors[
     add_triangle(c, first, first + 2, first + 3);
 }
 
-/* Edges fall on whole pixels, so that neighbours neither overlap nor leave a gap: the software
- * renderer rounds a rectangle's place and its size each for itself. */
+/* Edges are rounded to whole pixels, so that adjacent rectangles neither overlap nor leave a gap:
+ * the software renderer rounds a rectangle's position and its size separately. */
 void canvas_rect(canvas *c, SDL_FRect r, SDL_Color top, SDL_Color bottom) {
     float left = roundf(r.x), right = roundf(r.x + r.w);
     float upper = roundf(r.y), lower = roundf(r.y + r.h);
@@ -93,8 +95,10 @@ void canvas_rect(canvas *c, SDL_FRect r, SDL_Color top, SDL_Color bottom) {
     canvas_quad(c, corners, colors);
 }
 
-/* Outline p, and for every point the way that leads one pixel outwards. `half` is the inside's
- * smallest half width, beyond which the edge cannot reach inwards. */
+/* Adds a convex outline p; `out` is for each point the displacement that moves it outwards by a
+ * pixel. `half` is the smallest half width of the inside, which limits how far rings go inwards.
+ * The rings are half a pixel outside of the outline, where it is transparent; half a pixel inside,
+ * in the edge colour; and there plus the border, in the fill colour. */
 static void add_convex(canvas *c, const SDL_FPoint *p, const SDL_FPoint *out, int n, float half,
                        canvas_style style) {
     float inset = fminf(0.5f, half);
@@ -114,14 +118,15 @@ static void add_convex(canvas *c, const SDL_FPoint *p, const SDL_FPoint *out, in
             add_triangle(c, a, b, b + n);
             add_triangle(c, a, b + n, a + n);
         }
-    /* A fan about the middle: of two triangles, the software renderer would make a rectangle of its
-     * own, rounded otherwise than the rings. */
+    /* A fan about the centre. SDL's software renderer draws two triangles that form a rectangle as
+     * such, rounded differently from the rings. */
     int inside = first + (RINGS - 1) * n;
     for (int i = 0; i < n; i++)
         add_triangle(c, inside + n, inside + i, inside + (i + 1) % n);
 }
 
-/* Points of a circle whose chords stay within 0.1 pixel of the arc: sagitta r (1 - cos(pi / n)). */
+/* Number of points for which a circle's chords deviate by at most 0.1 pixels from it: the sagitta
+ * is r (1 - cos(pi / n)). */
 static int circle_points(float radius) {
     int n = (int)ceilf(3.14159265f / sqrtf(0.2f / fmaxf(radius, 1)));
     return n < 8 ? 8 : n > OUTLINE_MAX ? OUTLINE_MAX : n;

@@ -1,7 +1,9 @@
-/* canvas.h: filled, soft-edged primitives in pixels, y down, gathered into large batches.
+/* canvas.h: filled anti-aliased shapes in pixels, y down, which are collected and drawn in large
+ * batches.
  *
- * A renderer without anti-aliasing draws them smooth all the same: every outline ends in a band
- * one pixel wide that fades to nothing. Whoever uses the renderer directly flushes first. */
+ * The edges are smooth also with a renderer without anti-aliasing: each outline ends in a band one
+ * pixel wide that fades out. Code that uses the renderer directly has to call canvas_flush first.
+ */
 #ifndef THUD_PLAY_CANVAS_H
 #define THUD_PLAY_CANVAS_H
 
@@ -12,8 +14,8 @@
 
 typedef struct canvas {
     SDL_Renderer *renderer;
-    int width, height; /* pixels of the output */
-    float unit;        /* pixels of one point: 1 on an ordinary display, 2 on a dense one */
+    int width, height; /* size of the output, pixels */
+    float unit;        /* pixels per point: 1 on an ordinary display, 2 on a dense one */
     font text;
     SDL_Vertex *vertices;
     int *indices;
@@ -22,27 +24,31 @@ typedef struct canvas {
 
 typedef struct canvas_style {
     SDL_Color fill, edge;
-    float border; /* pixels from edge colour to fill colour */
+    float border; /* width of the border in the edge colour, pixels */
 } canvas_style;
 
-/* The canvas does not own the renderer. False, with SDL_GetError, when memory is short. */
+/* Creates a canvas on a renderer, which the caller owns. False, with SDL_GetError, if memory runs
+ * out. */
 bool canvas_init(canvas *c, SDL_Renderer *renderer, float unit);
 void canvas_free(canvas *c);
-/* Takes over the output's present size and the display's density. */
+/* Adopts the current size of the output, and the display's density. False, with SDL_GetError, if
+ * the font cannot be made. */
 bool canvas_resize(canvas *c, float unit);
+/* Draws what was collected. */
 void canvas_flush(canvas *c);
 
+/* A rectangle with a vertical gradient. */
 void canvas_rect(canvas *c, SDL_FRect r, SDL_Color top, SDL_Color bottom);
 void canvas_round_rect(canvas *c, SDL_FRect r, float radius, canvas_style style);
 void canvas_quad(canvas *c, const SDL_FPoint corners[4], const SDL_Color colors[4]);
 void canvas_circle(canvas *c, SDL_FPoint center, float radius, canvas_style style);
 void canvas_ring(canvas *c, SDL_FPoint center, float radius, float width, SDL_Color color);
-/* `axis` is the unit vector along which `half.x` is measured. */
+/* `axis` is a unit vector, along which `half.x` is measured. */
 void canvas_box(canvas *c, SDL_FPoint center, SDL_FPoint axis, SDL_FPoint half, canvas_style style);
 void canvas_line(canvas *c, SDL_FPoint a, SDL_FPoint b, float width, SDL_Color color);
-/* (x, y) is the left end of the base line; returns the width in pixels. */
+/* (x, y) is the left end of the baseline. Returns the width in pixels. */
 float canvas_text(canvas *c, float x, float y, SDL_Color color, const char *text);
-/* As canvas_text, cut with two dots so that it is no wider than `width`. */
+/* The same, with the text cut and two dots added where it would be wider than `width`. */
 void canvas_text_fit(canvas *c, float x, float y, float width, SDL_Color color, const char *text);
 
 #endif

@@ -1,4 +1,4 @@
-/* draw_character.c: see draw_character.h. A rounded box that looks where it goes. */
+/* draw_character.c: see draw_character.h. The character is a rounded box whose eyes look ahead. */
 #include "draw/draw_character.h"
 
 #include "draw/palette.h"

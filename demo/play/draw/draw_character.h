@@ -1,4 +1,4 @@
-/* draw_character.h: the figure that is played with. */
+/* draw_character.h: draws the character that a player controls. */
 #ifndef THUD_PLAY_DRAW_CHARACTER_H
 #define THUD_PLAY_DRAW_CHARACTER_H
 
@@ -6,6 +6,7 @@
 #include "draw/canvas.h"
 #include "character.h"
 
+/* `alpha` interpolates between the last two steps. */
 void draw_character(canvas *c, const camera *view, const character *who, double alpha);
 
 #endif

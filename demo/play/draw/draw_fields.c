@@ -5,11 +5,12 @@
 
 #include <math.h>
 
-static const float LIGHT = 0.24f, DARK = 0.62f; /* water at its surface, and from DEEP on */
-static const float DEEP = 6;                    /* metres */
+/* Opacity of water at its surface, and from DEEP downwards. */
+static const float LIGHT = 0.24f, DARK = 0.62f;
+static const float DEEP = 6; /* depth at which the water is darkest, m */
 
-static const double RING_STEPS = 40; /* for which it is seen ... */
-static const double RING_SPEED = 18; /* ... and its growth, metres a second */
+static const double RING_STEPS = 40; /* number of steps for which a ring is visible */
+static const double RING_SPEED = 18; /* growth of its radius, m/s */
 
 static SDL_Color water_color(float depth) {
     float part = fminf(depth / DEEP, 1);
@@ -17,7 +18,7 @@ static SDL_Color water_color(float depth) {
                       LIGHT + (DARK - LIGHT) * part);
 }
 
-/* Water above one piece of the ground; places are relative to the view's centre. */
+/* Draws the water above one segment of the ground; positions are relative to the view's centre. */
 static void draw_column(canvas *c, const camera *view, thud_vec2 a, thud_vec2 b, float level) {
     if (a.y >= level && b.y >= level)
         return;
@@ -67,6 +68,7 @@ static void draw_water(canvas *c, const camera *view, session *s) {
     }
 }
 
+/* Draws the ring of an explosion `age` steps after it. */
 static void draw_ring(canvas *c, const camera *view, const session *s, thud_pos center,
                       double age) {
     float part = (float)(age / RING_STEPS);

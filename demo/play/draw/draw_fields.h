@@ -1,4 +1,4 @@
-/* draw_fields.h: what acts on the bodies of a scene, as far as there is something to see. */
+/* draw_fields.h: draws the fields of a scene that are visible: water and explosions. */
 #ifndef THUD_PLAY_DRAW_FIELDS_H
 #define THUD_PLAY_DRAW_FIELDS_H
 
@@ -6,7 +6,7 @@
 #include "draw/canvas.h"
 #include "session.h"
 
-/* Over the bodies: water from its surface to the ground below it, and the rings that explosions
+/* Draws, over the bodies, water from its surface down to the ground, and the rings that explosions
  * leave for a moment. */
 void draw_fields(canvas *c, const camera *view, session *s);
 

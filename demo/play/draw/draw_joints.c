@@ -1,5 +1,5 @@
-/* draw_joints.c: see draw_joints.h. A joint stands where its frames are in the interpolated poses
- * of its bodies; how it is made is known from the scene. */
+/* draw_joints.c: see draw_joints.h. A joint is drawn at its frames in the interpolated poses of its
+ * bodies; the scene says how it was made. */
 #include "draw/draw_joints.h"
 
 #include "draw/palette.h"
@@ -13,10 +13,10 @@ typedef struct sketch {
     session *session;
     const thud_pose *poses;
     int pose_count;
-    float size; /* pixels: the radius of a hinge */
+    float size; /* radius of a hinge, pixels */
 } sketch;
 
-/* One joint in pixels. Vectors are unit ones and y goes down. */
+/* A joint in pixels, y down. Axes are unit vectors. */
 typedef struct placed {
     const scene_joint *made;
     thud_joint_state state;
@@ -24,6 +24,7 @@ typedef struct placed {
     SDL_FPoint axis_a, axis_b;
 } placed;
 
+/* What drawing the joints needs, with the size of a joint by that of the scene's bodies. */
 static sketch begin(canvas *c, const camera *view, session *s) {
     sketch k = {.canvas = c, .view = view, .session = s};
     k.poses = thud_world_poses(s->world, view->center, s->alpha, &k.pose_count);
@@ -32,7 +33,7 @@ static sketch begin(canvas *c, const camera *view, session *s) {
     return k;
 }
 
-/* False where the body has no pose. */
+/* The frame of a side of a joint. False if the body has no pose. */
 static bool frame_of(const sketch *k, thud_body_id body, const scene_joint *made, int side,
                      SDL_FPoint *at, SDL_FPoint *axis) {
     int slot = (int)body.index1 - 1;
@@ -46,6 +47,7 @@ static bool frame_of(const sketch *k, thud_body_id body, const scene_joint *made
     return true;
 }
 
+/* Whether a point is in the view, or at most 12 hinge radii outside of it. */
 static bool in_view(const sketch *k, SDL_FPoint p) {
     const SDL_FRect *r = &k->view->view;
     float margin = 12 * k->size;
@@ -53,8 +55,8 @@ static bool in_view(const sketch *k, SDL_FPoint p) {
            p.y < r->y + r->h + margin;
 }
 
-/* False where there is nothing to see: joints that are gone, filters, gears, and what lies out of
- * the view. */
+/* Computes where a joint is. False if there is nothing to draw: the joint no longer exists or is
+ * disabled, is a filter or gear, or is outside of the view. */
 static bool place_joint(const sketch *k, int index, placed *out) {
     const session *s = k->session;
     out->made = &s->scene.joints[index];
@@ -67,13 +69,15 @@ static bool place_joint(const sketch *k, int index, placed *out) {
            (in_view(k, out->a) || in_view(k, out->b));
 }
 
-/* Pixels from a body's origin to the joint, at most: about as far as from there to the next one. */
+/* The larger distance from a body's origin to the joint, in pixels: about the distance to the next
+ * joint. */
 static float room_of(const sketch *k, const scene_joint *made) {
     double farthest = fmax(hypot(made->x[0], made->y[0]), hypot(made->x[1], made->y[1]));
     return (float)(farthest * k->view->scale);
 }
 
-/* Joints of small bodies are small, so that a row of them does not run into a line. */
+/* The sketch with a smaller size for joints of small bodies, so that a row of joints does not merge
+ * into a line. */
 static sketch fitting(sketch k, const placed *p) {
     float room = room_of(&k, p->made);
     if (room > 0)
@@ -81,10 +85,12 @@ static sketch fitting(sketch k, const placed *p) {
     return k;
 }
 
+/* The point at a distance along an axis. */
 static SDL_FPoint along(SDL_FPoint from, SDL_FPoint axis, float length) {
     return (SDL_FPoint){from.x + axis.x * length, from.y + axis.y * length};
 }
 
+/* The point at a distance perpendicular to an axis. */
 static SDL_FPoint across(SDL_FPoint from, SDL_FPoint axis, float length) {
     return (SDL_FPoint){from.x - axis.y * length, from.y + axis.x * length};
 }
@@ -102,7 +108,8 @@ static void draw_dot(const sketch *k, SDL_FPoint at) {
     canvas_circle(k->canvas, at, 0.6f * k->size, (canvas_style){COLOR_JOINT, COLOR_JOINT, 0});
 }
 
-/* A spring between two places; `rest` pixels long it has its windings side by side. */
+/* Draws a spring between two points. `rest` is its length at rest in pixels, by which the number of
+ * its windings is chosen. */
 static void draw_spring(const sketch *k, SDL_FPoint a, SDL_FPoint b, float rest) {
     float length = distance(a, b), unit = k->canvas->unit;
     SDL_Color color = color_fade(COLOR_JOINT_SPRING, 0.7f);
@@ -124,7 +131,8 @@ static void draw_spring(const sketch *k, SDL_FPoint a, SDL_FPoint b, float rest)
     canvas_line(k->canvas, last, b, 1.1f * unit, color);
 }
 
-/* What is left over of a rope that is not taut hangs down: a parabola of its length. */
+/* Draws a rope of a length in pixels. If it is not taut, it sags in a parabola of about this
+ * length. */
 static void draw_rope(const sketch *k, SDL_FPoint a, SDL_FPoint b, float length) {
     enum { PIECES = 12 };
     float straight = distance(a, b);
@@ -139,6 +147,7 @@ static void draw_rope(const sketch *k, SDL_FPoint a, SDL_FPoint b, float length)
     }
 }
 
+/* Draws a distance joint: as a spring, a rope (drawn taut if a winch's motor holds it) or a rod. */
 static void draw_distance(const sketch *k, const placed *p) {
     const scene_drive *drive = &p->made->drive[SCENE_ALONG];
     float scale = (float)k->view->scale;
@@ -152,7 +161,7 @@ static void draw_distance(const sketch *k, const placed *p) {
     draw_dot(k, p->b);
 }
 
-/* The angles that b may have, seen from a, and where it is. */
+/* Draws the range of angles that body b may have relative to a, and its current angle. */
 static void draw_turn_limits(const sketch *k, const placed *p) {
     enum { PIECES = 16 };
     const scene_drive *turn = &p->made->drive[SCENE_TURN];
@@ -175,7 +184,7 @@ static void draw_turn_limits(const sketch *k, const placed *p) {
                 color_fade(COLOR_JOINT, 0.6f));
 }
 
-/* From the lower limit to the upper one, or some way to both sides. */
+/* Draws the rail of a slider: between its limits, or some length in both directions. */
 static void draw_rail(const sketch *k, const placed *p) {
     const scene_drive *drive = &p->made->drive[SCENE_ALONG];
     float scale = (float)k->view->scale, unit = k->canvas->unit;
@@ -192,7 +201,8 @@ static void draw_rail(const sketch *k, const placed *p) {
     canvas_box(k->canvas, p->b, p->axis_b, (SDL_FPoint){1.5f * k->size, 0.9f * k->size}, style);
 }
 
-/* The spring of an axle stands on it, as long as its travel once more. */
+/* Draws an axle with its spring, from the wheel up to a point above the upper limit, by the range
+ * of the limits. */
 static void draw_wheel(const sketch *k, const placed *p) {
     const scene_drive *drive = &p->made->drive[SCENE_ALONG];
     float scale = (float)k->view->scale;
@@ -228,12 +238,12 @@ static void draw_joint(const sketch *k, const placed *p) {
         draw_dot(k, p->b);
         break;
     case SCENE_FILTER:
-    case SCENE_GEAR: /* see place_joint and draw_gear */
+    case SCENE_GEAR: /* place_joint excludes filters, draw_gear draws gears */
         break;
     }
 }
 
-/* A faint line from the one to the other of the joints that a gear ties. */
+/* Draws a faint line between the two joints that a gear connects. */
 static void draw_gear(const sketch *k, int index) {
     const session *s = k->session;
     const scene_joint *gear = &s->scene.joints[index];
@@ -255,7 +265,8 @@ void draw_joints(canvas *c, const camera *view, session *s) {
         }
 }
 
-/* Of the largest force, a vector of 1, the arrow is `reach` long. Smaller ones are narrower too. */
+/* Draws an arrow. A force of length 1, the largest, has an arrow of `reach` pixels; smaller ones
+ * are also narrower. */
 static void draw_arrow(const sketch *k, SDL_FPoint from, thud_vec2 force, float reach) {
     float share = hypotf(force.x, force.y), length = share * reach, unit = k->canvas->unit;
     float head = fminf(4 * unit, 0.3f * length);
@@ -269,6 +280,7 @@ static void draw_arrow(const sketch *k, SDL_FPoint from, thud_vec2 force, float 
         canvas_line(k->canvas, tip, across(neck, axis, (float)side * head), width, COLOR_FORCE);
 }
 
+/* Writes the widest gap beside its joint, unless it is negligible. */
 static void tell_gap(const sketch *k, SDL_FPoint at, double gap) {
     char text[48];
     double length = gap / k->session->scene.length_scale;

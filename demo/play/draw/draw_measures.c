@@ -8,13 +8,15 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Slower than this, per second, is standing still. */
+/* Sum of both speeds below which they count as at rest, units of length / s. Chosen. */
 static const double STILL = 0.02;
 
+/* A position on the screen. */
 static SDL_FPoint at(const camera *view, double x, double y) {
     return camera_from_center(view, (float)x, (float)y);
 }
 
+/* Draws the outline of a circle or box. */
 static void outline(canvas *c, const camera *view, const thud_shape_instance *s, float width,
                     SDL_Color color) {
     if (s->kind == THUD_CIRCLE) {
@@ -51,6 +53,7 @@ void draw_closest(canvas *c, const camera *view, const thud_shape_instance *a,
                 text);
 }
 
+/* The shape moved on for `time` seconds. */
 static thud_shape_instance later(const thud_shape_instance *s, thud_motion by, double time) {
     double angle = s->kind == THUD_OBB ? atan2(s->s, s->c) + time * by.turn : 0;
     thud_shape_instance there = *s;

@@ -1,5 +1,5 @@
-/* draw_measures.h: how far two shapes are apart, where they will touch, and what bounds one. Places
- * of shapes are relative to the camera's centre. */
+/* draw_measures.h: draws the distance of two shapes, where they will touch, and volumes around a
+ * shape. Positions of shapes are relative to the camera's centre. */
 #ifndef THUD_PLAY_DRAW_MEASURES_H
 #define THUD_PLAY_DRAW_MEASURES_H
 
@@ -8,15 +8,18 @@
 
 #include <thud/thud_shapes.h>
 
-/* The shortest way from one to the other, or out of each other, with its length. */
+/* Draws the shortest line between two shapes, or out of each other if they overlap, with its
+ * length. */
 void draw_closest(canvas *c, const camera *view, const thud_shape_instance *a,
                   const thud_shape_instance *b);
 
-/* Both where they first touch if they go on for a second; nothing where they stand. */
+/* Draws both shapes where they first touch, or where they are after a second if they do not touch
+ * within it. Nothing if both are at rest. */
 void draw_impact(canvas *c, const camera *view, const thud_shape_instance *a, thud_motion by_a,
                  const thud_shape_instance *b, thud_motion by_b);
 
-/* The smallest circle, AABB and OBB around a shape, and how many times its area each has. */
+/* Draws the smallest circle, AABB and OBB around a shape, and writes their areas as multiples of
+ * the shape's. */
 void draw_volumes(canvas *c, const camera *view, const thud_shape_instance *shape);
 
 #endif

@@ -6,14 +6,16 @@
 
 #include <math.h>
 
+/* The context of the debug-draw callbacks. */
 typedef struct sink {
     canvas *canvas;
     const camera *view;
     overlay_set overlays;
-    float mark; /* radius of a contact's dot in pixels; less where bodies are small */
+    float mark; /* radius of a contact's dot, pixels; smaller if bodies are small */
 } sink;
 
-/* Neighbouring numbers get hues far apart: steps of the golden ratio round the colour wheel. */
+/* The colour of an island. The hue advances by the golden ratio, so that consecutive numbers have
+ * very different hues. */
 static SDL_Color island_color(int island) {
     float hue = 6 * fmodf((float)island * 0.61803399f, 1);
     float rgb[3];
@@ -24,7 +26,8 @@ static SDL_Color island_color(int island) {
     return (SDL_Color){(Uint8)(255 * rgb[0]), (Uint8)(255 * rgb[1]), (Uint8)(255 * rgb[2]), 255};
 }
 
-/* False: this shape was drawn with the world, or is not wanted. */
+/* The colour of a shape by its island. False if it is not to be drawn: islands are off, or the
+ * shape was drawn with the world. */
 static bool island_style(const sink *k, thud_draw_style style, int island, SDL_Color *color) {
     if (!overlays_have(k->overlays, OVERLAY_ISLANDS) ||
         (style != THUD_DRAW_DYNAMIC && style != THUD_DRAW_SLEEPING))
@@ -35,6 +38,7 @@ static bool island_style(const sink *k, thud_draw_style style, int island, SDL_C
     return true;
 }
 
+/* Draws the outline of a box, rotated by (cosine c, sine s). */
 static void outline(const sink *k, thud_vec2 center, thud_vec2 half, float c, float s,
                     SDL_Color color) {
     SDL_FPoint corners[4];
@@ -47,6 +51,8 @@ static void outline(const sink *k, thud_vec2 center, thud_vec2 half, float c, fl
         canvas_line(k->canvas, corners[i], corners[(i + 1) % 4], k->canvas->unit, color);
 }
 
+/* Callbacks of thud_debug_draw. Each draws one primitive in the colour of its style, if the overlay
+ * is on that the style belongs to. */
 static void on_circle(thud_vec2 center, float radius, float c, float s, thud_draw_style style,
                       int island, void *context) {
     const sink *k = context;
@@ -75,7 +81,7 @@ static void on_box(thud_vec2 center, thud_vec2 half, float c, float s, thud_draw
     }
 }
 
-/* A normal shows where it points; its length in the world means nothing. */
+/* Draws a normal with a length in pixels, since only its direction has a meaning. */
 static void draw_normal(const sink *k, SDL_FPoint a, SDL_FPoint b) {
     float dx = b.x - a.x, dy = b.y - a.y, length = hypotf(dx, dy);
     if (length <= 0)
@@ -116,7 +122,7 @@ void draw_overlays(canvas *c, const camera *view, session *s, overlay_set overla
     draw.box = on_box;
     draw.line = on_line;
     draw.point = on_point;
-    /* One after the other, so that contacts lie over bounds and those over islands. */
+    /* In separate passes, so that contacts are drawn over bounds, and bounds over islands. */
     const struct {
         overlay_set wanted;
         unsigned flags;
@@ -132,7 +138,8 @@ void draw_overlays(canvas *c, const camera *view, session *s, overlay_set overla
     for (size_t i = 0; i < sizeof passes / sizeof passes[0]; i++)
         if (overlays & passes[i].wanted) {
             camera_bounds(view, &draw.lower, &draw.upper);
-            if (passes[i].flags == THUD_DRAW_AXES) /* whose bars stand on the lower edge */
+            /* The intervals are drawn from the lower edge up. */
+            if (passes[i].flags == THUD_DRAW_AXES)
                 draw.lower.y += footer / view->scale;
             draw.flags = passes[i].flags;
             thud_world_draw(s->world, &draw);

@@ -21,8 +21,8 @@ int pair_look_find(const char *name) {
     return -1;
 }
 
-/* The only shape of the body in a slot, where it stands, and how it moves; false where there is
- * none. */
+/* The only shape of the body in a slot, with its pose and motion. False if there is none, or if it
+ * is a terrain. */
 static bool placed_at(const session *s, const thud_pose *poses, int count, int slot,
                       thud_shape_instance *out, thud_motion *motion) {
     for (int i = 0; i < s->body_count && slot < count; i++) {

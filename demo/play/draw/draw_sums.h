@@ -1,5 +1,5 @@
-/* draw_sums.h: the Minkowski sum of two shapes, whose places are relative to the camera's centre.
- */
+/* draw_sums.h: draws the Minkowski sum of two shapes, whose positions are relative to the camera's
+ * centre. */
 #ifndef THUD_PLAY_DRAW_SUMS_H
 #define THUD_PLAY_DRAW_SUMS_H
 
@@ -8,8 +8,8 @@
 
 #include <thud/thud_shapes.h>
 
-/* The sum about the first one's centre, the second as a point, and the shortest way from the point
- * to the edge of the sum. */
+/* Draws the sum about the first shape's centre, the second's centre as a point, and the shortest
+ * line from that point to the edge of the sum. */
 void draw_sum(canvas *c, const camera *view, const thud_shape_instance *a,
               const thud_shape_instance *b);
 

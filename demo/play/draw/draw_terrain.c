@@ -5,10 +5,10 @@
 
 #include <math.h>
 
-static const float SOIL_DEPTH = 90; /* points from the surface's colour to that of the deep */
+static const float SOIL_DEPTH = 90; /* points from the ground's upper colour to its lower one */
 
-/* The column under the surface between two of its points. Its sides fall on whole pixels, so that
- * no gap shows between neighbours. */
+/* Draws the ground below one segment of the line. Its sides are at whole pixels, so that there is
+ * no gap between adjacent columns. */
 static void draw_column(canvas *c, const camera *view, SDL_FPoint a, SDL_FPoint b) {
     float bottom = view->view.y + view->view.h;
     float depth = SOIL_DEPTH * c->unit;
@@ -24,6 +24,7 @@ static void draw_column(canvas *c, const camera *view, SDL_FPoint a, SDL_FPoint 
                                    COLOR_GROUND_DEEP});
 }
 
+/* Draws an infinite line, from one side of the view to the other. */
 static void draw_flat(canvas *c, const camera *view, double slope, thud_pose pose) {
     double half = 0.5 * view->view.w / view->scale + 1;
     SDL_FPoint a =
@@ -33,6 +34,7 @@ static void draw_flat(canvas *c, const camera *view, double slope, thud_pose pos
     canvas_line(c, a, b, 2 * c->unit, COLOR_SURFACE);
 }
 
+/* The position of the terrain's vertex i on the screen. */
 static SDL_FPoint vertex(const camera *view, const thud_terrain *t, int i, thud_pose pose) {
     double x = t->kind == THUD_TERRAIN_UNIFORM ? t->x0 + i * t->spacing : t->points[i].x;
     return camera_from_center(view, (float)(pose.x + x), (float)(pose.y + t->points[i].y));
@@ -52,7 +54,8 @@ void draw_terrain(canvas *c, const camera *view, const thud_world *world, thud_s
     thud_terrain_segments(&terrain, -half - pose.x, half - pose.x, &first, &last);
     if (first > last)
         return;
-    /* Far away several points share a pixel: then every stride-th will do, and always the same. */
+    /* If several vertices share a pixel, only every stride-th is drawn. `first` is a multiple of
+     * the stride, so that a pan of the camera does not change which. */
     int stride = (int)((float)(last - first + 1) / view->view.w) + 1;
     first -= first % stride;
     for (int pass = 0; pass < 2; pass++)

@@ -9,14 +9,15 @@
 #include <stdio.h>
 
 static const SDL_Color COLORS[TEXTURE_ROWS] = COLOR_MATERIALS;
-/* Metres along the ground from stripe to stripe, half of one, and how deep it goes. */
+/* Along the ground, m: distance of stripes, half their width, and their depth. */
 static const double EVERY = 0.5, HALF = 0.13, DEPTH = 0.32;
 
 static SDL_FPoint to_screen(const camera *view, double x, double y) {
     return camera_to_screen(view, (thud_pos){x, y});
 }
 
-/* A box in the ground below a place of it. */
+/* Draws a box in the ground, whose upper side is centred at `at`; (nx, ny) is the ground's normal.
+ */
 static void draw_in_ground(canvas *c, const camera *view, thud_pos at, double nx, double ny,
                            thud_pos half, SDL_Color color) {
     SDL_FPoint center = to_screen(view, at.x - half.y * nx, at.y - half.y * ny);
@@ -26,13 +27,15 @@ static void draw_in_ground(canvas *c, const camera *view, thud_pos at, double nx
                (canvas_style){color, color, 0});
 }
 
+/* Draws a terrain line's stripes, every EVERY metres of the texture coordinate u. */
 static void draw_stripes(canvas *c, const camera *view, const thud_terrain *line, int row) {
     double next = EVERY / 2;
     texture_place at;
     for (int i = 0; i + 1 < line->count; i++) {
         const thud_pos *a = &line->points[i], *b = a + 1;
         texture_place from, to;
-        /* Of the segment's own ends: a vertex belongs to both of its segments. */
+        /* The coordinates at both ends are those of this segment: a vertex is on both of its
+         * segments. */
         double middle = 0.5 * (a->x + b->x);
         if (!texture_at(line, row, middle, &at) || !texture_at(line, row, a->x, &from) ||
             !texture_at(line, row, b->x, &to))
@@ -46,7 +49,8 @@ static void draw_stripes(canvas *c, const camera *view, const thud_terrain *line
     }
 }
 
-/* The last print of a foot that stood at the last picture; null where it treads anew. */
+/* The latest print of a foot that was standing at the last frame; null if it has touched down
+ * since. */
 static texture_print *print_of(texture_prints *prints, thud_shape_id foot) {
     bool stood = false;
     for (int i = 0; i < prints->standing_count; i++)
@@ -58,6 +62,7 @@ static texture_print *print_of(texture_prints *prints, thud_shape_id foot) {
     return NULL;
 }
 
+/* Updates the prints by the contacts of the ground. */
 static void tread(texture_prints *prints, const thud_manifold *contacts, int count,
                   uint64_t steps) {
     if (steps < prints->steps)
@@ -84,6 +89,7 @@ static void draw_print(canvas *c, const camera *view, const texture_print *print
     draw_in_ground(c, view, middle, print->normal.x, print->normal.y, half, COLOR_PRINT);
 }
 
+/* Draws a contact at x: its dot, the two vertices beside it, and the material with both weights. */
 static void draw_touch(canvas *c, const camera *view, const thud_terrain *line, int row, double x) {
     texture_place at;
     if (!texture_at(line, row, x, &at))
@@ -106,7 +112,7 @@ static void draw_touch(canvas *c, const camera *view, const thud_terrain *line, 
     canvas_text(c, label.x + 4 * c->unit, label.y, COLOR_TEXT_STRONG, text);
 }
 
-/* The row of a line is that of its friction; -1 for a shape that is none of the texture. */
+/* The texture's row of a terrain line, found by its friction, and the line. -1 for other shapes. */
 static int row_of(const session *s, thud_shape_id shape, thud_terrain *line) {
     thud_shape_state state;
     if (thud_shape_terrain(s->world, shape, line) != THUD_OK ||

@@ -1,5 +1,5 @@
-/* draw_world.c: see draw_world.h. Bodies stand at their interpolated poses; what is too small to
- * show an edge is drawn without one. */
+/* draw_world.c: see draw_world.h. Bodies are drawn at their interpolated poses; shapes that are too
+ * small for an edge are drawn without one. */
 #include "draw/draw_world.h"
 
 #include "draw/draw_terrain.h"
@@ -34,7 +34,7 @@ void draw_background(canvas *c, const camera *view) {
     }
 }
 
-/* Inside darker than its edge, so that neighbours in a pile stay apart. */
+/* A shape's fill is darker than its edge, so that adjacent bodies of a pile can be told apart. */
 static canvas_style style_of(const canvas *c, SDL_Color color, float size) {
     SDL_Color dark = COLOR_SKY_TOP;
     dark.a = color.a;
@@ -79,7 +79,7 @@ static void draw_sensor(canvas *c, const camera *view, SDL_FPoint center,
         canvas_box(c, center, (SDL_FPoint){cosine, -sine},
                    (SDL_FPoint){shape->half.x * scale, shape->half.y * scale}, style);
         break;
-    case THUD_TERRAIN: /* drawn as a line, sensor or not */
+    case THUD_TERRAIN: /* draw_terrain draws it, sensor or not */
         break;
     }
 }
@@ -105,7 +105,7 @@ static void draw_shape(canvas *c, const camera *view, const session_shape *shape
     case THUD_OBB:
         draw_box(c, center, half, cosine, sine, color);
         break;
-    case THUD_TERRAIN: /* drawn as a line */
+    case THUD_TERRAIN: /* draw_terrain draws it */
         break;
     }
 }
@@ -126,6 +126,7 @@ static SDL_Color body_color(const session *s, const session_body *body, bool dim
     return dim && !state.awake ? draw_dimmed(color) : color;
 }
 
+/* Whether a body may be visible. */
 static bool in_sight(const camera *view, const session_body *body, thud_pose pose) {
     float scale = (float)view->scale;
     float reach = body->reach * scale + 2;
@@ -138,7 +139,7 @@ void draw_world(canvas *c, const camera *view, session *s, overlay_set overlays)
     bool dim = overlays_have(overlays, OVERLAY_SLEEPING);
     int count = 0;
     const thud_pose *poses = thud_world_poses(s->world, view->center, s->alpha, &count);
-    for (int pass = 0; pass < 2; pass++) /* what moves lies over what does not */
+    for (int pass = 0; pass < 2; pass++) /* dynamic bodies are drawn over the others */
         for (int i = 0; i < s->body_count; i++) {
             const session_body *body = &s->bodies[i];
             int slot = (int)body->id.index1 - 1;

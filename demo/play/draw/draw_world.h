@@ -10,16 +10,16 @@
 void draw_background(canvas *c, const camera *view);
 void draw_world(canvas *c, const camera *view, session *s, overlay_set overlays);
 
-/* One shape in its place on the screen; its turn is (cosine, sine) counter-clockwise. */
+/* Draw one shape at a position on the screen, rotated by (cosine, sine), counter-clockwise. */
 void draw_circle(canvas *c, SDL_FPoint center, float radius, float cosine, float sine,
                  SDL_Color color);
 void draw_box(canvas *c, SDL_FPoint center, SDL_FPoint half, float cosine, float sine,
               SDL_Color color);
 
-/* What sleeping does to a body's colour. */
+/* The colour of a sleeping body. */
 SDL_Color draw_dimmed(SDL_Color color);
 
-/* The scale line and its label: `step` is the length of a grid cell, a "nice" number. */
+/* The length of a grid cell in units of the world: 1, 2 or 5 times a power of ten. */
 double draw_grid_step(const canvas *c, const camera *view);
 
 #endif

@@ -1,6 +1,7 @@
-/* font.c: drawn for this project. A glyph is a list of strokes separated by spaces; a stroke is a
- * polyline of points, each a digit for x and a hexadecimal digit for y. y = 3 is the base line,
- * 9 the height of small letters, b that of capitals. A point given twice is a dot. */
+/* font.c: the font, drawn for this project. A glyph is a list of strokes separated by spaces. A
+ * stroke is a polyline; each point is a digit for x and a hexadecimal digit for y. y = 3 is the
+ * baseline, 9 the height of small letters, b that of capitals. A point that is given twice is a
+ * dot. */
 #include "draw/font.h"
 
 #include <math.h>
@@ -110,10 +111,10 @@ enum {
     GRID_HEIGHT = 13,
     BASE_LINE = 3,
     SPACE_WIDTH = 3,
-    MARGIN = 1 /* of a cell, in grid units, for the strokes' own width */
+    MARGIN = 1 /* at each side of a cell, grid units: room for the width of the strokes */
 };
 
-static const float STROKE = 1.15f; /* units wide */
+static const float STROKE = 1.15f; /* width of a stroke, grid units */
 
 static int glyph_index(char letter) {
     int index = (unsigned char)letter - 32;
@@ -124,6 +125,7 @@ static int grid_digit(char digit) {
     return digit <= '9' ? digit - '0' : digit - 'a' + 10;
 }
 
+/* The width of a glyph with the space after it, in grid units. */
 static int glyph_advance(char letter) {
     const char *p = GLYPHS[glyph_index(letter)];
     if (!*p)
@@ -149,7 +151,7 @@ static float distance_to_segment(float x, float y, float ax, float ay, float bx,
     return hypotf(x - ax - t * dx, y - ay - t * dy);
 }
 
-/* Distance in grid units from a point to the glyph's nearest stroke. */
+/* The distance from a point to the glyph's nearest stroke, in grid units. */
 static float distance_to_glyph(const char *strokes, float x, float y) {
     float nearest = 1e9f;
     for (const char *p = strokes; *p;) {
@@ -166,7 +168,8 @@ static float distance_to_glyph(const char *strokes, float x, float y) {
     return nearest;
 }
 
-/* Grid points lie in the middle of their unit, so that upright strokes fill whole pixels. */
+/* Rasterises a glyph into its cell. Grid points are at the centres of their units, so that vertical
+ * strokes fill whole pixels. */
 static void rasterise(const font *f, Uint32 *pixels, int pitch, int glyph) {
     for (int row = 0; row < f->cell_height; row++)
         for (int column = 0; column < f->cell_width; column++) {

@@ -1,4 +1,4 @@
-/* palette.h: every colour of the viewer, in one place. */
+/* palette.h: all colours of the viewer. */
 #ifndef THUD_PLAY_PALETTE_H
 #define THUD_PLAY_PALETTE_H
 
@@ -8,7 +8,7 @@
 #define RGBA(hex, alpha) \
     ((SDL_Color){((hex) >> 16) & 0xFF, ((hex) >> 8) & 0xFF, (hex)&0xFF, (alpha)})
 
-/* Behind everything: night blue, a little lighter towards the horizon. */
+/* The background: night blue, a little lighter towards the horizon. */
 #define COLOR_SKY_TOP RGB(0x12161F)
 #define COLOR_SKY_BOTTOM RGB(0x1C2330)
 #define COLOR_GRID RGBA(0x8FA3C0, 16)
@@ -20,7 +20,7 @@
 #define COLOR_GROUND RGB(0x3A4658)
 #define COLOR_GROUND_DEEP RGB(0x232B38)
 #define COLOR_SURFACE RGB(0x9DB38A)
-/* Of textured ground: rock, grass, ice and sand, and what feet leave. */
+/* Textured ground: rock, grass, ice and sand, and the footprints on it. */
 #define COLOR_MATERIALS \
     { RGB(0x8D99AE), RGB(0x8CC265), RGB(0x5AA9E6), RGB(0xF2B134) }
 #define COLOR_PRINT RGBA(0x10141C, 0xC0)
@@ -31,7 +31,7 @@
 #define COLOR_BLAST RGB(0xFFD27A)
 #define COLOR_QUARANTINED RGB(0xFF3B5C)
 
-/* Dynamic bodies take turns. */
+/* Dynamic bodies, chosen by their number or handle. */
 #define COLOR_BODIES \
     { RGB(0x5AA9E6), RGB(0xF2B134), RGB(0x4FC1A6), RGB(0xEE6C4D), RGB(0xA78BDA), RGB(0x8CC265) }
 enum { COLOR_BODY_COUNT = 6 };
@@ -72,7 +72,7 @@ enum { COLOR_BODY_COUNT = 6 };
 #define COLOR_ERROR RGB(0xFF8A8A)
 #define COLOR_SHADE RGBA(0x10141C, 0xD8)
 
-/* t = 0 gives a, 1 gives b; alpha too. */
+/* The colour between a (t = 0) and b (t = 1), alpha included. */
 static inline SDL_Color color_mix(SDL_Color a, SDL_Color b, float t) {
     return (SDL_Color){(Uint8)(a.r + (b.r - a.r) * t + 0.5f), (Uint8)(a.g + (b.g - a.g) * t + 0.5f),
                        (Uint8)(a.b + (b.b - a.b) * t + 0.5f),

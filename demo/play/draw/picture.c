@@ -1,18 +1,19 @@
-/* picture.c: see picture.h. PNG after the W3C's specification (second edition), true colour
- * without alpha. Every byte is stored as its difference to the pixel on its left, which makes
- * zeros of flat colours; deflate (RFC 1951), with its fixed codes and runs as its only matches,
- * then packs those. */
+/* picture.c: see picture.h. A PNG encoder (W3C specification, second edition) for true colour
+ * without alpha. Each byte is stored as its difference to the same channel of the pixel at its left
+ * (filter Sub), which turns uniform colours into zeros. These are compressed by deflate (RFC 1951)
+ * with its fixed codes; the only matches are runs of one byte. */
 #include "draw/picture.h"
 
 #include <stdlib.h>
 #include <string.h>
 
+/* Length of a match in deflate (RFC 1951, 3.2.5). */
 enum { MATCH_MIN = 3, MATCH_MAX = 258 };
 
 typedef struct stream {
     Uint8 *bytes;
     size_t count, capacity;
-    Uint32 bits; /* not yet a whole byte, the first in the lowest bit */
+    Uint32 bits; /* pending bits of an incomplete byte, the first in the lowest bit */
     int bit_count;
     bool failed;
 } stream;
@@ -36,6 +37,7 @@ static void put_u32(stream *s, Uint32 value) {
         put_byte(s, value >> shift & 0xFF);
 }
 
+/* Writes `count` bits, the lowest first. */
 static void put_bits(stream *s, Uint32 bits, int count) {
     s->bits |= bits << s->bit_count;
     s->bit_count += count;
@@ -46,7 +48,7 @@ static void put_bits(stream *s, Uint32 bits, int count) {
     }
 }
 
-/* Huffman codes go in from their highest bit on. */
+/* Writes a Huffman code, which begins with its highest bit. */
 static void put_code(stream *s, Uint32 code, int length) {
     for (int i = length - 1; i >= 0; i--)
         put_bits(s, code >> i & 1, 1);
@@ -77,6 +79,7 @@ static void put_length(stream *s, unsigned length) {
     put_bits(s, rest & ((1u << extra) - 1), (int)extra);
 }
 
+/* The number of bytes from `at` on that are equal to the byte before it, at most MATCH_MAX. */
 static unsigned run_length(const Uint8 *data, size_t at, size_t count) {
     unsigned length = 0;
     while (at > 0 && length < MATCH_MAX && at + length < count && data[at + length] == data[at - 1])
@@ -86,27 +89,27 @@ static unsigned run_length(const Uint8 *data, size_t at, size_t count) {
 
 /* A zlib stream (RFC 1950) of one block. */
 static void put_deflated(stream *s, const Uint8 *data, size_t count) {
-    Uint32 low = 1, high = 0; /* Adler-32 */
+    Uint32 low = 1, high = 0; /* the two sums of the Adler-32 checksum */
     for (size_t i = 0; i < count; i++) {
         low = (low + data[i]) % 65521;
         high = (high + low) % 65521;
     }
     put_byte(s, 0x78);
     put_byte(s, 0x01);
-    put_bits(s, 1, 1); /* the last block */
+    put_bits(s, 1, 1); /* this is the last block */
     put_bits(s, 1, 2); /* fixed codes */
     for (size_t i = 0; i < count;) {
         unsigned length = run_length(data, i, count);
         if (length >= MATCH_MIN) {
             put_length(s, length);
-            put_code(s, 0, 5); /* distance 1 */
+            put_code(s, 0, 5); /* code of the distance 1 */
             i += length;
         } else {
             put_symbol(s, data[i++]);
         }
     }
     put_symbol(s, 256);
-    put_bits(s, 0, 7); /* fills up the last byte */
+    put_bits(s, 0, 7); /* completes the last byte */
     s->bits = 0;
     s->bit_count = 0;
     put_u32(s, high << 16 | low);
@@ -140,9 +143,12 @@ static void end_chunk(stream *s, size_t start) {
     put_u32(s, crc32_of(s->bytes + start + 4, length + 4));
 }
 
+/* Writes the image. `lines` has for each row a filter byte and the filtered pixels, `line` bytes in
+ * all. */
 static void put_png(stream *s, const Uint8 *lines, int width, int height, size_t line) {
     static const Uint8 signature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-    static const Uint8 true_colour[] = {8, 2, 0, 0, 0}; /* bits, type, and the only methods */
+    /* Bit depth, colour type, and the only values of three methods. */
+    static const Uint8 true_colour[] = {8, 2, 0, 0, 0};
     for (size_t i = 0; i < sizeof signature; i++)
         put_byte(s, signature[i]);
     size_t chunk = begin_chunk(s, "IHDR");

@@ -1,4 +1,4 @@
-/* picture.h: writes a surface to a file. */
+/* picture.h: writes a surface to an image file. */
 #ifndef THUD_PLAY_PICTURE_H
 #define THUD_PLAY_PICTURE_H
 
@@ -7,7 +7,7 @@
 
 /* True if the path ends in .png or .bmp. */
 bool picture_has_format(const char *path);
-/* The suffix chooses the format. False, with SDL_GetError, when it cannot be written. */
+/* Writes the format that the suffix names. False, with SDL_GetError, if that fails. */
 bool picture_save(SDL_Surface *surface, const char *path);
 
 #endif

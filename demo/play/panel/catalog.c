@@ -1,5 +1,5 @@
 /* catalog.c: see catalog.h. */
-#define _POSIX_C_SOURCE 200809L /* opendir, strdup */
+#define _POSIX_C_SOURCE 200809L /* for opendir, strdup */
 #include "panel/catalog.h"
 
 #include <level.h>
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of both suffixes. */
+/* Length of ".tmj" and ".tmx". */
 enum { SUFFIX = 4 };
 
 static bool is_level_file(const char *path) {
@@ -18,7 +18,7 @@ static bool is_level_file(const char *path) {
                                strcmp(path + length - SUFFIX, ".tmx") == 0);
 }
 
-/* "levels/wrecking_ball.tmj" becomes "wrecking_ball". */
+/* "levels/wrecking_ball.tmj" becomes "wrecking_ball", in memory from malloc. */
 static char *level_name(const char *path) {
     const char *slash = strrchr(path, '/');
     char *name = strdup(slash ? slash + 1 : path);
@@ -27,7 +27,7 @@ static char *level_name(const char *path) {
     return name;
 }
 
-/* ... and that "Wrecking ball". */
+/* "wrecking_ball" becomes "Wrecking ball". */
 static void make_title(char *name) {
     for (char *p = name; *p; p++)
         if (*p == '_' || *p == '-')
@@ -36,7 +36,7 @@ static void make_title(char *name) {
         name[0] -= 'a' - 'A';
 }
 
-/* Takes over `entry`, also when it fails. */
+/* Appends an entry and takes over its memory, also if that fails. */
 static bool add_entry(catalog *c, catalog_entry entry) {
     catalog_entry *entries = realloc(c->entries, (size_t)(c->count + 1) * sizeof *entries);
     if (entries)
@@ -61,6 +61,7 @@ static int compare_entries(const void *a, const void *b) {
     return strcmp(((const catalog_entry *)a)->path, ((const catalog_entry *)b)->path);
 }
 
+/* Adds the levels of a directory, sorted by path. */
 static bool add_levels_of(catalog *c, const char *directory) {
     DIR *stream = opendir(directory);
     if (!stream)
@@ -102,6 +103,7 @@ void catalog_free(catalog *c) {
     *c = (catalog){0};
 }
 
+/* Whether `wanted` is the entry's scene name, level path or level name. */
 static bool entry_has_name(const catalog_entry *entry, const char *wanted) {
     if (entry->info)
         return strcmp(entry->info->name, wanted) == 0;

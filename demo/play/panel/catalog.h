@@ -1,4 +1,4 @@
-/* catalog.h: everything the viewer can show: the built-in scenes, then the level files found. */
+/* catalog.h: the list of everything that the viewer can show: built-in scenes, then level files. */
 #ifndef THUD_PLAY_CATALOG_H
 #define THUD_PLAY_CATALOG_H
 
@@ -9,7 +9,7 @@
 
 typedef struct catalog_entry {
     const scene_info *info; /* null for a level */
-    char *path;             /* of a level, else null */
+    char *path;             /* path of a level's file; else null */
     char *title;            /* for the menu */
 } catalog_entry;
 
@@ -18,17 +18,18 @@ typedef struct catalog {
     int count;
 } catalog;
 
-/* All scenes, and the *.tmj and *.tmx of `level_directory` by name (none if it cannot be read).
- * False when memory is short. */
+/* Lists all scenes, and the *.tmj and *.tmx files of `level_directory` by name (none if it cannot
+ * be read). False if memory runs out. */
 bool catalog_init(catalog *c, const char *level_directory);
 void catalog_free(catalog *c);
 
-/* The entry of a scene's name, a level's path, or the name of a level already listed. A path that
- * is not listed yet is added. -1 if it is neither; -2 when memory is short. */
+/* The index of the entry with a scene's name, a level's path, or a listed level's name. The path of
+ * a level that is not listed is added. -1 if it is none of these; -2 if memory runs out. */
 int catalog_find(catalog *c, const char *name_or_path);
 
-/* Fills *s, which the caller frees. False, *s is empty and `message` says why, if that fails. What
- * of a level cannot be modelled is left out and listed on stderr, and `message` says how much. */
+/* Fills *s, which the caller frees. False, with *s empty and the reason in `message`, if that
+ * fails. Parts of a level that cannot be modelled are left out and printed on stderr; `message`
+ * says how many. */
 bool catalog_fill(const catalog_entry *entry, scene *s, char *message, size_t message_size);
 
 #endif

@@ -21,7 +21,8 @@ static void draw_title(viewer *v) {
         canvas_text_fit(c, x, 45 * u, v->camera.view.w - 32 * u, COLOR_TEXT_DIM, s->about);
 }
 
-/* What detection could not do; where it bisects, also from which speed on it may miss something. */
+/* What collision detection could not do; with bisection also the speed beyond which it may miss
+ * hits. */
 static void draw_missed(viewer *v, float y) {
     session *s = &v->session;
     char text[160] = "";
@@ -52,7 +53,7 @@ static void draw_numbers(viewer *v) {
         snprintf(text + length, sizeof text - (size_t)length, "  %.0f fps", 1 / v->frame_seconds);
     float x = (float)c->width - 16 * u - font_width(&c->text, text, strlen(text));
     float left = v->camera.view.x + 16 * u;
-    /* On a narrow window it goes below the title. */
+    /* In a narrow window the numbers are below the title. */
     bool narrow = x < left + 220 * u;
     canvas_text(c, narrow ? left : x, narrow ? 65 * u : 25 * u, COLOR_TEXT, text);
     float y = (narrow ? 85 : 65) * u;
@@ -68,7 +69,8 @@ static const char HELP_CHARACTER[] =
     "Arrows or A D walk; Space jumps; Down drops through planks; P pauses; N steps; the wheel "
     "zooms; Tab hides all this";
 
-/* The length of a grid cell, drawn to scale, and what the pointer and the main keys do. */
+/* The bar at the lower edge: the length of a grid cell drawn to scale, and help for pointer and
+ * keys. */
 static void draw_footer(viewer *v) {
     canvas *c = &v->canvas;
     float u = c->unit, x = v->camera.view.x + 16 * u, y = (float)c->height - 10 * u;
@@ -88,6 +90,7 @@ static void draw_footer(viewer *v) {
     canvas_text_fit(c, x, y, (float)c->width - 16 * u - x, COLOR_TEXT_DIM, keys);
 }
 
+/* The session's message, in a box above the footer. */
 static void draw_message(viewer *v) {
     canvas *c = &v->canvas;
     float u = c->unit, x = v->camera.view.x + 16 * u, y = (float)c->height - 52 * u;

@@ -42,6 +42,7 @@ static bool same(const char *text, size_t length, const char *name) {
     return strlen(name) == length && strncmp(text, name, length) == 0;
 }
 
+/* Adds the overlay of a name, all, or none to *set. False if the name is unknown. */
 static bool parse_one(const char *text, size_t length, overlay_set *set) {
     if (same(text, length, "none"))
         return true;

@@ -1,4 +1,4 @@
-/* overlays.h: what can be shown on top of the bodies, by name. */
+/* overlays.h: the overlays that can be drawn over the bodies, and their names. */
 #ifndef THUD_PLAY_OVERLAYS_H
 #define THUD_PLAY_OVERLAYS_H
 
@@ -10,33 +10,33 @@ typedef enum overlay {
     OVERLAY_NORMALS,
     OVERLAY_BOUNDS,
     OVERLAY_CELLS,
-    OVERLAY_ISLANDS,  /* bodies take their island's colour */
+    OVERLAY_ISLANDS,  /* bodies have the colour of their island */
     OVERLAY_SLEEPING, /* sleeping bodies are dimmed */
     OVERLAY_TIMINGS,
-    OVERLAY_AXES,    /* the plane sweep's sorted intervals */
-    OVERLAY_PAIRS,   /* whose bounds overlap */
-    OVERLAY_MOTIONS, /* swept volumes of what is fast */
+    OVERLAY_AXES,    /* the sorted intervals of the sweep broadphase */
+    OVERLAY_PAIRS,   /* pairs of shapes whose bounds overlap */
+    OVERLAY_MOTIONS, /* swept volumes of fast bodies */
     OVERLAY_JOINTS,
-    OVERLAY_FORCES, /* of joints, and where they are open */
+    OVERLAY_FORCES, /* forces of joints, and gaps of open joints */
     OVERLAY_COUNT
 } overlay;
 
-typedef unsigned overlay_set; /* bit 1 << overlay */
+typedef unsigned overlay_set; /* bits 1 << overlay */
 
 static const overlay_set OVERLAYS_DEFAULT = 1u << OVERLAY_SLEEPING | 1u << OVERLAY_JOINTS;
 
 const char *overlay_name(overlay which);
-char overlay_key(overlay which); /* a digit, or a capital letter */
+char overlay_key(overlay which); /* the key that toggles it: a digit, or a capital letter */
 SDL_Color overlay_color(overlay which);
 
 static inline bool overlays_have(overlay_set set, overlay which) {
     return (set >> which & 1) != 0;
 }
 
-/* Those that a scene asks for: `show` is its scene_show. */
+/* The overlays that a scene asks for by its scene.show. */
 overlay_set overlays_of_scene(unsigned show);
 
-/* Reads names separated by commas, "all" or "none". False if there is an unknown one. */
+/* Parses names separated by commas, "all" or "none". False if one is unknown. */
 bool overlays_parse(const char *list, overlay_set *out);
 
 #endif

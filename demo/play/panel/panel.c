@@ -1,4 +1,5 @@
-/* panel.c: see panel.h. The controls stand at the bottom; the list takes the rest and scrolls. */
+/* panel.c: see panel.h. The controls are at the bottom; the list above them has the other space and
+ * scrolls. */
 #include "panel/panel.h"
 
 #include "draw/palette.h"
@@ -8,7 +9,7 @@
 #include <string.h>
 
 enum {
-    WIDTH = 236, /* in points, like all below */
+    WIDTH = 236, /* in points, like all sizes here */
     PAD = 12,
     ROW = 24,
     GAP = 6,
@@ -21,7 +22,7 @@ float panel_width(const canvas *c) {
     return WIDTH * c->unit;
 }
 
-/* Cuts cell `index` of `count` out of a row of the panel. */
+/* The rectangle of column `index` of `count` in a row of the panel. */
 static SDL_FRect cell(const viewer *v, float y, int index, int count) {
     float u = v->canvas.unit;
     float inside = (WIDTH - 2 * PAD) * u, gap = GAP * u;
@@ -34,6 +35,8 @@ static float label(viewer *v, float y, const char *text) {
     return y + LABEL_HEIGHT * v->canvas.unit;
 }
 
+/* This function and the next ones draw a group of controls at the height y, and return the y below
+ * it. */
 static float draw_time_controls(viewer *v, float y) {
     canvas *c = &v->canvas;
     float next = (ROW + GAP) * c->unit;
@@ -69,7 +72,7 @@ static float draw_quality(viewer *v, float y) {
     return y + (ROW + GAP) * v->canvas.unit;
 }
 
-/* Each click takes the next one. */
+/* Each click chooses the next one. */
 static float draw_systems(viewer *v, float y) {
     session *s = &v->session;
     y = label(v, y, "Detection, broadphase");
@@ -109,11 +112,13 @@ static float controls_height(void) {
     return ROWS * (ROW + GAP) + LABELS * LABEL_HEIGHT + PAD;
 }
 
-/* The row of an entry, counting the headings: one for scenes, and after an empty row for levels. */
+/* The row of an entry in the list, with headings: one before the scenes, and an empty row and one
+ * before the levels. */
 static int list_row(const viewer *v, int entry) {
     return entry + (v->catalog.entries[entry].path ? 3 : 1);
 }
 
+/* Scrolls by the wheel, and to the selected entry if that was asked for. */
 static void scroll_list(viewer *v, SDL_FRect area, int rows) {
     float row = LIST_ROW * v->canvas.unit;
     if (ui_hovers(&v->ui, area))

@@ -18,14 +18,15 @@ void timings_add(timings *t, const thud_stats *stats) {
         t->count++;
 }
 
-/* The age-th step back, 0 being the last. */
+/* The step of this age; 0: the last. */
 static const float *step_at(const timings *t, int age) {
     return t->seconds[(t->next - 1 - age + 2 * TIMINGS_KEPT) % TIMINGS_KEPT];
 }
 
-/* The top of the graph: the next 1, 2 or 5 times a power of ten above the slowest step. */
+/* The time at the top of the graph, s: the next 1, 2 or 5 times a power of ten above the slowest
+ * step. */
 static float full_scale(const timings *t) {
-    float slowest = 1e-5f;
+    float slowest = 1e-5f; /* s: min of the scale */
     for (int age = 0; age < t->count; age++) {
         float sum = 0;
         for (int i = 0; i < THUD_STAGE_COUNT; i++)
@@ -54,7 +55,7 @@ static void draw_graph(const timings *t, canvas *c, SDL_FRect area, float scale)
     }
 }
 
-/* Mean milliseconds of every stage over the last steps, in two columns of the legend. */
+/* The legend: mean milliseconds of each stage over the last 30 steps, in two columns. */
 static void draw_legend(const timings *t, canvas *c, SDL_FRect area, float row) {
     enum { ROWS = (THUD_STAGE_COUNT + 1) / 2, MEAN_OF = 30 };
     int count = t->count < MEAN_OF ? t->count : MEAN_OF;

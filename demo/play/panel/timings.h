@@ -1,4 +1,4 @@
-/* timings.h: how long each stage of the last steps took, as a stacked graph. */
+/* timings.h: a stacked graph of the time that each stage of the last steps took. */
 #ifndef THUD_PLAY_TIMINGS_H
 #define THUD_PLAY_TIMINGS_H
 
@@ -6,10 +6,11 @@
 
 #include <thud/thud.h>
 
+/* Number of steps that the graph shows. */
 enum { TIMINGS_KEPT = 180 };
 
 typedef struct timings {
-    float seconds[TIMINGS_KEPT][THUD_STAGE_COUNT]; /* a ring */
+    float seconds[TIMINGS_KEPT][THUD_STAGE_COUNT]; /* a ring buffer of steps */
     int count, next;
 } timings;
 

@@ -9,10 +9,11 @@ bool ui_hovers(const ui *u, SDL_FRect r) {
     return u->x >= r.x && u->x < r.x + r.w && u->y >= r.y && u->y < r.y + r.h;
 }
 
+/* Whether the pointer was pressed in r since the last frame; consumes the press. */
 static bool clicked(ui *u, SDL_FRect r) {
     if (!u->pressed || !ui_hovers(u, r))
         return false;
-    u->pressed = false; /* one press, one button */
+    u->pressed = false; /* so that one press is one click */
     return true;
 }
 
@@ -20,6 +21,7 @@ static float base_line(const canvas *c, SDL_FRect r) {
     return r.y + 0.5f * r.h + 4.5f * c->unit;
 }
 
+/* The background of a widget. */
 static void plate(canvas *c, SDL_FRect r, SDL_Color color) {
     canvas_round_rect(c, r, 4 * c->unit, (canvas_style){color, color, 0});
 }
