@@ -1,4 +1,5 @@
-/* stage.h: a scene that was built at one of the qualities, for tests of what scenes promise. */
+/* stage.h: a built-in scene with its world at one of the qualities, for tests of what scenes
+ * show. */
 #ifndef THUD_TEST_STAGE_H
 #define THUD_TEST_STAGE_H
 
@@ -32,11 +33,13 @@ static inline void close_stage(stage *t) {
     scene_free(&t->scene);
 }
 
+/* State of the body with this index in the scene's list. */
 static inline thud_body_state body(const stage *t, int index) {
     return state_of(t->world, t->bodies[index]);
 }
 
-/* Nothing is lost: all bodies are finite and in the picture, or a little beside it. */
+/* Runs the scene, and asserts that no body is lost: none is quarantined, and all end in the
+ * camera's view or near it. */
 static inline void run_whole(stage *t, int steps) {
     const scene *s = &t->scene;
     for (int i = 0; i < steps; i++) {
@@ -50,7 +53,8 @@ static inline void run_whole(stage *t, int steps) {
     }
 }
 
-/* One that is restored into another world of its scene goes on as it would have. */
+/* Asserts that a world that is restored from the snapshot of another world of the same scene
+ * continues with the same hashes. */
 static inline void restored_goes_on(const char *name, int before, int after) {
     stage a = open_stage(name, 0, &thud_quality_default);
     stage b = open_stage(name, 0, &thud_quality_default);

@@ -1,4 +1,5 @@
-/* test_scenes.c: the built-in scenes as descriptions, before any engine sees them. */
+/* test_scenes.c: the built-in scenes as descriptions, before a world is built of them: sizes,
+ * texts, positions on the grid, no overlaps. */
 #include "scenes.h"
 
 #include <math.h>
@@ -11,7 +12,8 @@
 
 #include <cmocka.h>
 
-/* A body's farthest reach from its centre, for bodies with one shape about their origin. */
+/* Distance of the body's farthest point from its centre, for bodies with one shape about their
+ * origin. */
 static double reach_of(const scene *s, const scene_body *body) {
     const scene_shape *shape = &s->shapes[body->first_shape];
     return shape->kind == SCENE_CIRCLE ? shape->hx
@@ -167,7 +169,7 @@ static void cradle_row_touches_exactly_and_first_balls_fly(void **state) {
     scene_free(&s);
 }
 
-/* The table in digging.c against the file that it was taken from. */
+/* The table of heights in digging.c against the file that it was taken from. */
 static void digging_ground_is_the_profile_of_the_asset(void **state) {
     (void)state;
     scene s;
@@ -177,7 +179,7 @@ static void digging_ground_is_the_profile_of_the_asset(void **state) {
     double elevation[403];
     int count = 0;
     char line[64];
-    assert_non_null(fgets(line, sizeof line, file)); /* the head */
+    assert_non_null(fgets(line, sizeof line, file)); /* the line of column names */
     while (count < 403 && fscanf(file, "%*f,%lf", &elevation[count]) == 1)
         count++;
     fclose(file);
