@@ -1,4 +1,5 @@
-/* test_gears.c: gears, filters, and joints that break. */
+/* test_gears.c: gear joints (their ratio, momentum, life time and input), filter joints, which
+ * switch collisions of two bodies off, and joints that break at a force or a torque. */
 #include "joint_support.h"
 #include "snapshot_support.h"
 
@@ -8,6 +9,7 @@ static const thud_vec2 middle = {0, 0};
 
 /* ---- gears ---- */
 
+/* Two wheels on axles, coupled by a gear. */
 typedef struct train {
     thud_world *world;
     thud_body_id wall, wheel[2];
@@ -30,8 +32,8 @@ static train make_train(const thud_quality *quality, double ratio) {
     return t;
 }
 
-/* The momentum that a motor gives the first wheel is shared: I1 w1 + I2 w2 / r stays, with w2 = -w1
- * / r. */
+/* The angular momentum given to the first wheel is shared: I1 w1 + I2 w2 / r is conserved, and w2 =
+ * -w1 / r. */
 static void gears_turn_together_over_many_turns(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
@@ -52,7 +54,8 @@ static void gears_turn_together_over_many_turns(void **state) {
     }
 }
 
-/* Two weights on ropes over pulleys: l1 + r l2 stays, and the heavier one falls as Atwood says. */
+/* Two weights on ropes over pulleys: l1 + r l2 is conserved, and the acceleration is that of
+ * Atwood's machine. */
 static void gear_of_distances_is_a_pulley(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
@@ -177,7 +180,7 @@ static void filtered_bodies_fall_through_each_other(void **state) {
     thud_joint_id list[2];
     assert_int_equal(thud_body_joints(world, upper, list, 2), 1);
     assert_int_equal(list[0].index1, filter.index1);
-    /* One that wakes leaves the other one asleep: a filter ties nothing. */
+    /* Waking one body leaves the other asleep: a filter joint does not join islands. */
     OK(thud_body_set_velocity(world, upper, (thud_vec2){0, 3}, 0));
     run(world, 10);
     assert_true(state_of(world, upper).awake);
@@ -193,7 +196,7 @@ static void filtered_bodies_fall_through_each_other(void **state) {
 
 /* ---- breaking ---- */
 
-/* A rope of two balls: the weight of both hangs on the upper joint. */
+/* Two balls hang in a row from a hook: the upper joint carries the weight of both. */
 static void joint_breaks_where_it_bears_too_much(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
