@@ -1,9 +1,11 @@
-/* test_contact_settings.c: what a prologue makes of a contact, from ice to trampolines, what is
- * refused, and what the epilogue hears. */
+/* test_contact_settings.c: what a prologue's settings (friction, restitution, surface speed) do
+ * under every detection, which values are refused, and the impulses that the epilogue is given. */
 #include "resolution_support.h"
 
 /* ---- settings of a prologue ---- */
 
+/* The prologue's context: the settings that it sets while `granted`; `heard` counts refusals in the
+ * log. */
 typedef struct wish {
     thud_contact_settings settings;
     bool granted;
@@ -33,7 +35,8 @@ static void ice_of_a_prologue_lasts_as_long_as_it_says(void **state) {
             OK(thud_body_set_velocity(world, box, (thud_vec2){5, 0}, 0));
             run(world, 10);
             double speed = (double)state_of(world, box).velocity.x;
-            assert_true(speed < 4.5); /* friction at work, whose impulse must not live on */
+            /* friction acts; its impulse must not be kept for the steps without friction */
+            assert_true(speed < 4.5);
             w.granted = true;
             run(world, 120);
             near_to((double)state_of(world, box).velocity.x, speed, 1e-4);
@@ -61,8 +64,8 @@ static void belt_of_a_prologue_carries_and_stops(void **state) {
     }
 }
 
-/* How fast something that falls from a height of 5, at 10, leaves the floor again: what it has,
- * wherever it is by the end of that step. */
+/* The greatest speed in m/s at which a body leaves the floor after a fall of 5 m under 10 m/s^2,
+ * from its velocity and height in any step after. */
 static double bounce(const thud_detection *detection, int kind, float restitution) {
     wish w = {{0.6f, restitution, 0}, true, 0};
     thud_world *world = make_world_with(detection, wish_for, &w, true);
@@ -91,7 +94,7 @@ static void trampoline_of_a_prologue_bounces_as_high_as_it_says(void **state) {
     }
 }
 
-/* How fast a box that lies on the floor leaves it again when it is thrown down. */
+/* The upward speed in m/s of a box that lies on the floor and is then thrown down. */
 static float thrown_down(bool by_def) {
     wish w = {{0.6f, 1, 0}, false, 0};
     thud_world *world = make_world_with(&thud_detection_overlap, wish_for, &w, true);
@@ -108,14 +111,16 @@ static float thrown_down(bool by_def) {
     return speed;
 }
 
-/* The box has a manifold that is kept, at whose speed of approach nobody has looked. */
+/* The box has a manifold that is kept from step to step; its approach velocity has to be determined
+ * anew when restitution is set. */
 static void restitution_of_a_prologue_is_that_of_a_def_for_what_rests_too(void **state) {
     (void)state;
     assert_true(thrown_down(true) > 4);
     near_to((double)thrown_down(false), (double)thrown_down(true), 1e-4);
 }
 
-/* A ball that hits a belt in flight gets a third of its speed: friction turns it as well. */
+/* A ball hits a belt under `swept`: friction also turns the ball, so it gets a third of the belt's
+ * speed. */
 static void impact_within_the_step_heeds_surface_speed_and_friction(void **state) {
     (void)state;
     for (int rough = 0; rough < 2; rough++) {
@@ -138,6 +143,7 @@ static void count_message(thud_result result, const char *message, void *context
     ++*(int *)context;
 }
 
+/* The world's hash after some steps with or without the prologue. */
 static uint64_t hash_after(const thud_detection *detection, wish *w, bool asks) {
     thud_world_def def = thud_default_world_def();
     def.detection = detection;
@@ -199,6 +205,7 @@ static void surface_speed_out_of_range_is_no_shape(void **state) {
 
 /* ---- the epilogue ---- */
 
+/* Sums of the impulses that an epilogue was given. */
 typedef struct pushes {
     double normal, tangent;
 } pushes;

@@ -1,9 +1,10 @@
-/* test_events.c: begin, end, hit and sensor events; prologue and epilogue. */
+/* test_events.c: begin, end, hit and sensor events of small scenes, filters, and what callbacks may
+ * do. */
 #include "engine_support.h"
 
 #include <float.h>
 
-/* Balance of begin and end events of a run. */
+/* Counts of events over a run. */
 typedef struct tally {
     int begun, ended, sensed, left, hits;
 } tally;
@@ -48,7 +49,7 @@ static void bouncing_ball_begins_and_ends_and_hits(void **state) {
     }
     near_to(speed, sqrt(2 * 10 * 2.5), 0.2);
     assert_true(t.begun > 2);
-    assert_int_equal(t.begun, t.ended + 1); /* it lies on the floor */
+    assert_int_equal(t.begun, t.ended + 1); /* it lies on the floor at the end */
     thud_world_destroy(world);
 }
 
@@ -96,7 +97,7 @@ static void contact_ends_when_a_body_a_shape_or_the_ground_goes(void **state) {
         thud_body_id floor = add_floor(world, NULL);
         thud_body_id box = add_body(world, THUD_DYNAMIC, 0, 0.5, 0);
         thud_shape_id shape = add_shape(world, box, 0.5f, 0.5f, false, NULL);
-        tally t = run_counting(world, how == 3 ? 120 : 10); /* the last one sleeps */
+        tally t = run_counting(world, how == 3 ? 120 : 10); /* the last case sleeps */
         assert_int_equal(t.begun, 1);
         assert_int_equal(t.ended, 0);
         if (how == 0) {
@@ -191,7 +192,7 @@ static double impulse_sum;
 static void weigh(thud_world *world, const thud_contact *contact, void *context) {
     (void)context;
     impulse_sum += (double)contact->normal_impulse;
-    /* Inside a callback the step is refused, and an edit waits for the next one. */
+    /* Inside a callback a step is refused, and an edit is deferred to the next step. */
     assert_int_equal(thud_world_step(world), THUD_ERROR_LOCKED);
     OK(thud_body_set_velocity(world, contact->body_b, (thud_vec2){1, 0}, 0));
     assert_true((double)fabsf(state_of(world, contact->body_b).velocity.x) < 2.0);

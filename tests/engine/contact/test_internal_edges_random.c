@@ -1,8 +1,8 @@
-/* test_internal_edges_random.c: bodies dropped and slid onto random heaps of static shapes, which
- * lie side by side, in line, in each other, or a little off: they never come to overlap any of
- * them, never change sides, and never rest on nothing. What overlaps is told by exact geometry of
- * every pair; a heap counts only where the same world without its seams (internal_edges.h) is
- * right. */
+/* test_internal_edges_random.c: bodies are dropped and slid onto random heaps of static shapes,
+ * which are side by side, flush, overlapping, or slightly offset. The bodies must not overlap a
+ * shape, pass through it, or rest without support. Overlap is computed by exact geometry of every
+ * pair (geometry_exact.h). A heap is counted only where the same world without internal edges
+ * (internal_edges.h) has no fault. */
 #include "engine_support.h"
 
 #include "geometry_exact.h"
@@ -11,23 +11,23 @@
 
 enum { STATICS = 9, VERTICES = 6, STEPS = 150, SETTLED = 120 };
 
-/* In length scales. */
-#define OVERLAP 0.012 /* of what has settled: soft contacts sink by less under a single body */
-#define NEAR 0.012    /* what rests is no further than this from what bears it */
-#define REST 0.002    /* a second: slower is at rest */
+/* Lengths in length scales; chosen. */
+#define OVERLAP 0.012 /* of a settled body; soft contacts under a single body overlap by less */
+#define NEAR 0.012    /* greatest distance of a resting body from its support */
+#define REST 0.002    /* speed per second below which a body is at rest */
 
-/* All sizes in length scales; scaled when the world is made. */
+/* A case. Lengths are in length scales, and are scaled when the world is made. */
 typedef struct heap {
     thud_shape_instance shapes[STATICS], body;
     double angles[STATICS], body_angle;
     int count;
-    thud_pos line[VERTICES]; /* no line where there are no vertices */
+    thud_pos line[VERTICES]; /* vertices of the terrain; there is none where `vertices` is 0 */
     int vertices;
     double scale, speed;
     float friction;
     const thud_detection *detection;
     const thud_quality *quality;
-    bool joined; /* all shapes are of one kinematic body */
+    bool joined; /* all shapes belong to one kinematic body */
 } heap;
 
 /* ---- heaps ---- */
@@ -36,7 +36,7 @@ static double draw_size(source *r, double least, double most) {
     return exp(draw(r, log(least), log(most)));
 }
 
-/* Neighbours are flush, or off by about what counts as flush. */
+/* A gap between neighbours: 0, or about the tolerance up to which shapes count as flush. */
 static double draw_gap(source *r) {
     static const double gaps[] = {0, 0, 0, 1e-5, 1e-4, 1e-3, 2e-3, 1e-2, 0.05};
     double gap = gaps[draw_below(r, 9)];
@@ -49,13 +49,14 @@ static void turn_to(thud_shape_instance *shape, double *angle, double to) {
     set_angle(shape, to);
 }
 
+/* Moves the shape to (u, v) in the frame's coordinates. */
 static void move_in_frame(thud_shape_instance *shape, const thud_shape_instance *frame, double u,
                           double v) {
     shape->x = frame->x + frame->c * u - frame->s * v;
     shape->y = frame->y + frame->s * u + frame->c * v;
 }
 
-/* A box in some relation to one that stands already. */
+/* Adds a box in a random relation to a box of the heap. */
 static void add_related_box(source *r, heap *h) {
     int i = h->count++, of = draw_below(r, i);
     const thud_shape_instance *frame = &h->shapes[of];
@@ -73,25 +74,25 @@ static void add_related_box(source *r, heap *h) {
     double flush_v = up * (frame->hy - box->hy) + draw_gap(r);
     double flush_u = side * (frame->hx - box->hx) + draw_gap(r);
     switch (draw_below(r, 8)) {
-    case 0: /* next to it, in line */
+    case 0: /* next to it, flush */
     case 1:
     case 2:
         move_in_frame(box, frame, side * (frame->hx + box->hx + draw_gap(r)), flush_v);
         break;
-    case 3: /* on it or below it, with a side in line */
+    case 3: /* on it or below it, with one side flush */
         move_in_frame(box, frame, flush_u, up * (frame->hy + box->hy + draw_gap(r)));
         break;
-    case 4: /* in it, in line */
+    case 4: /* inside it, flush */
         move_in_frame(box, frame, draw(r, -frame->hx, frame->hx), flush_v);
         break;
     case 5: /* anywhere across it */
         move_in_frame(box, frame, draw(r, -1, 1) * frame->hx, draw(r, -1, 1) * frame->hy);
         break;
-    case 6: /* next to it anyhow */
+    case 6: /* next to it, not flush */
         move_in_frame(box, frame, side * (frame->hx + box->hx + draw_gap(r)),
                       draw(r, -1, 1) * (frame->hy + box->hy));
         break;
-    default: /* the same, turned by a right angle or a little about an upper corner */
+    default: /* next to it, turned by a right angle, or by a little about an upper corner */
         if (draw_below(r, 2)) {
             box->hx = frame->hy;
             box->hy = frame->hx;
@@ -118,6 +119,7 @@ static void add_line(source *r, heap *h) {
     }
 }
 
+/* Whether the body is at least 0.05 away from all shapes. */
 static bool is_clear(const heap *h, const thud_shape_instance *body) {
     solid b = solid_of(body, 0, 0);
     for (int i = 0; i < h->count; i++) {
@@ -134,7 +136,7 @@ static bool is_clear(const heap *h, const thud_shape_instance *body) {
     return true;
 }
 
-/* Somewhat above what stands there, in the clear. */
+/* Adds the body that falls, somewhat above a shape and overlapping none. */
 static void add_faller(source *r, heap *h) {
     static const thud_shape_kind kinds[] = {THUD_CIRCLE, THUD_AABB, THUD_OBB};
     const thud_shape_instance *over = &h->shapes[draw_below(r, h->count)];
@@ -198,8 +200,8 @@ static thud_body_id add_placed(thud_world *world, const heap *h, const thud_shap
     return body;
 }
 
-/* AABBs would keep it from turning, which it does not: boxes of either kind stand as they are told.
- */
+/* AABBs would keep the body from rotating; it is kinematic and does not, so that the boxes of
+ * either kind keep the rotations of the heap. */
 static void add_joined(thud_world *world, const heap *h) {
     thud_body_id body = add_body(world, THUD_KINEMATIC, 0, 0, 0);
     thud_shape_def def = thud_default_shape_def();
@@ -247,18 +249,19 @@ static thud_world *make_heap(const heap *h, bool seams, thud_body_id *body) {
     return world;
 }
 
-/* ---- what happened ---- */
+/* ---- outcomes ---- */
 
 typedef struct outcome {
-    double overlap; /* what never went away of it after it settled */
-    double nearest; /* at the end */
-    double inside;  /* the deepest that its middle ever was in one */
+    double overlap; /* least overlap with any shape after it settled */
+    double nearest; /* least distance from any shape at the end */
+    double inside;  /* greatest depth of its centre in a shape */
     double speed;   /* at the end */
-    double energy;  /* the most that it gained, per mass, in (length scales / s)^2 */
+    double energy;  /* greatest gain per mass, in (length scales / s)^2 */
     double x, y;
 } outcome;
 
-/* Of the body, where it is now, from a shape or from the line: exact but for the line's ends. */
+/* Distance of the body from the nearest shape or the terrain, in length scales; exact except at the
+ * terrain's ends. */
 static double least_distance(const heap *h, const thud_shape_instance *body) {
     solid b = solid_of(body, 0, 0);
     double least = 1e9;
@@ -283,6 +286,7 @@ static double least_distance(const heap *h, const thud_shape_instance *body) {
     return least;
 }
 
+/* Depth of the body's centre in a shape; 0 outside. */
 static double middle_inside(const heap *h, const thud_shape_instance *body) {
     double most = 0;
     for (int i = 0; i < h->count; i++) {
@@ -292,6 +296,7 @@ static double middle_inside(const heap *h, const thud_shape_instance *body) {
     return most;
 }
 
+/* Runs the heap with or without internal edges. */
 static outcome watch(const heap *h, bool seams) {
     thud_body_id id;
     thud_world *world = make_heap(h, seams, &id);
@@ -321,6 +326,7 @@ static outcome watch(const heap *h, bool seams) {
     return out;
 }
 
+/* What is wrong with an outcome; null: nothing. */
 static const char *fault_of(const outcome *o) {
     return o->overlap > OVERLAP                   ? "overlaps"
            : o->inside > 0.02                     ? "was inside"

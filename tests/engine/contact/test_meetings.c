@@ -1,5 +1,6 @@
-/* test_meetings.c: who met whom, by kinds: each pair once a step, whichever way its events have it,
- * and only who is still there. */
+/* test_meetings.c: thud_world_next_meeting, which lists the pairs of two categories that met in a
+ * step: each pair once, whatever the order of shapes in the events, and only bodies that still
+ * exist. */
 #include "engine_support.h"
 
 #include <thud/thud_lists.h>
@@ -28,7 +29,7 @@ static int meetings(const thud_world *world, uint32_t first, uint32_t second) {
     return count;
 }
 
-/* Runs until something of the two kinds meets. */
+/* Runs until bodies of the two categories meet. */
 static void run_until(thud_world *world, uint32_t first, uint32_t second) {
     for (int i = 0; i < 300 && meetings(world, first, second) == 0; i++) {
         run(world, 1);
@@ -67,7 +68,8 @@ static void first_kind_comes_first_whatever_the_event_has(void **state) {
     thud_world_destroy(world);
 }
 
-/* A fast one begins to touch and hits in the same step; a hit without a touch counts as well. */
+/* A fast ball begins to touch and has a hit in the same step, and counts once; a hit without a
+ * begin counts as well. */
 static void pair_is_told_once_a_step(void **state) {
     (void)state;
     int both = 0, hits = 0;
@@ -111,7 +113,7 @@ static void sensors_meet_what_they_begin_to_overlap(void **state) {
     assert_true(thud_world_next_meeting(world, BALL, COIN, &m));
     assert_true(same(m.a.body, ball) && same(m.b.body, coin) && m.b.sensor && !m.a.sensor);
     run(world, 1);
-    assert_int_equal(meetings(world, BALL, COIN), 0); /* it goes on, it does not begin */
+    assert_int_equal(meetings(world, BALL, COIN), 0); /* the overlap continues and does not begin */
     thud_world_destroy(world);
 }
 
@@ -138,8 +140,8 @@ static void who_is_gone_has_met_nobody(void **state) {
     int count = 0;
     for (thud_met m = {0}; thud_world_next_meeting(world, COIN, CRATE, &m); count++) {
         if (count == 1) {
-            OK(thud_body_destroy(world, m.a.body)); /* the coin: no other one met it */
-            make(world, 9, 9, COIN);                /* in its slot */
+            OK(thud_body_destroy(world, m.a.body)); /* the coin: the third crate met nothing else */
+            make(world, 9, 9, COIN);                /* reuses the slot of the coin */
         }
         OK(thud_body_destroy(world, m.b.body));
     }

@@ -1,5 +1,6 @@
-/* test_silent_shapes.c: shapes whose pairs make no events: what is not told, and that an end is
- * told exactly where its begin was, whenever the two are switched. */
+/* test_silent_shapes.c: shapes whose pairs make no events (silent shapes): none of their events is
+ * reported, and an end is reported exactly where its begin was, also where events are switched in
+ * between. */
 #include "event_chaos.h"
 #include "every_choice.h"
 #include "snapshot_support.h"
@@ -33,7 +34,7 @@ static void set_events(thud_world *world, thud_shape_id shape, bool events) {
     assert_int_equal(state.events, events);
 }
 
-/* ---- what is not told ---- */
+/* ---- what is not reported ---- */
 
 static void silent_shape_touches_hits_and_parts_unheard_and_others_do_not(void **state) {
     (void)state;
@@ -82,7 +83,7 @@ static void silence_of_either_side_is_enough_for_sensors_too(void **state) {
     }
 }
 
-/* ---- switched while they touch ---- */
+/* ---- switched while shapes touch ---- */
 
 static void end_is_told_where_its_begin_was(void **state) {
     (void)state;
@@ -111,7 +112,7 @@ static void end_is_told_where_its_begin_was(void **state) {
     }
 }
 
-/* A pair of a line and a shape is one pair, over whichever segments. */
+/* A terrain and a shape are one pair, over whichever segments. */
 static void line_is_told_of_as_it_began(void **state) {
     (void)state;
     for (int silent = 0; silent < 2; silent++) {
@@ -199,7 +200,7 @@ static void every_told_begin_has_its_end_whatever_is_switched(void **state) {
     }
 }
 
-/* Silence changes nothing but what is told. */
+/* Silent shapes change nothing but which events are reported. */
 static void silent_world_moves_as_a_loud_one(void **state) {
     (void)state;
     chaos *loud = make_chaos(&thud_detection_swept, 104729);
