@@ -1,14 +1,15 @@
-/* test_casts.c: casts hit by hit and many at once, and one shape asked alone, by hand. */
+/* test_casts.c: casts with a callback for each hit, many casts at once, and queries of a single
+ * shape, in scenes whose answers are known by hand. */
 #include "engine_support.h"
 
 #include <thud/thud_casts.h>
 
-/* Six balls of radius 0.4 on the x axis, at 1 to 6, made from the furthest on. */
+/* Six balls of radius 0.4 on the x axis, at 1 to 6, created from the farthest on. */
 typedef struct row {
     thud_world *world;
     thud_body_id body[7];
     thud_shape_id shape[7];
-    int told; /* messages of the log */
+    int told; /* errors in the log */
 } row;
 
 static void listen(thud_result result, const char *message, void *context) {
@@ -29,6 +30,7 @@ static void make_row(row *r, thud_job_system jobs) {
     }
 }
 
+/* A cast's callback: the answers that it gives, and the balls that it met, by number. */
 typedef struct story {
     row *row;
     int count;
@@ -46,6 +48,7 @@ static double listener(const thud_ray_hit *hit, void *context) {
     return answer;
 }
 
+/* Casts a ray along the row; returns how many hits the callback was given, in order. */
 static int told(row *r, story *s) {
     s->row = r;
     s->count = 0;
@@ -63,8 +66,10 @@ static void a_callback_goes_on_ignores_clips_and_ends(void **state) {
     const double on = THUD_CAST_ON, skip = THUD_CAST_IGNORE, end = THUD_CAST_END;
     assert_int_equal(told(&r, &(story){.answers = {on, skip, on, 5, skip, on}}), 6);
     assert_int_equal(told(&r, &(story){.answers = {skip, skip, end, on}}), 3);
-    assert_int_equal(told(&r, &(story){.answers = {0.06, on, on}}), 1);  /* the way ends here */
-    assert_int_equal(told(&r, &(story){.answers = {0.161, on, on}}), 2); /* and one close behind */
+    /* the ray ends at the first hit */
+    assert_int_equal(told(&r, &(story){.answers = {0.06, on, on}}), 1);
+    /* the ray ends shortly behind the second ball */
+    assert_int_equal(told(&r, &(story){.answers = {0.161, on, on}}), 2);
     assert_int_equal(told(&r, &(story){.answers = {0.5, 0.3, 0.9, on}}), 3);
     assert_int_equal(r.told, 0);
     assert_int_equal(told(&r, &(story){.answers = {NAN, on, end}}), 3);
@@ -93,12 +98,13 @@ static void edits_of_a_callback_wait_and_what_it_destroys_is_told_no_more(void *
     assert_int_equal(told(&r, &s), 5);
     assert_true(s.met[2] == 3 && s.met[3] == 5 && s.met[4] == 6);
     s.act = NULL;
-    assert_int_equal(told(&r, &s), 5); /* 5 is gone, and there is one between 3 and 6 */
+    /* edits are applied by now: ball 5 has moved away, and a new ball is between 3 and 6 */
+    assert_int_equal(told(&r, &s), 5);
     assert_true(s.met[4] == 6);
     thud_world_destroy(r.world);
 }
 
-/* ---- many ---- */
+/* ---- many casts at once ---- */
 
 static void one_after_the_other(thud_task_fn *task, void *argument, int workers, void *context) {
     *(int *)context += 1;
@@ -142,7 +148,7 @@ static void the_job_system_is_asked_once_for_many_and_never_inside_a_callback(vo
     thud_world_destroy(r.world);
 }
 
-/* ---- wide and crowded ---- */
+/* ---- long rays and crowds ---- */
 
 static void long_ways_and_crowds_are_told_as_in_a_list(void **state) {
     (void)state;
@@ -179,7 +185,7 @@ static void long_ways_and_crowds_are_told_as_in_a_list(void **state) {
     thud_world_destroy(world);
 }
 
-/* ---- one shape ---- */
+/* ---- queries of a single shape ---- */
 
 static void check_bounds(thud_world *world, thud_shape_id shape, thud_pos low, thud_pos high) {
     thud_pos lower, upper;
@@ -203,7 +209,7 @@ static void one_shape_has_bounds_points_and_a_surface_wherever_it_stands(void **
         thud_world *world = make_world(weightless());
         thud_shape_def sensor = thud_default_shape_def();
         sensor.sensor = true;
-        sensor.filter.mask = 0; /* whatever its filter */
+        sensor.filter.mask = 0; /* the query does not use its filter */
         thud_body_id body = add_body(world, THUD_DYNAMIC, x, 2, 0);
         thud_shape_id box = add_shape(world, body, 2, 1, false, &sensor);
         OK(thud_body_set_transform(world, body, (thud_pos){x, 2}, acos(0.6)));

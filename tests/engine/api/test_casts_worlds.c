@@ -1,6 +1,6 @@
-/* test_casts_worlds.c: casts in random worlds of all kinds, hit by hit and many at once, against
- * every shape asked alone; and filters in every query. The same with every broadphase, far away,
- * and with any number of workers. */
+/* test_casts_worlds.c: casts in random worlds, with a callback for each hit and many at once,
+ * against a query of every single shape; and filters in every query. They give the same with every
+ * broadphase, far from the origin, and with any number of workers. */
 #include "engine_support.h"
 #include "pool.h"
 
@@ -8,6 +8,7 @@
 
 enum { SOLIDS = 90, LINES = 2, SHAPES = SOLIDS + LINES, RAYS = 200 };
 
+/* A random world and what the reference needs of it. */
 typedef struct crowd {
     thud_world *world;
     thud_pos origin;
@@ -17,7 +18,7 @@ typedef struct crowd {
     bool sensor[SHAPES], disabled[SHAPES];
 } crowd;
 
-/* Multiples of 1/1024, which no shift rounds. */
+/* Multiples of 1/1024, which remain exact where the world is shifted. */
 static double grid_in(uint64_t *seed, double low, double high) {
     return floor(random_in(seed, low, high) * 1024) / 1024;
 }
@@ -91,6 +92,7 @@ static int number_of(const crowd *c, thud_shape_id shape) {
     return -1;
 }
 
+/* Whether shape i passes the filter (reference). */
 static bool passes(const crowd *c, int i, const thud_query_filter *f) {
     if (c->disabled[i] || (c->sensor[i] && !f->sensors) ||
         (f->ignore.index1 == c->body[i].index1 && f->ignore.generation == c->body[i].generation)) {
@@ -125,12 +127,12 @@ static query draw_query(const crowd *c, uint64_t *seed) {
     q.filter.category = below(seed, 2) ? UINT32_MAX : (uint32_t)below(seed, 4);
     q.filter.group = groups[below(seed, 4)];
     if (!q.filter.mask && !q.filter.category) {
-        q.filter.mask = 1; /* what meets nothing is refused: test_log.c */
+        q.filter.mask = 1; /* a filter that passes nothing is refused: test_log.c */
     }
     q.filter.sensors = below(seed, 2);
     int ignored = below(seed, SHAPES);
     q.filter.ignore = below(seed, 2) ? c->body[ignored] : (thud_body_id){0, 0};
-    q.filter.ignore.generation += below(seed, 4) == 0; /* stale: nobody */
+    q.filter.ignore.generation += below(seed, 4) == 0; /* a stale handle: no body is ignored */
     return q;
 }
 
@@ -148,7 +150,7 @@ static int by_order(const void *left, const void *right) {
     return a->shape.index1 < b->shape.index1 ? -1 : 1;
 }
 
-/* Each shape asked alone. */
+/* Reference: the hits of each shape that passes, sorted by fraction, then by slot. */
 static int ask_all(const crowd *c, const query *q, thud_ray_hit *hits) {
     int count = 0;
     for (int i = 0; i < SHAPES; i++) {
@@ -160,12 +162,12 @@ static int ask_all(const crowd *c, const query *q, thud_ray_hit *hits) {
     return count;
 }
 
-/* ---- hit by hit ---- */
+/* ---- callbacks for each hit ---- */
 
 typedef struct listener {
     thud_ray_hit hits[SHAPES];
     int count;
-    uint64_t *seed; /* of answers; null: goes on and on */
+    uint64_t *seed; /* of random answers; null: it always continues */
     double answers[SHAPES];
 } listener;
 
@@ -191,7 +193,7 @@ static double hear(const thud_ray_hit *hit, void *context) {
     return answer;
 }
 
-/* What a list is told of by the answers that were given. */
+/* Asserts that the callback was given the hits of the sorted list that its answers left. */
 static void check_told(const listener *l, const thud_ray_hit *all, int count) {
     double limit = INFINITY;
     int told = 0;
@@ -248,7 +250,7 @@ static bool note(thud_shape_id shape, void *context) {
     return true;
 }
 
-/* Of a cast shape and of an overlap: what passes and is near enough is met, and nothing else. */
+/* Shape casts and overlaps report the shapes that pass the filter and overlap, and no others. */
 static void check_filters(const crowd *c, const query *q) {
     listener swept = {.count = 0}, over = {.count = 0};
     thud_shape_instance disc = {.kind = THUD_CIRCLE, .c = 1, .hx = q->shape.hx};
@@ -300,7 +302,7 @@ static void filters_hold_in_every_query(void **state) {
     }
 }
 
-/* ---- many at once ---- */
+/* ---- many casts at once ---- */
 
 static void check_one(const crowd *c, const query *q, const thud_ray_hit *got, bool ray) {
     thud_ray_hit one = {.fraction = 1, .point = {q->at.x + q->dx, q->at.y + q->dy}};

@@ -1,4 +1,5 @@
-/* test_explode.c: explosions: what arrives, what hides from them, who is pushed: thud_fields.h. */
+/* test_explode.c: explosions (thud_fields.h): the impulse by distance, partial cover, and which
+ * bodies are pushed. */
 #include "engine_support.h"
 
 #include <thud/thud_fields.h>
@@ -41,7 +42,7 @@ static void a_ball_gets_its_diameter_and_less_further_out(void **state) {
     }
 }
 
-/* The velocity of a box at (4, 0) by an explosion at the origin, with something before it. */
+/* A box at (4, 0) after an explosion at the origin, with a wall in between where half_y is > 0. */
 static thud_body_state pushed_behind(thud_body_kind kind, double y, float half_y, thud_cover cover,
                                      int rays) {
     thud_world *world = make_world(weightless());
@@ -72,8 +73,8 @@ static void cover_is_partial(void **state) {
             s = pushed_behind(k, 0, 2, THUD_COVER_NONE, rays);
             near_to((double)s.velocity.x, all, 1e-6);
         }
-        /* The lower half is hidden: what arrives is the upper one's, and turns the box clockwise.
-         */
+        /* The lower half of the box is covered: the impulse acts on the upper half, and turns the
+         * box clockwise. */
         thud_body_state s = pushed_behind(THUD_STATIC, -2.001, 2, THUD_COVER_ALL, rays);
         near_to((double)s.velocity.x, all * (double)((rays + 1) / 2) / (double)rays, 0.03);
         assert_true(rays == 1 || s.angular_velocity < -0.1f);
@@ -92,7 +93,7 @@ static void ground_hides_and_the_edge_of_a_floor_does_not(void **state) {
     thud_body_id behind = add_ball(world, 4, 0.5, 0.5f), before = add_ball(world, -6, 0.5, 0.5f);
     assert_int_equal(explode(world, blast_at(-4, 0.25)), 1);
     assert_true(state_of(world, behind).velocity.x == 0 && state_of(world, before).velocity.x < 0);
-    /* On the very edge, where a shot has hit the ground. */
+    /* The explosion is exactly on the terrain, as where a shot has hit it. */
     assert_int_equal(explode(world, blast_at(6, 0)), 1);
     assert_true(state_of(world, behind).velocity.x < 0);
     thud_world_destroy(world);
@@ -126,7 +127,8 @@ static void filters_sensors_and_bodies_of_several_shapes(void **state) {
     blast.filter.mask = 2;
     assert_int_equal(explode(world, blast), 1);
     thud_body_state s = state_of(world, pair);
-    near_to((double)s.velocity.x, 2 * 3 / (double)s.mass, 1e-5); /* neither hides the other */
+    /* shapes of one body do not cover each other */
+    near_to((double)s.velocity.x, 2 * 3 / (double)s.mass, 1e-5);
     assert_true(state_of(world, other).velocity.x == 0);
     blast.filter.mask = UINT32_MAX;
     blast.filter.ignore = pair;

@@ -1,4 +1,5 @@
-/* test_fields.c: wind, and the rolling resistance of balls: thud_fields.h. */
+/* test_fields.c: wind and the rolling resistance of balls (thud_fields.h) against formulas and
+ * sums. */
 #include "engine_support.h"
 
 #include <thud/thud_fields.h>
@@ -19,7 +20,7 @@ static void still_air_brakes_by_what_goes_across(void **state) {
     OK(thud_body_apply_wind(world, box, still, 0.1f, 1.5f, 0));
     OK(thud_body_apply_wind(world, ball, still, 0.1f, 0.5f, 0));
     run(world, 1);
-    /* density / 2 * drag * speed^2 * length * time / mass */
+    /* change of speed: density / 2 * drag * speed^2 * length * time / mass */
     thud_body_state s = state_of(world, box);
     near_to((double)s.velocity.x, 4 - 0.05 * 1.5 * 16 * 2 / 60 / (double)s.mass, 1e-5);
     near_to((double)s.velocity.y, 0, 1e-6);
@@ -29,7 +30,7 @@ static void still_air_brakes_by_what_goes_across(void **state) {
     thud_world_destroy(world);
 }
 
-/* A box that flies and turns: force and torque of drag, by sums over its edges. */
+/* Reference: force and torque of the drag on a box that moves and turns, by sums over its edges. */
 static void drag_over_edges_is_the_integral(void **state) {
     (void)state;
     const double h[2] = {1, 0.4}, v[3] = {1.5, -0.5, 3}, wind[2] = {0.25, 0.5};
@@ -65,7 +66,7 @@ static void drag_over_edges_is_the_integral(void **state) {
 static void wings_and_spin_lift(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
-    /* Nose up, flying to +x; and a ball with backspin. */
+    /* A wing flies to +x with its nose up, and a ball with backspin. */
     thud_body_id wing = add_body(world, THUD_DYNAMIC, 0, 0, 0.2),
                  ball = add_ball(world, 9, 0, 0.5f);
     add_shape(world, wing, 1, 0.01f, false, NULL);
@@ -117,7 +118,8 @@ static void still_air_never_gives_energy(void **state) {
     }
 }
 
-/* A ball comes to go with the wind, and no step takes it further, however dense the air is. */
+/* A ball is taken along up to the speed of the wind, and no step exceeds it, however dense the air
+ * is. */
 static void wind_takes_along_and_wakes_nobody(void **state) {
     (void)state;
     const float density[] = {0.3f, 1, 1e9f};

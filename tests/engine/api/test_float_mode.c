@@ -1,6 +1,6 @@
-/* test_float_mode.c: the same bits whatever floating-point mode the calling thread is in, and the
- * thread has its own back. Where a processor has no such mode there is nothing to test but the
- * calls. */
+/* test_float_mode.c: results have the same bits in whichever floating-point mode (rounding,
+ * denormals) the calling thread is, and the thread has its own mode afterwards. On a processor
+ * without such a mode only the calls are made. */
 #include "engine_support.h"
 
 #include <thud/thud_mover.h>
@@ -48,9 +48,10 @@ static td_mode mode_now(void) {
     return mode & ~(td_mode)TD_MODE_NOTES;
 }
 
-static td_mode callers; /* of the run under way */
+static td_mode callers; /* the mode of the calling thread, in the current run */
 
-/* The call in the caller's mode, everything around it in the usual one: arguments are values. */
+/* Makes the call in the caller's mode and evaluates everything around it in the usual one, so that
+ * arguments do not depend on the mode. */
 #define IN_MODE(call)                       \
     do {                                    \
         set_mode(callers);                  \
@@ -109,7 +110,7 @@ static void qualities_end_with_the_same_bits_in_any_mode(void **state) {
     }
 }
 
-/* A thread has the mode of the one that made it. */
+/* A thread begins in the mode of the thread that created it. */
 static void workers_in_any_mode_give_the_same_bits(void **state) {
     (void)state;
     uint64_t hash[MODE_COUNT];
@@ -127,12 +128,12 @@ static void workers_in_any_mode_give_the_same_bits(void **state) {
     }
 }
 
-/* ---- all that a world keeps ---- */
+/* ---- every call that changes a world's state ---- */
 
 typedef struct deeds {
     thud_world *world;
     thud_mover mover;
-    uint64_t seen; /* what the calls answered */
+    uint64_t seen; /* hash of what the calls returned */
 } deeds;
 
 static void see(deeds *d, const void *bytes, size_t size) {
@@ -193,7 +194,8 @@ static void make_bodies(deeds *d) {
 
 static void ask(deeds *d, int step) {
     bool hit;
-    volatile double up = 0.1 * step; /* or the product might be made after the mode is set */
+    /* volatile, since the compiler may otherwise compute the product after the mode is set */
+    volatile double up = 0.1 * step;
     thud_ray_hit ray = {0};
     thud_closest_hit closest = {0};
     IN_MODE(thud_world_cast_ray(d->world, (thud_pos){-15.3, 0.9}, 29.7, up, NULL, &hit, &ray));

@@ -1,5 +1,5 @@
-/* test_forces.c: forces, targets, points of bodies, and single values: thud_forces.h, thud_reads.h,
- * thud_version.h. */
+/* test_forces.c: forces, targets of bodies, points of bodies, and functions that read a single
+ * value (thud_forces.h, thud_reads.h, thud_version.h). */
 #include "engine_support.h"
 
 #include <thud/thud_forces.h>

@@ -1,5 +1,5 @@
-/* test_lists.c: lists of what there is in a world, call by call: asleep, disabled, inside
- * callbacks, into arrays that are too small, and refused. */
+/* test_lists.c: lists of a world's bodies, shapes, overlaps and pairs: asleep, disabled, inside
+ * callbacks, with too small arrays, and refused calls. */
 #include "lists_support.h"
 #include "resolution_support.h"
 
@@ -30,7 +30,7 @@ static void sleepers_leave_the_awake_and_come_back(void **state) {
         thud_body_id floor = add_floor(world, NULL),
                      lift = add_body(world, THUD_KINEMATIC, 9, 9, 0);
         thud_body_id box = add_kind(world, 2, 0, 0.5, NULL);
-        assert_true(is_among_awake(world, box)); /* before its first step */
+        assert_true(is_among_awake(world, box)); /* also before its first step */
         assert_false(is_among_awake(world, floor));
         run(world, 150);
         assert_false(is_among_awake(world, box));
@@ -66,7 +66,7 @@ static bool ask_inside(thud_world *world, const thud_contact *contact,
         in->late = add_shape(world, in->made, 0.5f, 0, false, NULL);
         assert_true(is_among_bodies(world, in->made) && is_among_awake(world, in->made));
         assert_true(is_among_shapes(world, in->late));
-        in->sensed = sensed_by(world, in->sensor); /* of the step before */
+        in->sensed = sensed_by(world, in->sensor); /* overlaps of the step before */
         OK(thud_body_set_transform(world, in->floor, (thud_pos){0, -1.25}, 0));
         OK(thud_pair_get(world, contact->shape_a, contact->shape_b, &in->pair));
         assert_int_equal(look(&in->w, world), 1);
@@ -92,11 +92,12 @@ static void callbacks_read_the_step_under_way(void **state) {
     run(world, 1);
     assert_true(in.asked > 0);
     assert_int_equal(in.sensed, 0);
-    assert_int_equal(sensed_by(world, in.sensor), 1); /* two static ones are nothing */
+    /* two static shapes do not overlap as sensors */
+    assert_int_equal(sensed_by(world, in.sensor), 1);
     assert_true(same_body(in.pair.a.body, in.floor) && same_body(in.pair.b.body, in.ball));
     assert_int_equal(in.pair.b.body_data, 7);
     look(&in.w, world);
-    assert_false(told(&in.w, in.floor)); /* that edit waits */
+    assert_false(told(&in.w, in.floor)); /* the edit is deferred */
     run(world, 1);
     look(&in.w, world);
     assert_true(told(&in.w, in.floor));
@@ -126,12 +127,12 @@ static void sensor_lists_by_slot_what_it_overlaps_now(void **state) {
     def.sensor = true;
     thud_body_id carrier = add_body(world, THUD_KINEMATIC, 0, 0, 0);
     sensor = add_shape(world, carrier, 2, 1, true, &def);
-    assert_int_equal(sensed_by(world, sensor), 0); /* no step has looked */
+    assert_int_equal(sensed_by(world, sensor), 0); /* no step has been made since it was created */
     for (int asleep = 0; asleep < 2; asleep++) {
         run(world, asleep ? 200 : 1);
         assert_int_equal(state_of(world, bodies[0]).awake, !asleep);
         OK(thud_sensor_overlaps(world, sensor, list, 8, &count));
-        assert_int_equal(count, 7); /* all segments of the line are one shape */
+        assert_int_equal(count, 7); /* all segments of the terrain are one shape */
         for (int i = 0; i < 6; i++) {
             assert_true(same_shape(list[i], balls[i]));
         }
@@ -159,7 +160,7 @@ static void sensor_lists_by_slot_what_it_overlaps_now(void **state) {
     thud_world_destroy(world);
 }
 
-/* A box lies over five of its segments, and a ball over two. */
+/* A terrain as a sensor: a box lies over five of its segments, and a ball over two. */
 static void line_that_senses_lists_each_shape_once(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -226,7 +227,8 @@ static void pair_tells_whose_shapes_met_and_what_is_gone(void **state) {
     def.sensor = true;
     add_shape(world, add_body(world, THUD_DYNAMIC, 0, 9, 0), 0.5f, 0, false, &def);
     OK(thud_pair_get(world, e.end[0].shape_a, e.end[0].shape_b, &pair));
-    assert_true(side_is(pair.a, floor, 1, 11)); /* and the new shape is no stand-in */
+    /* the new shape in the slot is not taken for the destroyed one */
+    assert_true(side_is(pair.a, floor, 1, 11));
     assert_true(side_is(pair.b, (thud_body_id){0, 0}, 0, 0));
     thud_shape_id young = {0};
     OK(thud_world_shape_at(world, (int)e.end[0].shape_b.index1 - 1, &young));

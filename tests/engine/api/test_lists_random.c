@@ -1,20 +1,21 @@
-/* test_lists_random.c: random worlds whose bodies and shapes come, go, jump, sleep and are switched
- * off, and which are restored. After every edit and step each list is what a naive one is, kept by
- * the test from what it created and destroyed, from thud_body_get, and from the events. */
+/* test_lists_random.c: random worlds whose bodies and shapes are created, destroyed, moved, put to
+ * sleep, disabled and restored. After every edit and step each list equals a reference that the
+ * test keeps: from what it created and destroyed, from thud_body_get, and from sensor events. */
 #include "every_choice.h"
 #include "lists_support.h"
 #include "snapshot_support.h"
 
 enum { BODIES = 24, SHAPES = 4 * BODIES, MOST = 512, ROUNDS = 8, EDITS = 400 };
 
-/* By slot, since a slot has one body or shape at a time; index1 is 0 where there is none. */
+/* The reference, by slots, as a slot holds one body or shape at a time; index1 is 0 where it holds
+ * none. */
 typedef struct model {
     thud_body_id body[MOST];
     thud_shape_id shape[MOST];
     thud_body_id owner[MOST];
     bool sensor[MOST];
     int bodies, shapes;
-    bool open[MOST][MOST]; /* shape slots: the sensor of the first one sees the second */
+    bool open[MOST][MOST]; /* by shape slots: the sensor of the first sees the second */
 } model;
 
 typedef struct chaos {
@@ -22,11 +23,11 @@ typedef struct chaos {
     uint64_t seed;
     model now, kept;
     saved snapshot;
-    thud_body_seen seen[MOST]; /* the engine's */
-    bool known[MOST];          /* and the test's: */
+    thud_body_seen seen[MOST]; /* state of thud_world_moved_bodies */
+    bool known[MOST];          /* the test's own record of the same */
     thud_body_id last[MOST];
     thud_body_state was[MOST];
-    int sensed; /* overlaps, in all rounds and comparisons */
+    int sensed; /* overlaps, over all rounds and comparisons */
     int asleep;
 } chaos;
 
@@ -34,9 +35,9 @@ static int pick(chaos *c, int count) {
     return (int)random_in(&c->seed, 0, (double)count);
 }
 
-/* ---- what is done ---- */
+/* ---- edits ---- */
 
-/* A slot with a body, or -1. */
+/* A random slot with a body, or -1. */
 static int some_body(chaos *c) {
     int slots = 0, slot = -1;
     for (int i = 0; i < MOST; i++) {
@@ -115,7 +116,7 @@ static void step(chaos *c) {
         const thud_contact_event *at =
             ends ? &e.sensor_end[i] : &e.sensor_begin[i - e.sensor_end_count];
         bool *open = &c->now.open[at->shape_a.index1 - 1][at->shape_b.index1 - 1];
-        *open = !*open; /* a pair in both lists is as it was */
+        *open = !*open; /* a pair in both lists is as it was before the step */
     }
 }
 
@@ -177,10 +178,10 @@ static void act(chaos *c) {
     }
 }
 
-/* ---- what is compared ---- */
+/* ---- comparison ---- */
 
-/* The first `capacity` of a list are those of another, which has `wanted`; the rest is untouched.
- */
+/* Asserts that the first `capacity` entries of a list are those of the reference with `wanted`
+ * entries, and the rest is 0. */
 static void compare(const uint64_t *list, int count, int capacity, const uint64_t *naive,
                     int wanted) {
     assert_int_equal(count, wanted);
@@ -288,7 +289,7 @@ static void compare_shapes(chaos *c) {
     shapes_are(result, list, count, capacity, all, wanted);
 }
 
-/* A slot's body is elsewhere than it was when it was last told. */
+/* Whether the body in a slot is another one, or elsewhere, than when it was last listed. */
 static bool moves(const chaos *c, int slot) {
     thud_body_state now = state_of(c->world, c->now.body[slot]);
     const thud_body_state *was = &c->was[slot];

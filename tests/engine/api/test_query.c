@@ -1,4 +1,4 @@
-/* test_query.c: rays, overlaps, poses, time keeping. */
+/* test_query.c: ray casts, overlaps, interpolated poses, and stepping by elapsed time. */
 #include "engine_support.h"
 
 static void ray_finds_the_first_shape_of_many(void **state) {

@@ -1,25 +1,24 @@
-/* test_query_worlds.c: queries of random worlds of all kinds against every shape asked one by
- * one, with the geometry that needs no world; and the same answers, bit for bit, with every
- * broadphase.
+/* test_query_worlds.c: queries of random worlds against the geometry functions, which need no
+ * world, applied to every single shape; and the same answers, bit for bit, with every broadphase.
  *
- * A case is one query of one world. A shape that comes within GRAZE of being met, or of not
- * being met, may be told either way: the world keeps places to 2^-32 and rotations in single
- * precision. */
+ * A case is one query of one world. Where a result changes within the distance GRAZE, either answer
+ * is accepted: the world keeps positions to 2^-32 and rotations in single precision. */
 #include "engine_support.h"
 #include "geometry_random.h"
 
 enum { SHAPES = 60, QUERIES = 100, BROADPHASES = 3, ROOM = 2 * SHAPES };
 
+/* In metres. Chosen, above those errors for the worlds' extent of 60. */
 #define GRAZE 2e-5
 
-/* The same shapes in three worlds, and once more without any. */
+/* The same shapes in three worlds, one for each broadphase, and in arrays for the reference. */
 typedef struct worlds {
     thud_world *world[BROADPHASES];
-    thud_pos origin; /* of what follows */
+    thud_pos origin; /* of all positions below */
     int count;
     thud_shape_id ids[SHAPES];
     thud_shape_instance placed[SHAPES];
-    thud_terrain terrain[SHAPES]; /* of kind THUD_TERRAIN, whose origin `placed` has */
+    thud_terrain terrain[SHAPES]; /* of kind THUD_TERRAIN, whose origin is that of `placed` */
     thud_pos points[SHAPES][6];
     thud_filter filter[SHAPES];
     bool sensor[SHAPES];
@@ -71,7 +70,7 @@ static void add_solid(worlds *w, source *r, const thud_shape_def *def) {
     }
 }
 
-/* Shapes may lie in each other without being pushed apart. */
+/* A prologue with which overlapping shapes are not pushed apart. */
 static bool ignore(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
                    void *context) {
     (void)settings;
@@ -114,7 +113,7 @@ static void drop_worlds(worlds *w) {
     }
 }
 
-/* ---- one shape, without a world ---- */
+/* ---- reference: one shape, without a world ---- */
 
 static bool passes(const worlds *w, int i, const thud_query_filter *filter) {
     return (filter->sensors || !w->sensor[i]) && (w->filter[i].category & filter->mask);
@@ -128,13 +127,13 @@ static thud_shape_instance grown(const thud_shape_instance *shape, double by) {
 }
 
 typedef struct query {
-    thud_shape_instance shape; /* about (0, 0), in the worlds' frame; of a ray or point not read */
+    thud_shape_instance shape; /* about (0, 0), in the worlds' frame; not used by rays and points */
     bool pointlike;
     double x, y, dx, dy;
     thud_query_filter filter;
 } query;
 
-/* Whether shape i, grown by so much, is met, and at which fraction at the latest and earliest. */
+/* Whether shape i, enlarged by `by`, is hit; *fraction is when. */
 static bool meets(const worlds *w, int i, const query *q, double by, double *fraction) {
     double x = q->x, y = q->y;
     bool hit = false;
@@ -233,8 +232,8 @@ static bool same_hit(const thud_ray_hit *a, const thud_ray_hit *b) {
            a->normal.y == b->normal.y;
 }
 
-/* The point lies on the surface of the shape, and where the query's shape then stands it
- * touches. */
+/* Asserts that the hit's point is on the surface of the shape, and that the query's shape touches
+ * it at that fraction. */
 static void check_hit(const worlds *w, const query *q, const thud_ray_hit *hit) {
     thud_shape_instance point = {.kind = THUD_CIRCLE, .c = 1, .hx = 1e-9};
     int i = index_of(w, hit->shape);
@@ -266,7 +265,7 @@ static void check_cast(const worlds *w, const query *q) {
         assert_true(k == 0 || hits[k - 1].fraction < hits[k].fraction ||
                     (hits[k - 1].fraction == hits[k].fraction &&
                      hits[k - 1].shape.index1 < hits[k].shape.index1));
-        /* A ray may start in the grown shape. */
+        /* A ray may start inside of the enlarged shape. */
         assert_true(meets(w, i, q, GRAZE, &fraction) || q->pointlike);
         check_hit(w, q, &hits[k]);
     }
@@ -347,7 +346,7 @@ static void check_closest(const worlds *w, source *r, const query *q) {
     }
 }
 
-/* As many as THUD_CASES says. */
+/* The number of cases: THUD_CASES of the environment, else the usual one. */
 static long cases_wanted(long usual) {
     const char *wanted = getenv("THUD_CASES");
     return wanted ? strtol(wanted, NULL, 10) : usual;
@@ -363,7 +362,8 @@ static void queries_of_random_worlds_agree_with_every_shape_asked_one_by_one(voi
             make_worlds(&w, &r);
         } else if (k % QUERIES == QUERIES / 2) {
             for (int b = 0; b < BROADPHASES; b++) {
-                /* Nothing moves, but sleeping, bounds and populations have been through a step. */
+                /* Nothing moves, but a step has updated sleeping, bounds and the broadphase's
+                 * populations. */
                 run(w.world[b], 1);
             }
         }

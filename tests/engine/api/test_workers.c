@@ -1,4 +1,5 @@
-/* test_workers.c: a step shared by several threads, or by calls that only pretend to be threads. */
+/* test_workers.c: steps that several threads share, or that a job system runs as one call after
+ * another, give the same bits. */
 #include "engine_support.h"
 
 #include "build_thud.h"
@@ -19,7 +20,7 @@ static uint64_t hash_after(const char *name, int size, int steps, thud_job_syste
     return hash;
 }
 
-/* A job system that has but one thread: one call after the other. */
+/* A job system with a single thread: it calls the task for each worker in turn. */
 static void one_after_the_other(thud_task_fn *task, void *argument, int workers, void *context) {
     *(int *)context += 1;
     for (int i = 0; i < workers; i++) {
