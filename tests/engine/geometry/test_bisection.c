@@ -1,4 +1,5 @@
-/* test_bisection.c: the time of collision by bisection, against answers worked out by hand. */
+/* test_bisection.c: the time of collision by bisection, and which motions can be bisected, against
+ * answers derived by hand. */
 #include "thud/thud_shapes.h"
 
 #include <math.h>
@@ -39,13 +40,13 @@ static void bisection_does_not_see_a_wall_that_was_passed_through(void **state) 
     assert_true(collision(fast, 1e-6, &collided) == 1.0);
     assert_false(collided);
     assert_false(thud_motion_is_bisectable(&ball, fast, &wall, still));
-    /* The ball is as thick as the wall: 1. */
+    /* Ball and wall are both 1 thick. */
     assert_true(thud_motion_is_bisectable(&ball, (thud_motion){0.999, 0, 0}, &wall, still));
     assert_false(thud_motion_is_bisectable(&ball, (thud_motion){1.0, 0, 0}, &wall, still));
     assert_true(thud_motion_is_bisectable(&ball, fast, &wall, fast));
 }
 
-/* A bar's end moves by its half length a radian. */
+/* The end of a bar moves by its half length for each radian. */
 static void turn_counts_for_what_is_bisectable(void **state) {
     (void)state;
     thud_shape_instance bar = {.kind = THUD_OBB, .c = 1.0, .hx = 3.0, .hy = 4.0}, upright = bar;
@@ -79,7 +80,7 @@ static void bisection_of_a_turning_bar_is_when_its_end_comes_down(void **state) 
                                                     &collided, &time),
                      THUD_OK);
     assert_true(collided);
-    /* The end is at 1 - 2 sin(turn) - 0.001 cos(turn). */
+    /* The height of the end is 1 - 2 sin(turn) - 0.001 cos(turn). */
     double end = 1.0 - 2.0 * sin(time) - 0.001 * cos(time);
     assert_true(end > 0.0 && end < 1e-8);
 }

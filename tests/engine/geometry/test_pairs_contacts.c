@@ -1,5 +1,5 @@
-/* test_pairs_contacts.c: contact points of every pair of kinds. The first must be the closest
- * features; for a second the faces are clipped against each other in long double. */
+/* test_pairs_contacts.c: contact points of every pair of kinds. The first must be at the closest
+ * features; for the second, the faces are clipped against each other in long double. */
 #include "geometry_pairs.h"
 
 #include <setjmp.h>
@@ -10,8 +10,8 @@
 
 enum { QUICK = 30000 };
 #define BOUND 16.0
-/* Faces that are turned against each other by no more, in radians, are parallel; between this and
- * ten times more the engine may see it one way or the other. */
+/* Sine of the angle up to which faces are parallel for the engine; up to ten times more, either
+ * answer is accepted. */
 #define ALIGNED 3e-8
 
 /* A place in the frame of the normal: along the face, and above it. */
@@ -23,14 +23,15 @@ static spot spot_of(vec n, vec p) {
     return (spot){n.x * p.y - n.y * p.x, dot(n, p)};
 }
 
-/* How much the side's outward normal, turned into the direction n, is off, as a sine. */
+/* By how much the side's outward normal differs from the direction n, as a sine; 2 where it points
+ * away from n. */
 static real off_normal(const solid *s, int side, vec n) {
     vec d = unit(minus(s->v[(side + 1) % 4], s->v[side]));
     return cross(n, d) > 0.0L ? fabsl(dot(n, d)) : 2.0L;
 }
 
-/* May the engine's second point, or its absence, come from this side as the face that looks along n
- * and that side of the other box as the one over it? */
+/* Whether the engine's second point, or its absence (null), is explained by clipping the other
+ * box's side `over` to the side `side` of `face`, whose normal is n. */
 static bool explains(const solid *face, int side, const solid *other, int over, vec n, vec first,
                      real margin, real slack, const vec *second) {
     spot p = spot_of(n, minus(face->v[side], first));
@@ -62,7 +63,8 @@ static bool explains(const solid *face, int side, const solid *other, int over, 
     return false;
 }
 
-/* All the ways to take a face and what is over it. n points from `face`; `first` is on it. */
+/* Tries all sides that may be the face and the one opposite. n points away from `face`; `first` is
+ * a point on it. */
 static bool some_side_explains(const solid *face, const solid *other, vec n, vec first, real margin,
                                real slack, const vec *second) {
     vec back = {-n.x, -n.y};

@@ -1,6 +1,6 @@
-/* test_ground_contacts.c: contact points of shapes and ground. The first must be the closest
- * features; the candidates for the second are found once more in long double, each as certain, or
- * as hanging on a rounding. */
+/* test_ground_contacts.c: contact points of shapes and ground. The first must be at the closest
+ * features. The candidates for the second are found again in long double, and each is either
+ * certain or depends on rounding. */
 #include "geometry_ground.h"
 
 #include <setjmp.h>
@@ -12,14 +12,15 @@
 enum { QUICK = 4000 };
 #define BOUND 32.0
 
-/* How far the candidates' places on the ground are from another: of all that may count, and of
- * those that must. */
+/* The greatest distance of candidates from the first point: of all that may count, and of those
+ * that must. */
 typedef struct reach {
     const ground *g;
     vec from;
     real margin, slack, may, must;
 } reach;
 
+/* Adds a candidate at `place`, with that separation. */
 static void offer(reach *k, real distance, vec place, bool certain) {
     real apart = length_of(minus(place, k->from));
     if (distance <= k->margin + k->slack) {
@@ -37,7 +38,8 @@ static vec nearest_on(vec a, vec b, vec p) {
     return vec_of(a.x + t * d.x, a.y + t * d.y);
 }
 
-/* A corner with its nearest places of the outline; a second one as near makes it uncertain. */
+/* A corner, with the nearest places on the outline; where a second place is as near, the candidate
+ * is uncertain. */
 static void offer_corner(reach *k, vec corner) {
     const thud_terrain *t = &k->g->terrain;
     const thud_shape_instance *s = &k->g->shape;
@@ -74,7 +76,7 @@ static void offer_corner(reach *k, vec corner) {
     }
 }
 
-/* The direction in which the shape would be moved off the place p. */
+/* The direction in which the shape would be moved away from the place p. */
 static vec way_off(const thud_shape_instance *s, vec p, real *distance) {
     solid shape = solid_of(s, s->x, s->y);
     *distance = solid_distance(&shape, p);
@@ -95,9 +97,9 @@ static vec way_off(const thud_shape_instance *s, vec p, real *distance) {
     return unit(vec_of(s->c * nu - s->s * nv, s->s * nu + s->c * nv));
 }
 
-/* Whether a ridge counts hangs on its sharpness, on the direction off it, and on whether that is
- * between the normals of both sides. The direction is a rounding's choice on the outline, in the
- * middle of the shape (where it may be no number), and where two faces are as near. */
+/* Whether a ridge counts depends on its sharpness, on the direction away from it, and on whether
+ * that is between the normals of its sides. The direction depends on rounding on the shape's
+ * outline, at its centre (where it may be NaN), and where two faces are equally near. */
 static void offer_ridge(reach *k, int i) {
     const thud_terrain *t = &k->g->terrain;
     const thud_shape_instance *s = &k->g->shape;
@@ -120,7 +122,7 @@ static void offer_ridge(reach *k, int i) {
     }
 }
 
-/* A segment under a circle whose centre is out of the ground by that much. */
+/* A segment below a circle whose centre is `out` outside of the ground. */
 static void offer_segment(reach *k, int i, real out) {
     vec p = vertex_from(&k->g->terrain, &k->g->shape, i);
     vec q = vertex_from(&k->g->terrain, &k->g->shape, i + 1), d = unit(minus(q, p));
@@ -169,8 +171,8 @@ static real apart(const thud_closest *one, const thud_closest *two) {
     return length_of(vec_of((real)two->ax - one->ax, (real)two->ay - one->ay));
 }
 
-/* The second point is the furthest from the closest features. The first is the closest features, or
- * another place as deep, further from the second. */
+/* The second point is the candidate farthest from the closest features. The first is at the closest
+ * features, or at another place as deep and farther from the second. */
 static void check_second(const ground *g, const thud_contacts *c, const thud_closest *closest,
                          double margin, double slack) {
     const thud_closest *one = &c->point[0], *two = &c->point[1];

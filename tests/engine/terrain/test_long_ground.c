@@ -1,5 +1,5 @@
-/* test_long_ground.c: one box as ground for a whole level, 40,000 length scales long: far from its
- * middle everything is as on a small one. */
+/* test_long_ground.c: a single box as the ground of a whole level, 40,000 length scales long: far
+ * from its centre, contacts, stacks, detection and queries are as precise as on a small box. */
 #include "engine_support.h"
 
 #define HALF 20000.0f
@@ -10,7 +10,7 @@ static const thud_broadphase *const broadphases[] = {&thud_broadphase_grid, &thu
 
 typedef enum shape_of_test { BALL, UPRIGHT, ORIENTED, SHAPES } shape_of_test;
 
-/* Its top is at y = 0. */
+/* A ground with its top at y = 0. */
 static thud_world *make_ground(thud_world_def def, float half_x, bool oriented,
                                const thud_shape_def *shape) {
     thud_world *world = make_world(def);

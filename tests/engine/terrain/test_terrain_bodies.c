@@ -1,4 +1,5 @@
-/* test_terrain_bodies.c: what becomes of bodies whose ground is edited. */
+/* test_terrain_bodies.c: bodies on ground that is edited: which of them wake, where they come to
+ * rest, and that their contacts and events are right. */
 #include "terrain_support.h"
 
 static void edit_by_number(const ground *g, int which, double x) {
@@ -41,7 +42,7 @@ static void edit_wakes_what_rests_there_and_nothing_far_away(void **state) {
         run(g.world, 300);
         sleeps_as_it_was(&g, left, &was_left);
         sleeps_as_it_was(&g, right, &was_right);
-        /* Their supports have the right numbers: nothing moves when they wake. */
+        /* Their contacts have the indices of the edited line: nothing moves when they wake. */
         OK(thud_body_set_awake(g.world, right, true));
         OK(thud_body_set_awake(g.world, left, true));
         run(g.world, 60);
@@ -51,7 +52,7 @@ static void edit_wakes_what_rests_there_and_nothing_far_away(void **state) {
     }
 }
 
-/* Far from an edit a running world goes on as if there were none, bit for bit. */
+/* Far from an edit, a running world continues with the same bits as one without the edit. */
 static void edit_of_bare_ground_does_not_touch_the_motion_elsewhere(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();
@@ -184,7 +185,8 @@ static void edit_among_sensors(const thud_broadphase *broadphase) {
     thud_world_destroy(g.world);
 }
 
-/* Sensors do not move: after any edit they have exactly the pairs that a new line would give. */
+/* Sensors do not move, so after any edit they must have exactly the pairs that a new line would
+ * give. */
 static void pairs_after_random_edits_are_those_of_a_new_line(void **state) {
     (void)state;
     edit_among_sensors(&thud_broadphase_grid);
@@ -192,7 +194,7 @@ static void pairs_after_random_edits_are_those_of_a_new_line(void **state) {
     edit_among_sensors(&thud_broadphase_all);
 }
 
-/* Whom each shape touches, by its slot, as the events tell. */
+/* Counts the shapes that each shape touches, by its slot, according to the events. */
 static void count_touches(const thud_world *world, int touches[256]) {
     thud_events e = thud_world_events(world);
     for (int i = 0; i < e.begin_count; i++) {
@@ -205,7 +207,7 @@ static void count_touches(const thud_world *world, int touches[256]) {
     }
 }
 
-/* Through a thousand edits in a crowd every touch has its begin and its end, and nobody is lost. */
+/* In a thousand edits under a crowd each begin has its end, and no body is lost. */
 static void edits_under_a_crowd_lose_no_event_and_no_body(void **state) {
     (void)state;
     uint64_t seed = 33;
