@@ -1,6 +1,6 @@
-/* test_far_motion.c: gravity scales, forces and spins beyond all measure, under every detection:
- * what they drive others to stays within what places can follow in a step. A conversion that
- * overflowed threw bodies half the way around the world. */
+/* test_far_motion.c: extreme gravity scales, forces and spins under every detection: bodies move no
+ * further in a step than positions can represent. A conversion that overflowed moved bodies half
+ * around the range of positions. */
 #include "joint_support.h"
 #include "share.h"
 
@@ -11,7 +11,7 @@ enum { HEAPS = 1500, MOST = 16, RUNS = 12 };
 static const thud_detection *const detections[] = {&thud_detection_swept, &thud_detection_bisect,
                                                    &thud_detection_continuous};
 
-/* One in `many` of what is dealt. */
+/* True for one of `many` draws. */
 static bool one_in(uint64_t *seed, double many) {
     return random_in(seed, 0, many) < 1;
 }
@@ -23,7 +23,7 @@ static float either_sign(uint64_t *seed, double value) {
 typedef struct heap {
     thud_world *world;
     thud_body_id body[MOST];
-    double size, extreme; /* force or gravity scale */
+    double size, extreme; /* extreme force or gravity scale */
     int what;
 } heap;
 
@@ -109,7 +109,7 @@ static void nothing_is_driven_further_than_places_can_follow(void **state) {
     }
 }
 
-/* ---- ways longer than the bounds of the broadphase can tell ---- */
+/* ---- motions longer than the range of the broadphase's bounds ---- */
 
 static const thud_broadphase *const broadphases[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
                                                      &thud_broadphase_all};
@@ -120,8 +120,8 @@ typedef struct flight {
     uint64_t hash;
 } flight;
 
-/* A second long step of a ball that flies 1e6 length scales towards a wall or a body, among others
- * that it flies past. */
+/* One step of 1 s, in which a ball flies 1e6 length scales towards a wall or a body, past
+ * others. */
 static flight fly(const thud_detection *detection, const thud_broadphase *broadphase,
                   thud_body_kind kind, double distance, double angle) {
     thud_world_def def = def_of(&thud_quality_default);

@@ -1,5 +1,6 @@
-/* test_rollback.c: late inputs in any order end as if all had come in time; what cannot be is
- * refused; steps and memory that fail do no harm. */
+/* test_rollback.c: rollback (thud_rollback.h): inputs that arrive late, in any order, end with the
+ * same bits as inputs in time; impossible inputs are refused; failing steps and allocations do no
+ * harm. */
 #include "engine_support.h"
 
 #include "hostile_memory.h"
@@ -11,13 +12,15 @@
 
 enum { PLAYERS = 3, STEPS = 200, DEPTH = 8, IDLE = 4 };
 
-/* What goes back with the world: each input makes a ball of its own, now and then. */
+/* The game's own state, which is rolled back with the world. The input makes new balls now and
+ * then. */
 typedef struct game {
     thud_body_id player[PLAYERS];
     int64_t steps;
-    uint64_t sum; /* of all that was held */
+    uint64_t sum; /* hash of all inputs */
 } game;
 
+/* fails_at: the step that fails once; played: how often `play` was called. */
 static int fails_at = -1, played;
 
 static thud_result play(thud_world *world, const uint64_t *inputs, void *state) {
@@ -72,10 +75,10 @@ static thud_rollback *make_rollback(thud_world *world, game *g) {
 }
 
 static uint64_t input_of(int player, int64_t step) {
-    return (uint64_t)(step / 7 * 5 + player * 3) % 9; /* held for a while, as inputs are */
+    return (uint64_t)(step / 7 * 5 + player * 3) % 9; /* each input is held for 7 steps */
 }
 
-/* The hash before each step, with every input in time. */
+/* Reference: the hash before each step, with every input in time. */
 static void play_straight(uint64_t hashes[STEPS + 1], game *end) {
     game g;
     thud_world *world = make_game(&g);
@@ -92,7 +95,7 @@ static void play_straight(uint64_t hashes[STEPS + 1], game *end) {
     thud_world_destroy(world);
 }
 
-/* Each player's inputs come as late as they may, in an order of their own, and some twice. */
+/* Gives each player's inputs as late as allowed, in a random order, some of them twice. */
 static void hear(thud_rollback *r, int64_t now, uint64_t *seed) {
     for (int p = 0; p < PLAYERS; p++) {
         for (int64_t step = now < DEPTH ? 0 : now - DEPTH + 1; step <= now; step++) {
@@ -104,6 +107,7 @@ static void hear(thud_rollback *r, int64_t now, uint64_t *seed) {
     }
 }
 
+/* Gives all inputs of the last steps. */
 static void tell_all(thud_rollback *r) {
     for (int p = 0; p < PLAYERS; p++) {
         for (int64_t step = STEPS - DEPTH; step < STEPS; step++) {
@@ -153,7 +157,7 @@ static void inputs_in_time_are_played_once(void **state) {
     played = 0;
     for (int64_t now = 0; now < 30; now++) {
         for (int p = 0; p < PLAYERS; p++) {
-            OK(thud_rollback_input(r, p, now + p, 7)); /* some ahead of time */
+            OK(thud_rollback_input(r, p, now + p, 7)); /* some inputs are for later steps */
         }
         for (int64_t ahead = 0; now == 0 && ahead < PLAYERS; ahead++) {
             for (int p = 0; p < PLAYERS; p++) {
@@ -190,7 +194,7 @@ static void who_is_not_heard_of_is_waited_for(void **state) {
     thud_world_destroy(world);
 }
 
-/* A prediction that proves right is not played again. */
+/* Steps whose predicted inputs prove right are not played again. */
 static void prediction_holds_what_was_held(void **state) {
     (void)state;
     game g;
@@ -217,7 +221,7 @@ static void prediction_holds_what_was_held(void **state) {
     thud_world_destroy(world);
 }
 
-/* ---- what goes wrong ---- */
+/* ---- failures and wrong calls ---- */
 
 static void failed_step_is_made_again(void **state) {
     (void)state;
@@ -351,7 +355,8 @@ static void wrong_calls_are_refused(void **state) {
         }
         OK(thud_rollback_advance(r, NULL));
     }
-    OK(thud_rollback_input(r, 0, 0, 6)); /* long known, and nothing of it is kept */
+    /* an input that was given long ago and is not kept any more */
+    OK(thud_rollback_input(r, 0, 0, 6));
     OK(thud_rollback_at(r, 2 * DEPTH, &hash, NULL));
     OK(thud_rollback_at(r, 3 * DEPTH, &hash, NULL));
     assert_true(hash == thud_world_hash(world));

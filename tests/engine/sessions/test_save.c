@@ -1,5 +1,5 @@
-/* test_save.c: a world in a file goes on to the same bits; what is no such file, or not whole, is
- * refused, and nothing has changed. */
+/* test_save.c: a world that is saved to a file and loaded continues with the same bits; a damaged
+ * or foreign file is refused and changes nothing, and a failed save leaves the old file. */
 #include "snapshot_support.h"
 
 #include "hostile_memory.h"
@@ -78,10 +78,10 @@ static void loaded_world_goes_on_to_the_same_bits(void **state) {
         run(other, 1);
         assert_true(digest_of(world) == digest_of(other));
     }
-    OK(thud_world_load(world, PATH, &back, sizeof back)); /* and back, in the world itself */
+    OK(thud_world_load(world, PATH, &back, sizeof back)); /* into the same world */
     OK(thud_world_load(other, PATH, &back, sizeof back));
     assert_true(digest_of(world) == digest_of(other));
-    OK(thud_world_save(world, PATH, NULL, 0)); /* over what is there */
+    OK(thud_world_save(world, PATH, NULL, 0)); /* over the existing file */
     OK(thud_world_load(other, PATH, NULL, 0));
     remove(PATH);
     thud_world_destroy(world);
@@ -89,6 +89,8 @@ static void loaded_world_goes_on_to_the_same_bits(void **state) {
     assert_int_equal(memory_held, 0);
 }
 
+/* Asserts that the file is refused with a message that contains `word`, and that nothing has
+ * changed. */
 static void refused(thud_world *world, const char *word) {
     score back = {.lives = -77};
     uint64_t before = digest_of(world);

@@ -1,5 +1,5 @@
-/* test_error.c: the errors that every step reports, against figures by hand and thud_world_measure.
- */
+/* test_error.c: the errors that every step reports (penetration, residual), against values derived
+ * by hand and thud_world_measure. */
 #include "error_support.h"
 
 #include "build_thud.h"
@@ -124,7 +124,8 @@ static void contacts_of_sleepers_and_vetoed_ones_do_not_count(void **state) {
     }
 }
 
-/* In the step in which it is quarantined, islands that are solved directly are counted anew. */
+/* In the step in which a body is quarantined, the errors of islands that are solved directly are
+ * counted again. */
 static void body_that_is_no_number_leaves_no_trace_in_the_errors(void **state) {
     (void)state;
     for (int which = 0; which < 4; which++) {
@@ -208,7 +209,7 @@ static void report_of_a_step_that_quarantines_is_finite(void **state) {
     thud_world_destroy(world);
 }
 
-/* ---- one report, whoever works it out ---- */
+/* ---- the same report with any workers and SIMD ---- */
 
 static void same_as(thud_step_error a, thud_step_error b) {
     assert_true(a.penetration_max == b.penetration_max);

@@ -1,9 +1,10 @@
-/* Worlds with a greatest error: quality rises where it is missed, and nowhere else. */
+/* test_max_error.c: worlds with a maximum error (max_error): islands that exceed it are solved
+ * directly, and no others. */
 #include "engine_support.h"
 
 #include <thud/thud_make.h>
 
-/* Draft, but for what `max_error` asks of it. */
+/* Draft with a direct solver, which is used only as `max_error` requires. */
 static thud_quality rough(void) {
     thud_quality q = thud_quality_draft;
     q.islands = &thud_islands_direct;
@@ -96,7 +97,7 @@ static void limit_that_cannot_be_kept_is_refused(void **state) {
         assert_int_equal(thud_world_create(&def, &world), THUD_ERROR_INVALID);
     }
     def.max_error = 0.01;
-    def.quality = &thud_quality_draft; /* has no solver that could */
+    def.quality = &thud_quality_draft; /* it has no island solver, which a maximum error needs */
     assert_int_equal(thud_world_create(&def, &world), THUD_ERROR_INVALID);
     def.quality = &thud_quality_default;
     world = make_world(def);
@@ -108,10 +109,10 @@ static void limit_that_cannot_be_kept_is_refused(void **state) {
     thud_world_destroy(world);
 }
 
-/* ---- columns whose bodies are stopped on the way ---- */
+/* ---- columns whose bodies detection stops ---- */
 
 typedef struct column {
-    double scale, step; /* length scale; s */
+    double scale, step; /* length scale; time step in s */
     const thud_quality *quality;
     const thud_detection *detection;
     thud_shape_kind kind;
@@ -141,6 +142,7 @@ static thud_world *make_column(const column *c, double max_error, thud_body_id *
     return world;
 }
 
+/* Calls the test for columns of all scales, steps, qualities, detections and shapes. */
 typedef void column_fn(const column *c);
 
 static void try_columns(column_fn *try_it) {
@@ -178,8 +180,8 @@ static void column_keeps_the_limit_in_each_step_where_boxes_are_stopped_on_the_w
     try_columns(keeps_max_error);
 }
 
-/* What is set down touching does not jump: no box gets more speed than gravity gives in two steps.
- */
+/* A column that is created touching does not jump: no box gets more velocity than gravity gives in
+ * two steps. */
 static void stays_on_the_ground(const column *c) {
     thud_body_id boxes[COLUMN];
     thud_world *world = make_column(c, 0, boxes);

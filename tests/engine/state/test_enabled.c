@@ -1,4 +1,5 @@
-/* test_enabled.c: bodies that are taken out of the world for a while, and come back. */
+/* test_enabled.c: bodies that are disabled leave the world, and come back unchanged when they are
+ * enabled. */
 #include "resolution_support.h"
 
 static bool found(thud_world *world, double x, double y) {
@@ -66,7 +67,7 @@ static void disabled_ground_lets_fall_and_wakes_who_slept_on_it(void **state) {
     }
 }
 
-/* Side by side with a disabled box stands nothing: its neighbour has a face there again. */
+/* Next to a disabled box, the face of its neighbour is not covered any more. */
 static void disabled_box_hides_no_face_of_its_neighbour(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());

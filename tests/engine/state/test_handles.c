@@ -1,5 +1,5 @@
-/* test_handles.c: handles and bad input: refused with a result, told to the log, nothing changed.
- */
+/* test_handles.c: stale handles and wrong input are refused with a result and a log message, and
+ * change nothing. */
 #include "engine_support.h"
 
 static int logged;
@@ -155,7 +155,7 @@ static void bad_worlds_are_refused(void **state) {
 #undef REFUSED
 }
 
-/* Every call of the table must be refused, told to the log and leave the world as it was. */
+/* Every call of the table must be refused, logged, and leave the world unchanged. */
 static void bad_calls_change_nothing(void **state) {
     (void)state;
     thud_world *world = logging_world();

@@ -1,5 +1,5 @@
-/* test_log.c: why a call was refused: a log that is ready to use, set when it is wanted, whose
- * reasons name the field that was wrong. */
+/* test_log.c: the log of refused calls: when it is set, its default, and that each message names
+ * the wrong field. */
 #include "engine_support.h"
 
 #include <thud/thud_casts.h>
@@ -24,6 +24,7 @@ static void hear(thud_result result, const char *message, void *context) {
     h->count++;
 }
 
+/* Asserts that there was one message, with this result and word. */
 static void expect(heard *h, thud_result result, const char *word) {
     if (h->count != 1 || h->result != result || !strstr(h->message, word)) {
         fail_msg("%d messages, the last %d: %s; wanted %s", h->count, (int)h->result, h->message,
@@ -46,7 +47,7 @@ static void a_log_is_set_on_any_world(void **state) {
     thud_world_destroy(world);
 }
 
-/* The tests are built as the library is. */
+/* Tests are compiled with the same NDEBUG as the library. */
 static void without_NDEBUG_worlds_write_to_stderr(void **state) {
     (void)state;
 #if defined(NDEBUG)
@@ -64,7 +65,7 @@ static void without_NDEBUG_worlds_write_to_stderr(void **state) {
     remove("test_log.txt");
 }
 
-/* ---- reasons ---- */
+/* ---- messages ---- */
 
 static void worlds_name_the_field(void **state) {
     (void)state;
@@ -119,7 +120,7 @@ static void drives_name_the_field(void **state) {
         {THUD_HINGE, THUD_TURN, {.motor_speed = 1e9f}, "motor_speed is 1e9"},
         {THUD_SLIDER, THUD_ALONG, {.motor_speed = NAN}, "motor_speed is NaN"},
         {THUD_HINGE, THUD_TURN, {.motor_force = -1}, "motor_force is -1"},
-        /* In a direction that the kind does not have. */
+        /* In a direction that the kind of joint cannot drive. */
         {THUD_HINGE, THUD_ALONG, {.frequency = 2}, "no drive along"},
         {THUD_SLIDER, THUD_TURN, {.motor_force = 2}, "no drive of turn"},
         {THUD_FILTER, THUD_ACROSS, {.limited = true}, "no drive across"},
@@ -139,7 +140,7 @@ static void drives_name_the_field(void **state) {
         assert_int_equal(thud_joint_create(world, &def, &joint), THUD_ERROR_INVALID);
         expect(&h, THUD_ERROR_INVALID, cases[i].word);
     }
-    /* A motor that is turned off is made, and told. */
+    /* A motor without force is created, with a message. */
     thud_joint_def def = thud_default_joint_def(THUD_HINGE);
     def.body_a = a;
     def.body_b = b;
@@ -222,8 +223,7 @@ static bool none(thud_shape_id shape, void *context) {
     return true;
 }
 
-/* A filter that was zeroed instead of begun with the default one, and an explosion without a size.
- */
+/* A filter that was zeroed and not begun from its default, and an explosion without a size. */
 static void what_meets_nobody_is_refused(void **state) {
     (void)state;
     heard h = {.count = 0};

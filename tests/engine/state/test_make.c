@@ -1,5 +1,5 @@
-/* test_make.c: worlds and bodies in one expression: what zero means, what flags mean, and what is
- * refused. */
+/* test_make.c: worlds and bodies created in one expression (thud_make.h): options that are 0 mean
+ * the default, and wrong options create nothing. */
 #include "engine_support.h"
 
 #include "hostile_memory.h"
@@ -85,7 +85,7 @@ static void options_are_those_of_body_and_shape(void **state) {
     thud_world_destroy(world);
 }
 
-/* What no state tells of is seen in the motion. */
+/* Options that no state contains are seen in the motion. */
 static void dampings_rotation_and_detection_are_as_of_a_def(void **state) {
     (void)state;
     thud_body_options options = {.kind = THUD_DYNAMIC,

@@ -1,4 +1,4 @@
-/* test_memory.c: failed allocations leave the world as it was, and a settled step makes none. */
+/* test_memory.c: failed allocations leave the world unchanged, and a settled step makes none. */
 #include "engine_support.h"
 
 #include "hostile_memory.h"
@@ -23,7 +23,8 @@ static thud_world *build(const char *name, int size) {
     return world;
 }
 
-/* Fails the first allocation of every step, then the second, until the step gets through. */
+/* Fails the first allocation of a step, then the second, until the step succeeds; returns how many
+ * attempts failed. */
 static long step_with_failures(thud_world *world) {
     for (long failures = 0;; failures++) {
         uint64_t before = thud_world_hash(world);
@@ -125,8 +126,8 @@ static void settled_world_allocates_nothing(void **state) {
     }
 }
 
-/* A step in which much grows pays a page fault for each page that is written to, so that room in
- * arrays that nothing is in yet must not be. */
+/* Reserved memory must not be written before it is used: in a step in which arrays grow, each page
+ * that is written costs a page fault. */
 static void room_that_nothing_is_in_touches_no_page(void **state) {
     (void)state;
 #if defined(__linux__)
@@ -139,14 +140,14 @@ static void room_that_nothing_is_in_touches_no_page(void **state) {
     assert_int_equal(getrusage(RUSAGE_SELF, &after), 0);
     long faults = after.ru_minflt - before.ru_minflt;
     print_message("%ld page faults for %d MB of room\n", faults, BYTES >> 20);
-    assert_true(faults < BYTES / PAGE / 4); /* some are a sanitizer's, of its notes on the room */
+    assert_true(faults < BYTES / PAGE / 4); /* a sanitizer causes some for its own records */
     for (int i = 0; i < BYTES; i += PAGE) {
         assert_int_equal(((char *)array.data)[i], 0);
     }
     td_array_free(&memory, &array);
     assert_int_equal(memory.bytes, 0);
 #else
-    skip(); /* nothing else tells page faults alike */
+    skip(); /* other systems do not count page faults in this way */
 #endif
 }
 
@@ -155,7 +156,7 @@ static void rooms_of_all_sizes_are_zeroed_and_begin_a_cache_line(void **state) {
     enum { ROOMS = 200 };
     td_memory memory = td_memory_make((thud_allocator){0});
     for (int round = 0; round < 3;
-         round++) { /* what was released comes again, and was written to */
+         round++) { /* released blocks are used again, and were written to */
         char *rooms[ROOMS];
         for (int i = 0; i < ROOMS; i++) {
             size_t bytes = (size_t)(1 + i * i * 7);

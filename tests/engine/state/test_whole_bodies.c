@@ -1,5 +1,5 @@
-/* Bodies that are made with their shapes, shapes placed in one expression, and defs that do not
- * start from their default functions. */
+/* test_whole_bodies.c: bodies created together with their shapes, shapes placed in one expression,
+ * and defs that were not begun from their default functions. */
 #include "engine_support.h"
 #include "hostile_memory.h"
 
@@ -9,7 +9,7 @@
 #include <thud/thud_lists.h>
 #include <thud/thud_snapshot.h>
 
-/* ---- shapes in their places ---- */
+/* ---- placed shapes ---- */
 
 static void placed_shapes_are_what_their_names_say(void **state) {
     (void)state;
@@ -39,7 +39,7 @@ static thud_body_def body_def(thud_body_kind kind) {
     return def;
 }
 
-/* The same as one call after another makes, to the bit, through a hundred steps. */
+/* The result is the same as of single calls, to the bit, for a hundred steps. */
 static void bodies_with_shapes_are_those_of_single_calls(void **state) {
     (void)state;
     thud_world *worlds[2];
@@ -90,7 +90,7 @@ static void angles_come_back_from_cosine_and_sine(void **state) {
     thud_world_destroy(w);
 }
 
-/* What a world is, but for the memory that it has. */
+/* A snapshot: everything of a world except its reserved memory. */
 typedef struct bytes {
     void *data;
     size_t size;
@@ -188,7 +188,7 @@ static bool make_many(thud_world *w, const thud_contact *contact, thud_contact_s
     return true;
 }
 
-/* Whichever allocation fails, inside a callback as well as outside. */
+/* For each allocation that fails, inside and outside of a callback. */
 static void bodies_without_memory_are_not_made(void **state) {
     (void)state;
     for (int inside = 0; inside < 2; inside++) {
@@ -219,7 +219,7 @@ static void bodies_without_memory_are_not_made(void **state) {
     }
 }
 
-/* ---- defs that do not start from their default functions ---- */
+/* ---- defs not begun from their defaults ---- */
 
 static thud_result heard;
 static char said[160];
