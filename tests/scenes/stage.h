@@ -17,6 +17,7 @@ typedef struct stage {
     thud_body_id *bodies;
 } stage;
 
+/* Builds a scene's world; size 0: the scene's default size. */
 static inline stage open_stage(const char *name, int size, const thud_quality *quality) {
     stage t;
     thud_world_def def = thud_default_world_def();

@@ -14,6 +14,7 @@ enum { ROW_LENGTH = 33 }; /* name, blanks, hash and line end */
 
 static const char path[] = "tests/golden/hashes.txt";
 
+/* A scene's hash after 120 steps; large scenes are built with size 600. */
 static uint64_t hash_of(const scene_info *info) {
     scene s;
     thud_world *world;

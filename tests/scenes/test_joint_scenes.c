@@ -51,6 +51,7 @@ static double rise_of(const stage *t, int cradle, int i, int size) {
     return ball_of(t, cradle, i, size).position.y - (bar->y + string->y[0] - string->length);
 }
 
+/* Kinetic and potential energy of a cradle's balls, in J. */
 static double energy_of_cradle(const stage *t, int cradle, int size) {
     double energy = 0;
     for (int i = 0; i < size; i++) {

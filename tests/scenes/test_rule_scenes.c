@@ -133,6 +133,7 @@ static void crates_break_into_four_by_the_impulses_that_reached_their_limit(void
 
 /* ---- meetings ---- */
 
+/* How bodies of kinds a and b meet by the present rules. */
 static thud_meeting meeting(const stage *t, int a, int b) {
     thud_rule rule;
     OK(thud_world_rule(t->world, 2u << a, 2u << b, &rule, NULL, NULL));

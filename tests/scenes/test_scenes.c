@@ -20,6 +20,8 @@ static double reach_of(const scene *s, const scene_body *body) {
                                        : sqrt(shape->hx * shape->hx + shape->hy * shape->hy);
 }
 
+/* Asserts that a body has shapes of sane sizes, is on the position grid, and an AABB does not
+ * rotate. */
 static void check_body(const scene *s, const scene_body *body, const char *name) {
     if (!(isfinite(body->x) && isfinite(body->y) && fabs(body->angle) <= 7))
         fail_msg("%s: a body lies nowhere", name);

@@ -102,6 +102,7 @@ static inline void run(thud_world *world, int steps) {
     }
 }
 
+/* Asserts that |value - wanted| <= tolerance; fails for NaN as well. */
 static inline void near_to(double value, double wanted, double tolerance) {
     if (!(fabs(value - wanted) <= tolerance)) {
         fail_msg("%.9g is not within %g of %.9g", value, tolerance, wanted);

@@ -52,6 +52,7 @@ typedef struct solid {
     real radius;
 } solid;
 
+/* The shape's polygon with this centre and rotation (c, si). */
 static inline solid solid_at(const thud_shape_instance *s, vec center, real c, real si) {
     solid out = {.count = 1, .v = {center}, .radius = s->kind == THUD_CIRCLE ? (real)s->hx : 0.0L};
     if (s->kind != THUD_CIRCLE) {

@@ -23,6 +23,7 @@ static inline thud_world *world_of(const thud_quality *quality) {
     return world;
 }
 
+/* A square box with this half extent and density. */
 static inline thud_body_id add_heavy(thud_world *world, double x, double y, float half,
                                      float density) {
     thud_shape_def def = thud_default_shape_def();

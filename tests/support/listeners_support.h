@@ -26,6 +26,7 @@ static inline void mix(ear *e, const void *values, size_t bytes) {
     }
 }
 
+/* Adds a contact to the digest, and asserts that its handles are valid. */
 static inline void mix_contact(const thud_world *world, ear *e, const thud_contact *c) {
     const double numbers[] = {(double)c->normal.x,
                               (double)c->normal.y,

@@ -26,6 +26,7 @@ static inline thud_body_id add_kind(thud_world *world, int kind, double x, doubl
     return body;
 }
 
+/* A shape def with this friction and surface speed. */
 static inline thud_shape_def surface(float friction, float speed) {
     thud_shape_def def = thud_default_shape_def();
     def.friction = friction;

@@ -33,6 +33,7 @@ static inline thud_mover_report go(thud_world *world, thud_mover *mover, thud_ve
     return report;
 }
 
+/* Makes that many moves, beginning at rest. */
 static inline void go_on(thud_world *world, thud_mover *mover, float speed, int moves) {
     thud_vec2 velocity = {0, 0};
     for (int i = 0; i < moves; i++) {

@@ -34,6 +34,7 @@ static thud_world_def game_def(void) {
     return def;
 }
 
+/* Creates the game's world and objects; the counters are 0. */
 static void make_game(game *g, thud_world_def def) {
     memset(g, 0, sizeof *g);
     g->world = make_world(def);
@@ -60,10 +61,12 @@ static void make_game(game *g, thud_world_def def) {
     OK(thud_joint_create(g->world, &tie, &g->tie));
 }
 
+/* Adds two numbers to a hash (FNV-1a's step). */
 static void mix(uint64_t *told, uint32_t a, uint32_t b) {
     *told = (*told ^ (((uint64_t)a << 32) | b)) * 1099511628211u;
 }
 
+/* Counts the events of the last call, and adds them to the hashes. */
 static void count_events(game *g) {
     thud_events e = thud_world_events(g->world);
     int ties, impulses;
@@ -122,6 +125,7 @@ static void pull(game *g) {
     OK(thud_body_apply_force(g->world, g->ball[4], (thud_vec2){0.1f, 0.2f}, 0));
 }
 
+/* Plays the game with one call for each step, as the reference. */
 static void play_by_steps(game *g) {
     for (int i = 0; i < STEPS; i++) {
         pull(g);
@@ -272,6 +276,7 @@ static void forces_are_of_the_body_that_was_pushed(void **state) {
 
 /* ---- a force of a contact callback acts in the next step ---- */
 
+/* An epilogue that pushes body b of each contact upward. */
 static void push_up(thud_world *world, const thud_contact *contact, void *context) {
     (void)context;
     OK(thud_body_apply_force(world, contact->body_b, (thud_vec2){0, 40}, 0));
@@ -335,6 +340,8 @@ typedef struct guest {
     int calls;
 } guest;
 
+/* A callback of a step: it edits the world and takes a snapshot. Stepping, restoring and destroying
+ * the world are refused. */
 static void visit(thud_world *world, void *context) {
     guest *g = context;
     thud_joint_def joint = thud_default_joint_def(THUD_HINGE);

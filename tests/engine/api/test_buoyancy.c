@@ -126,6 +126,7 @@ static void float_for(thud_world *world, thud_body_id body, const thud_water *wa
     }
 }
 
+/* A box, or a circle where hy is 0, with this density; y = 0 is the water level. */
 static thud_body_id add_floating(thud_world *world, double y, double angle, float hx, float hy,
                                  float density) {
     thud_shape_def def = thud_default_shape_def();

@@ -12,11 +12,13 @@ typedef struct row {
     int told; /* errors in the log */
 } row;
 
+/* The log: counts errors. */
 static void listen(thud_result result, const char *message, void *context) {
     (void)message;
     ((row *)context)->told += result == THUD_ERROR_INVALID;
 }
 
+/* Creates the row, with a log that counts errors in it. */
 static void make_row(row *r, thud_job_system jobs) {
     thud_world_def def = weightless();
     def.job_system = jobs;
@@ -38,6 +40,7 @@ typedef struct story {
     void (*act)(row *r, int count);
 } story;
 
+/* The cast's callback: notes the ball that was hit, and gives the next answer. */
 static double listener(const thud_ray_hit *hit, void *context) {
     story *s = context;
     double answer = s->answers[s->count];
@@ -77,6 +80,8 @@ static void a_callback_goes_on_ignores_clips_and_ends(void **state) {
     thud_world_destroy(r.world);
 }
 
+/* What the callback does after its second hit: it destroys ball 4, moves ball 5 away and creates a
+ * new one. The edits are deferred, so a cast inside the callback still meets ball 1 first. */
 static void destroy_next(row *r, int count) {
     thud_ray_hit hit;
     bool any = false;
@@ -106,6 +111,7 @@ static void edits_of_a_callback_wait_and_what_it_destroys_is_told_no_more(void *
 
 /* ---- many casts at once ---- */
 
+/* A job system with a single thread, which counts its calls. */
 static void one_after_the_other(thud_task_fn *task, void *argument, int workers, void *context) {
     *(int *)context += 1;
     for (int i = 0; i < workers; i++) {
@@ -116,6 +122,8 @@ static void one_after_the_other(thud_task_fn *task, void *argument, int workers,
 static thud_ray rays[80];
 static thud_ray_hit outside[80];
 
+/* A cast's callback that casts many rays itself; their hits must equal those outside of a
+ * callback. */
 static double ask_many(const thud_ray_hit *hit, void *context) {
     thud_ray_hit inside[80];
     (void)hit;
@@ -260,6 +268,7 @@ static void a_terrain_has_the_bounds_of_its_line_and_is_solid_below(void **state
     thud_world_destroy(world);
 }
 
+/* A cast's callback that creates a shape; it has no bounds before the edit is applied. */
 static double make_and_ask(const thud_ray_hit *hit, void *context) {
     thud_pos lower, upper;
     row *r = context;

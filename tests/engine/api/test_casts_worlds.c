@@ -23,10 +23,12 @@ static double grid_in(uint64_t *seed, double low, double high) {
     return floor(random_in(seed, low, high) * 1024) / 1024;
 }
 
+/* A random number from 0 to count - 1. */
 static int below(uint64_t *seed, int count) {
     return (int)random_in(seed, 0, count);
 }
 
+/* A random def for shape i, whose filter and sensor flag are kept for the reference. */
 static thud_shape_def draw_def(crowd *c, int i, uint64_t *seed) {
     static const int32_t groups[] = {0, 0, -3, 3};
     thud_shape_def def = thud_default_shape_def();
@@ -39,6 +41,7 @@ static thud_shape_def draw_def(crowd *c, int i, uint64_t *seed) {
     return def;
 }
 
+/* Adds shape i as a terrain. */
 static void add_line(crowd *c, int i, uint64_t *seed) {
     static const thud_pos points[] = {{-24, 1}, {-13, -3}, {-2, 2}, {5, -1}, {11, 0}, {25, 4}};
     thud_terrain line = {.kind = i % 2 ? THUD_TERRAIN_UNIFORM : THUD_TERRAIN_IRREGULAR,
@@ -51,6 +54,7 @@ static void add_line(crowd *c, int i, uint64_t *seed) {
     OK(thud_shape_create_terrain(c->world, c->body[i], &def, &line, &c->shape[i]));
 }
 
+/* Adds shape i as a random circle or box, some of them disabled. */
 static void add_solid(crowd *c, int i, uint64_t *seed) {
     thud_shape_def def = draw_def(c, i, seed);
     double x = grid_in(seed, -25, 25), y = grid_in(seed, -12, 25);
@@ -82,6 +86,7 @@ static void make_crowd(crowd *c, uint64_t seed, double shift, int broadphase,
     }
 }
 
+/* The index of a shape in the crowd. */
 static int number_of(const crowd *c, thud_shape_id shape) {
     for (int i = 0; i < SHAPES; i++) {
         if (c->shape[i].index1 == shape.index1 && c->shape[i].generation == shape.generation) {
@@ -142,6 +147,7 @@ static bool same_hit(const thud_ray_hit *a, const thud_ray_hit *b) {
            a->normal.x == b->normal.x && a->normal.y == b->normal.y && a->depth == b->depth;
 }
 
+/* Order by fraction, then by slot, for qsort. */
 static int by_order(const void *left, const void *right) {
     const thud_ray_hit *a = left, *b = right;
     if (a->fraction != b->fraction) {
@@ -171,6 +177,7 @@ typedef struct listener {
     double answers[SHAPES];
 } listener;
 
+/* A cast's callback: notes the hit and its answer, random or THUD_CAST_ON. */
 static double hear(const thud_ray_hit *hit, void *context) {
     listener *l = context;
     assert_true(l->count < SHAPES);
@@ -206,6 +213,8 @@ static void check_told(const listener *l, const thud_ray_hit *all, int count) {
     assert_int_equal(told, l->count);
 }
 
+/* Asserts that the list of all hits is the reference's, and that the callback is given what its
+ * answers leave of it. */
 static void check_each(const crowd *c, const query *q, uint64_t *answers) {
     thud_ray_hit all[SHAPES], found[SHAPES];
     listener heard = {.seed = answers};
@@ -244,6 +253,7 @@ static void hits_are_told_in_order_until_the_answers_end_the_way(void **state) {
 
 /* ---- filters ---- */
 
+/* An overlap's callback: notes the shape. */
 static bool note(thud_shape_id shape, void *context) {
     listener *l = context;
     l->hits[l->count++].shape = shape;
@@ -304,6 +314,7 @@ static void filters_hold_in_every_query(void **state) {
 
 /* ---- many casts at once ---- */
 
+/* Asserts that a hit of many casts at once equals that of the single cast. */
 static void check_one(const crowd *c, const query *q, const thud_ray_hit *got, bool ray) {
     thud_ray_hit one = {.fraction = 1, .point = {q->at.x + q->dx, q->at.y + q->dy}};
     if (ray) {
@@ -314,6 +325,7 @@ static void check_one(const crowd *c, const query *q, const thud_ray_hit *got, b
     assert_true(same_hit(&one, got));
 }
 
+/* Makes many casts at once and asserts that each equals the single cast. */
 static void check_many(const crowd *c, uint64_t seed, int count) {
     static query q[RAYS];
     static thud_ray rays[RAYS];

@@ -91,6 +91,7 @@ static void motions_of_a_fast_ball_are_two_circles_and_two_tangents(void **state
     thud_world_destroy(world);
 }
 
+/* The corners of a box at (x, 0). */
 static void corners_of(double x, double angle, double hx, double hy, thud_pos out[4]) {
     double c = cos(angle), s = sin(angle);
     for (int i = 0; i < 4; i++) {

@@ -49,6 +49,7 @@ static void steps(thud_world *world, int count) {
 /* Number of edits in `change`. */
 enum { CHANGES = 17 };
 
+/* Makes edit number `which` of the 17. */
 static void change(const scene *s, int which) {
     thud_world *w = s->world;
     thud_mass mass = {3, 0.5f, {0.05f, 0}};

@@ -12,6 +12,7 @@ static thud_explosion blast_at(double x, double y) {
     return blast;
 }
 
+/* Returns how many bodies were pushed. */
 static int explode(thud_world *world, thud_explosion blast) {
     int pushed = -1;
     OK(thud_world_explode(world, &blast, &pushed));
@@ -163,6 +164,7 @@ typedef struct bomb {
     int asked;
 } bomb;
 
+/* An epilogue that explodes once; its impulses are deferred to the next step. */
 static void explode_once(thud_world *world, const thud_contact *contact, void *context) {
     bomb *b = context;
     (void)contact;

@@ -95,6 +95,7 @@ static void tie(side *s, uint64_t *seed) {
     }
 }
 
+/* Adds a random body, some of them joined to the one before. */
 static void add(side *s, const setting *set, uint64_t *seed) {
     if (s->count == BODIES) {
         return;
@@ -124,6 +125,7 @@ static void add(side *s, const setting *set, uint64_t *seed) {
     }
 }
 
+/* Creates a world with the setting. */
 static void make(side *s, const setting *set, thud_allocator allocator) {
     thud_world_def def = thud_world_def_of(qualities[set->quality]);
     uint64_t seed = set->seed;
@@ -196,12 +198,14 @@ static void deeds(side *s, const setting *set, uint64_t seed, int step) {
     }
 }
 
+/* A query that applies deferred edits; its result is not used. */
 static void ask(side *s) {
     thud_world_cast_ray(s->world, (thud_pos){-10, 1}, 20, 0, NULL, NULL, NULL);
 }
 
 /* ---- comparison ---- */
 
+/* Appends events to the text. */
 static void note(char *text, size_t size, const char *what, const thud_contact_event *e,
                  int count) {
     for (int i = 0; i < count; i++) {
@@ -273,6 +277,8 @@ static long step_with_failures(side *s, const setting *set) {
     }
 }
 
+/* Runs both worlds with the same edits and compares them after each step; returns how many attempts
+ * failed. */
 static long compare(const setting *set) {
     static char a[1 << 17], b[1 << 17];
     side here, twin;

@@ -64,6 +64,7 @@ static td_mode callers; /* the mode of the calling thread, in the current run */
 
 /* ---- steps ---- */
 
+/* Hash of a scene after some steps, each in the caller's mode. */
 static uint64_t hash_of(const char *name, int size, int steps, const thud_world_def *def) {
     scene s;
     thud_world *world;
@@ -136,6 +137,7 @@ typedef struct deeds {
     uint64_t seen; /* hash of what the calls returned */
 } deeds;
 
+/* Adds a result to the hash. */
 static void see(deeds *d, const void *bytes, size_t size) {
     for (size_t i = 0; i < size; i++) {
         d->seen = (d->seen ^ ((const unsigned char *)bytes)[i]) * 0x100000001b3ull;
@@ -192,6 +194,7 @@ static void make_bodies(deeds *d) {
     }
 }
 
+/* Makes each kind of query, in the caller's mode. */
 static void ask(deeds *d, int step) {
     bool hit;
     /* volatile, since the compiler may otherwise compute the product after the mode is set */
@@ -217,6 +220,8 @@ static void ask(deeds *d, int step) {
     see(d, &measure, sizeof measure);
 }
 
+/* Makes every call that changes a world, in the caller's mode; returns the hash of all results and
+ * of the world. */
 static uint64_t do_all(const thud_quality *quality) {
     thud_world_def def = thud_default_world_def();
     def.length_scale = 0.7f;
@@ -256,6 +261,7 @@ static void every_call_does_the_same_in_any_mode(void **state) {
 
 /* ---- callbacks ---- */
 
+/* A prologue: *context is whether it is called in the world's own mode. */
 static bool prologue_notes_mode(thud_world *world, const thud_contact *contact,
                                 thud_contact_settings *settings, void *context) {
     (void)world;

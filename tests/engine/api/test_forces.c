@@ -104,6 +104,7 @@ typedef struct pusher {
     bool ready;
 } pusher;
 
+/* Makes each kind of push, once. */
 static void push_all(thud_world *world, pusher *p) {
     if (p->ready && p->asked++ == 0) {
         thud_pos at = get(world, p->box).center;

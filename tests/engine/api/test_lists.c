@@ -57,6 +57,8 @@ typedef struct inside {
     thud_pair pair;
 } inside;
 
+/* A prologue that edits and asks for lists once: edits of new bodies are seen at once, the others
+ * are deferred. */
 static bool ask_inside(thud_world *world, const thud_contact *contact,
                        thud_contact_settings *settings, void *context) {
     inside *in = context;

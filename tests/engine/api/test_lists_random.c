@@ -81,6 +81,7 @@ static void add_some_body(chaos *c) {
     }
 }
 
+/* Removes the shape of a slot from the reference. */
 static void forget_shape(chaos *c, int slot) {
     c->now.shape[slot].index1 = 0;
     c->now.shapes--;
@@ -108,6 +109,7 @@ static void destroy_some_shape(chaos *c) {
     }
 }
 
+/* Makes a step, and updates the sensor overlaps of the reference by its events. */
 static void step(chaos *c) {
     OK(thud_world_step(c->world));
     thud_events e = thud_world_events(c->world);
@@ -120,6 +122,7 @@ static void step(chaos *c) {
     }
 }
 
+/* Restores the last snapshot, or takes a new one, with the reference as of then. */
 static void restore(chaos *c) {
     if (c->snapshot.bytes && pick(c, 2)) {
         back_to(c->world, c->snapshot);
@@ -131,6 +134,7 @@ static void restore(chaos *c) {
     }
 }
 
+/* Makes a random edit of an existing body. */
 static void edit(chaos *c, thud_body_id body) {
     switch (pick(c, 5)) {
     case 0:
@@ -157,6 +161,7 @@ static void edit(chaos *c, thud_body_id body) {
     }
 }
 
+/* Makes one random action: creating, destroying, editing, stepping or restoring. */
 static void act(chaos *c) {
     int what = pick(c, 20), slot = some_body(c);
     if (what < 2 || slot < 0) {
@@ -198,6 +203,7 @@ static uint64_t bits_of_shape(thud_shape_id id) {
     return (uint64_t)id.generation << 32 | id.index1;
 }
 
+/* The capacity of the array for a list: mostly enough, else too small. */
 static int pick_capacity(chaos *c) {
     return pick(c, 3) ? MOST : pick(c, 12);
 }
@@ -205,6 +211,7 @@ static int pick_capacity(chaos *c) {
 typedef thud_result list_bodies_fn(const thud_world *world, thud_body_id *out, int capacity,
                                    int *count);
 
+/* Asserts that a list of bodies has the reference's entries. */
 static void bodies_are(chaos *c, list_bodies_fn *ask, const uint64_t *naive, int wanted) {
     thud_body_id list[MOST] = {0};
     uint64_t bits[MOST];
@@ -216,6 +223,7 @@ static void bodies_are(chaos *c, list_bodies_fn *ask, const uint64_t *naive, int
     compare(bits, count, capacity, naive, wanted);
 }
 
+/* Compares the lists of all bodies, of awake bodies, and the body of each slot. */
 static void compare_bodies(chaos *c) {
     uint64_t all[MOST], awake[MOST];
     int count = 0, woken = 0, slots;
@@ -239,6 +247,7 @@ static void compare_bodies(chaos *c) {
     bodies_are(c, thud_world_awake_bodies, awake, woken);
 }
 
+/* Asserts that a list of shapes has the reference's entries. */
 static void shapes_are(thud_result result, const thud_shape_id *list, int count, int capacity,
                        const uint64_t *naive, int wanted) {
     uint64_t bits[MOST];
@@ -249,6 +258,7 @@ static void shapes_are(thud_result result, const thud_shape_id *list, int count,
     compare(bits, count, capacity, naive, wanted);
 }
 
+/* Compares the list of shapes that a sensor overlaps. */
 static void compare_sensed(chaos *c, int sensor) {
     uint64_t naive[MOST];
     int wanted = 0, count, capacity = pick_capacity(c);
@@ -266,6 +276,7 @@ static void compare_sensed(chaos *c, int sensor) {
     c->sensed += wanted;
 }
 
+/* Compares the list of all shapes, the shape of each slot, and the overlaps of each sensor. */
 static void compare_shapes(chaos *c) {
     uint64_t all[MOST];
     thud_shape_id list[MOST] = {0};
@@ -298,6 +309,7 @@ static bool moves(const chaos *c, int slot) {
            now.angle != was->angle;
 }
 
+/* Compares the list of moved bodies. */
 static void compare_moved(chaos *c) {
     thud_body_id list[MOST] = {0};
     uint64_t bits[MOST], naive[MOST];

@@ -64,6 +64,7 @@ static void ray_meets_the_ground_and_heeds_filters(void **state) {
     thud_world_destroy(world);
 }
 
+/* An overlap's callback: notes up to three shapes in an array behind their count, then stops. */
 static bool gather(thud_shape_id shape, void *context) {
     int *count = context;
     count[++*count] = (int)shape.index1;

@@ -19,6 +19,7 @@ static thud_shape_id add_still(thud_world *world, double x, double y, float hx, 
     return add_shape(world, add_body(world, THUD_STATIC, x, y, angle), hx, hy, false, NULL);
 }
 
+/* Asserts the fields of a hit. */
 static void is_hit(const thud_ray_hit *hit, thud_shape_id shape, double fraction, double x,
                    double y, double nx, double ny) {
     assert_int_equal(hit->shape.index1, shape.index1);
@@ -167,6 +168,7 @@ static void long_slanting_way_among_many_misses_none(void **state) {
     thud_world_destroy(world);
 }
 
+/* An overlap's callback: notes the shape in an array behind its count. */
 static bool gather(thud_shape_id shape, void *context) {
     int *count = context;
     count[++*count] = (int)shape.index1;

@@ -39,6 +39,7 @@ static thud_terrain draw_terrain(source *r, thud_pos *points) {
     return t;
 }
 
+/* Adds the same terrain to the three worlds. */
 static void add_terrain(worlds *w, source *r, const thud_shape_def *def) {
     int n = w->count++;
     thud_pos at = {(float)draw(r, -10, 10), (float)draw(r, -30, -10)};
@@ -51,6 +52,7 @@ static void add_terrain(worlds *w, source *r, const thud_shape_def *def) {
     }
 }
 
+/* Adds the same circle or box to the three worlds. */
 static void add_solid(worlds *w, source *r, const thud_shape_def *def) {
     int n = w->count++;
     thud_shape_instance shape = draw_shape(r);
@@ -115,10 +117,12 @@ static void drop_worlds(worlds *w) {
 
 /* ---- reference: one shape, without a world ---- */
 
+/* Whether shape i passes the filter (reference). */
 static bool passes(const worlds *w, int i, const thud_query_filter *filter) {
     return (filter->sensors || !w->sensor[i]) && (w->filter[i].category & filter->mask);
 }
 
+/* The shape with its extents enlarged by `by`. */
 static thud_shape_instance grown(const thud_shape_instance *shape, double by) {
     thud_shape_instance p = *shape;
     p.hx = fmax(p.hx + by, 1e-9);
@@ -163,6 +167,7 @@ static bool meets(const worlds *w, int i, const query *q, double by, double *fra
     return hit;
 }
 
+/* Distance of shape i from another one, by the geometry functions (reference). */
 static double distance_to(const worlds *w, int i, const thud_shape_instance *shape) {
     thud_closest c;
     thud_shape_instance other = *shape;
@@ -252,6 +257,8 @@ static void check_hit(const worlds *w, const query *q, const thud_ray_hit *hit) 
     }
 }
 
+/* Checks a cast that lists all hits against the reference, and the first hit and the other
+ * broadphases against the list. */
 static void check_cast(const worlds *w, const query *q) {
     thud_ray_hit hits[ROOM], others[ROOM], first;
     int count = cast_all(w, 0, q, hits, ROOM);
@@ -299,6 +306,7 @@ static bool append(thud_shape_id shape, void *context) {
     return true;
 }
 
+/* Checks an overlap against the distances of all shapes, with each broadphase. */
 static void check_overlap(const worlds *w, const query *q) {
     list found[BROADPHASES] = {0};
     thud_shape_instance there = q->shape;
@@ -321,6 +329,7 @@ static void check_overlap(const worlds *w, const query *q) {
     assert_int_equal(next, found[0].count);
 }
 
+/* Checks the closest shape to a point against the distances of all shapes, with each broadphase. */
 static void check_closest(const worlds *w, source *r, const query *q) {
     double most = draw_below(r, 2) ? draw(r, 0, 5) : draw(r, 0, 200), least = 1e300;
     thud_shape_instance point = {.kind = THUD_CIRCLE, .x = q->x, .y = q->y, .c = 1, .hx = 1e-9};

@@ -10,6 +10,7 @@
 
 enum { BEFORE = 60, AFTER = 70, SIZE_MOST = 200 };
 
+/* A world of a scene, at most of size SIZE_MOST. *scale is the scene's length scale. */
 static thud_world *scene_world(const scene_info *info, const thud_world_def *def, float *scale) {
     scene s;
     thud_world *world;

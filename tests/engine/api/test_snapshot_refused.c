@@ -198,6 +198,7 @@ typedef struct inside {
     int asked;
 } inside;
 
+/* A prologue in which snapshot calls are refused. */
 static bool ask(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
                 void *context) {
     (void)contact;

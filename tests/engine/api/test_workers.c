@@ -6,6 +6,7 @@
 #include "pool.h"
 #include "scenes.h"
 
+/* The hash of a scene's world after some steps. */
 static uint64_t hash_after(const char *name, int size, int steps, thud_job_system job_system) {
     scene s;
     assert_true(scenes_fill(scenes_find(name), size, &s));

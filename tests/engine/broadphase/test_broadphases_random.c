@@ -35,6 +35,7 @@ static int pick(life *l, int count) {
 
 /* ---- arguments of callbacks ---- */
 
+/* A prologue: hashes its arguments, and vetoes a fifth of the contacts. */
 static bool ask(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
                 void *context) {
     life *l = context;
@@ -47,6 +48,7 @@ static bool ask(thud_world *world, const thud_contact *contact, thud_contact_set
     return (contact->shape_a.index1 + contact->shape_b.index1) % 5 != 0;
 }
 
+/* An epilogue: hashes its arguments. */
 static void tell(thud_world *world, const thud_contact *contact, void *context) {
     life *l = context;
     (void)world;
@@ -103,6 +105,7 @@ static void add_line(life *l) {
     l->lines_made++;
 }
 
+/* Makes a random edit of the terrain: a new one, a move, digging or raising. */
 static void edit_line(life *l) {
     switch (pick(l, 4)) {
     case 0:
@@ -124,6 +127,7 @@ static void edit_line(life *l) {
     }
 }
 
+/* Makes a random edit of a body. */
 static void edit(life *l) {
     int i = pick(l, BODIES);
     switch (pick(l, 3)) {
@@ -144,6 +148,7 @@ static void edit(life *l) {
 
 /* ---- records ---- */
 
+/* Adds the events of a list, and their number, to the hash. */
 static void mix_pairs(uint64_t *hash, const thud_contact_event *e, int count) {
     for (int i = 0; i < count; i++) {
         mix_int(hash, e[i].shape_a.index1);

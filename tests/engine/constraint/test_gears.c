@@ -16,6 +16,7 @@ typedef struct train {
     thud_joint_id axle[2], gear;
 } train;
 
+/* Two wheels of radius 1 and 0.5 on axles, with a gear of this ratio. */
 static train make_train(const thud_quality *quality, double ratio) {
     train t = {.world = world_at(quality)};
     t.wall = add_body(t.world, THUD_STATIC, 0, 0, 0);

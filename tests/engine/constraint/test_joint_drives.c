@@ -237,6 +237,7 @@ static void aim(const pulled *p, double angle) {
     }
 }
 
+/* Creates a case's world, with the box pulled in the direction of `angle`. */
 static pulled begin_pull(pull how, double angle) {
     thud_world_def def = weightless();
     def.quality = how.quality;

@@ -145,6 +145,7 @@ static thud_world *linkage(thud_world_def def, uint64_t seed) {
     return world;
 }
 
+/* Asserts that no body is quarantined and the kinetic energy is bounded. */
 static void check_finite(const thud_world *world) {
     assert_int_equal(thud_world_events(world).quarantined_count, 0);
     thud_measure m = thud_world_measure(world);

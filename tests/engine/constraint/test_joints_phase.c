@@ -81,6 +81,7 @@ typedef struct measured {
     int soft;         /* steps of the soft solver */
 } measured;
 
+/* Runs the spring for SECONDS and measures it. */
 static measured spring(const thud_quality *quality, int substeps, double frequency) {
     thud_world *world = world_with(quality, substeps, 0);
     thud_body_id wall = add_body(world, THUD_STATIC, 0, 0, 0),

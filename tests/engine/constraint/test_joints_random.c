@@ -101,6 +101,7 @@ static mechanism add_mechanism(thud_world *world, int seed, bool meets_floor) {
     return m;
 }
 
+/* A world with the mechanism of a seed, with a floor where it collides with one. */
 static mechanism make_one(int seed, const thud_quality *quality, const thud_detection *detection,
                           bool meets_floor) {
     thud_world_def def = def_of(quality);

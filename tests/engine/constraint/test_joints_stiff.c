@@ -19,11 +19,13 @@ typedef struct chain {
     uint64_t seed;
 } chain;
 
+/* A random damping ratio in [0, 2]; a fifth of them are 0. */
 static double some_damping(chain *c) {
     double ratio = between_two(&c->seed, -0.5, 2);
     return ratio < 0 ? 0 : ratio;
 }
 
+/* Joins two boxes by a joint with random spring frequencies and damping. */
 static void tie(chain *c, tie_kind kind, thud_body_id a, thud_body_id b, double arm_a,
                 double arm_b) {
     static const thud_joint_kind kinds[] = {THUD_WELD, THUD_DISTANCE, THUD_HINGE};

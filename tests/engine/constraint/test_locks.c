@@ -9,6 +9,7 @@
 #include <thud/thud_lists.h>
 #include <thud/thud_locks.h>
 
+/* Sets the locks of a body, and asserts that they are read back. */
 static void lock(thud_world *world, thud_body_id body, bool x, bool y) {
     bool has_x = !x, has_y = !y;
     OK(thud_body_set_locks(world, body, x, y));
@@ -314,6 +315,7 @@ static void locked_body_sleeps_and_stays_dynamic(void **state) {
 
 /* ---- snapshots, workers ---- */
 
+/* A world of 40 boxes, two thirds of which are locked in x or y. */
 static thud_world *make_rails(thud_job_system job_system) {
     thud_world_def def = thud_default_world_def();
     def.job_system = job_system;

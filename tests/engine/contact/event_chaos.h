@@ -18,6 +18,7 @@ static inline bool same(const thud_contact_event *a, const thud_contact_event *b
     return memcmp(a, b, sizeof *a) == 0;
 }
 
+/* Index of an open pair, or `count` where it is not open. */
 static inline int find(const ledger *l, const thud_contact_event *pair) {
     int i = 0;
     while (i < l->count && !same(&l->open[i], pair)) {
@@ -175,6 +176,7 @@ static inline void edit(chaos *c) {
     }
 }
 
+/* Makes one random edit of the terrain. */
 static inline void edit_ground(chaos *c) {
     double x = random_in(&c->seed, -8, 8);
     if (pick(c, 6) == 0) {
@@ -197,6 +199,7 @@ static inline void edit_inside(chaos *c, int one_in) {
     }
 }
 
+/* A prologue that edits now and then, and vetoes a tenth of the contacts while not `quiet`. */
 static inline bool ask(thud_world *world, const thud_contact *contact,
                        thud_contact_settings *settings, void *context) {
     (void)settings;

@@ -2,6 +2,7 @@
  * debug drawing shows contacts, pairs and colours. */
 #include "engine_support.h"
 
+/* The contact of a body that has exactly one. */
 static thud_manifold only_contact_of(thud_world *world, thud_body_id body) {
     thud_manifold all[4];
     int count = -1;

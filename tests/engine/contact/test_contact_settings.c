@@ -12,6 +12,7 @@ typedef struct wish {
     int heard;
 } wish;
 
+/* A prologue that sets the context's settings while they are granted. */
 static bool wish_for(thud_world *world, const thud_contact *contact,
                      thud_contact_settings *settings, void *context) {
     (void)world;
@@ -137,6 +138,7 @@ static void impact_within_the_step_heeds_surface_speed_and_friction(void **state
     }
 }
 
+/* The log: counts the refusals of a prologue's settings. */
 static void count_message(thud_result result, const char *message, void *context) {
     assert_int_equal(result, THUD_ERROR_INVALID);
     assert_non_null(strstr(message, "prologue"));

@@ -18,6 +18,7 @@ static int sleepers(const chaos *c) {
     return count;
 }
 
+/* Runs a random world and books its events. */
 static void run_chaos(const thud_detection *detection, const thud_broadphase *broadphase,
                       uint64_t seed) {
     chaos *c = calloc(1, sizeof *c);

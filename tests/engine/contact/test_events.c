@@ -189,6 +189,7 @@ static void prologue_that_says_no_lets_bodies_through(void **state) {
 
 static double impulse_sum;
 
+/* An epilogue that sums normal impulses. */
 static void weigh(thud_world *world, const thud_contact *contact, void *context) {
     (void)context;
     impulse_sum += (double)contact->normal_impulse;

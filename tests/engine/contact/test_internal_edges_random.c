@@ -32,6 +32,7 @@ typedef struct heap {
 
 /* ---- heaps ---- */
 
+/* A random size whose logarithm is uniform. */
 static double draw_size(source *r, double least, double most) {
     return exp(draw(r, log(least), log(most)));
 }
@@ -43,6 +44,7 @@ static double draw_gap(source *r) {
     return draw_below(r, 2) ? gap * draw(r, 0.8, 1.2) : -gap;
 }
 
+/* Rotates a shape; a rotated AABB becomes an OBB. */
 static void turn_to(thud_shape_instance *shape, double *angle, double to) {
     *angle = to;
     shape->kind = to == 0.0 && shape->kind == THUD_AABB ? THUD_AABB : THUD_OBB;
@@ -107,6 +109,7 @@ static void add_related_box(source *r, heap *h) {
     }
 }
 
+/* Adds a terrain that begins next to an upper corner of a box. */
 static void add_line(source *r, heap *h) {
     const thud_shape_instance *box = &h->shapes[draw_below(r, h->count)];
     double side = draw_below(r, 2) ? 1.0 : -1.0, x = box->x + side * (box->hx + draw_gap(r));
@@ -155,6 +158,7 @@ static void add_faller(source *r, heap *h) {
     h->speed = draw_below(r, 2) ? 0 : draw(r, -5, 5);
 }
 
+/* Draws a case. */
 static heap draw_heap(source *r) {
     static const double scales[] = {1, 1, 0.01, 100};
     heap h = {.count = 1, .scale = scales[draw_below(r, 4)]};
@@ -220,6 +224,7 @@ static void add_joined(thud_world *world, const heap *h) {
     }
 }
 
+/* Creates the case's world, with internal edges where `seams` is set, else without them. */
 static thud_world *make_heap(const heap *h, bool seams, thud_body_id *body) {
     thud_world_def def = thud_world_def_of(h->quality);
     def.length_scale = (float)h->scale;
@@ -335,6 +340,7 @@ static const char *fault_of(const outcome *o) {
                                                   : NULL;
 }
 
+/* Prints a case and its outcome, so that a failure can be repeated. */
 static void describe(const heap *h, const outcome *o) {
     for (int i = 0; i < h->count; i++) {
         const thud_shape_instance *s = &h->shapes[i];

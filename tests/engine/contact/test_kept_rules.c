@@ -14,6 +14,7 @@ static thud_world_def def_of(int choice) {
     return def;
 }
 
+/* An empty world of one of the detections and broadphases. */
 static thud_world *bare(int choice) {
     return make_world(def_of(choice));
 }
@@ -70,6 +71,7 @@ static thud_world *make_pile(int choice, bool with_rules) {
     return w;
 }
 
+/* Asserts that both worlds have the same rules for all pairs of categories. */
 static void same_rules(thud_world *a, thud_world *b) {
     for (int i = 0; i < 32 * 32; i++) {
         thud_rule rule[2];
@@ -81,6 +83,7 @@ static void same_rules(thud_world *a, thud_world *b) {
     }
 }
 
+/* Asserts that both worlds had the same impulse events; returns their number. */
 static int same_impulses(thud_world *a, thud_world *b) {
     int count[2];
     const thud_impulse_event *one = thud_world_impulses(a, &count[0]);

@@ -97,6 +97,7 @@ static void without_a_prologue_pairs_are_their_own_again(void **state) {
 
 /* ---- what listeners are given ---- */
 
+/* The manifold of a contact that a listener was given; null where there is none. */
 static const thud_manifold *manifold_of(const thud_manifold *all, int count,
                                         const thud_contact *heard) {
     for (int i = 0; i < count; i++) {
@@ -247,6 +248,7 @@ static void parts_that_listeners_do_without_are_not_told(void **state) {
 
 /* ---- what is refused ---- */
 
+/* A prologue inside of which setting listeners is refused. */
 static bool tries_to_go(thud_world *world, const thud_contact *contact,
                         thud_contact_settings *settings, void *context) {
     (void)contact, (void)settings;

@@ -5,6 +5,7 @@
 static thud_contact seen;
 static int seen_count;
 
+/* A prologue: keeps the contact, and vetoes it. */
 static bool look(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
                  void *context) {
     (void)settings;

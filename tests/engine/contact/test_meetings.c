@@ -11,6 +11,8 @@
 
 enum { GROUND = 1, BALL = 2, COIN = 4, CRATE = 8 };
 
+/* A body of a category: the ground is a static box, the others are circles, and a coin is a
+ * weightless sensor. */
 static thud_body_id make(thud_world *world, double x, double y, uint32_t category) {
     thud_body_options options = {.kind = category == GROUND ? THUD_STATIC : THUD_DYNAMIC,
                                  .category = category,
@@ -21,6 +23,7 @@ static thud_body_id make(thud_world *world, double x, double y, uint32_t categor
     return thud_body_make(world, category == GROUND ? box : ball, &options);
 }
 
+/* How many pairs of the two categories met in the last step. */
 static int meetings(const thud_world *world, uint32_t first, uint32_t second) {
     int count = 0;
     for (thud_met m = {0}; thud_world_next_meeting(world, first, second, &m);) {

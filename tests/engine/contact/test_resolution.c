@@ -48,6 +48,7 @@ static void one_way_platform_lets_through_from_below_and_holds_from_above(void *
     }
 }
 
+/* A prologue that vetoes every contact; the static body is body a. */
 static bool refuse(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
                    void *context) {
     (void)settings;
@@ -181,6 +182,7 @@ static void sliding_box_stops_after_the_distance_of_coulomb(void **state) {
 
 /* ---- teams ---- */
 
+/* A prologue that vetoes contacts within a team. */
 static bool teams(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
                   void *context) {
     (void)settings;
@@ -188,6 +190,7 @@ static bool teams(thud_world *world, const thud_contact *contact, thud_contact_s
     return state_of(world, contact->body_a).user_data != state_of(world, contact->body_b).user_data;
 }
 
+/* A player of a team, which is its filter group or else its user data. */
 static thud_body_id add_player(thud_world *world, bool by_group, int team, int kind, double x,
                                float v) {
     thud_shape_def def = thud_default_shape_def();

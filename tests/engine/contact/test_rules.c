@@ -106,6 +106,7 @@ static void rules_make_surfaces(void **unused) {
     thud_world_destroy(w);
 }
 
+/* A prologue that sets friction to 0.8 where the rule made it 0, else to 0.1. */
 static bool last_word(thud_world *w, const thud_contact *contact, thud_contact_settings *settings,
                       void *context) {
     (void)w, (void)contact;
@@ -197,6 +198,7 @@ typedef struct apart {
     thud_world *world;
 } apart;
 
+/* A filter that refuses the pairs of one shape; world calls inside it are refused. */
 static bool keep_apart(const thud_world *w, thud_shape_id a, thud_shape_id b, void *context) {
     apart *s = context;
     thud_shape_state state;

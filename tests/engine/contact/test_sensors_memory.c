@@ -12,6 +12,7 @@ static int marks;
 static int late; /* allocations since then */
 enum { MARKS = 4 };
 
+/* The world's clock, which counts its calls. */
 static double mark(void *context) {
     (void)context;
     return ++marks;
@@ -85,6 +86,7 @@ static scene make_crowd(const crowd *c, float half) {
     return s;
 }
 
+/* Gives the moving group its velocity. */
 static void set_off(const scene *s, const crowd *c, double way) {
     for (int i = 0; i < s->count; i++) {
         if ((i < c->zones) == c->zones_move) {
@@ -159,6 +161,7 @@ static void what_there_is_no_room_for_is_told_by_the_next_step(void **state) {
 
 /* ---- shapes that pass ---- */
 
+/* Fast groups pass each other completely within one step. */
 static void pass(const crowd *c) {
     scene s = make_crowd(c, 0.05f);
     bool looks = c->detection > 1 || (c->detection == 1 && !c->zones_move);
@@ -184,6 +187,7 @@ static void crowd_that_passes_sensors_asks_for_no_memory_late(void **state) {
 
 /* ---- the first sensor ---- */
 
+/* A prologue that adds the first sensor. */
 static bool make_sensor(thud_world *world, const thud_contact *contact,
                         thud_contact_settings *settings, void *context) {
     (void)settings;

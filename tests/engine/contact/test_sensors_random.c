@@ -36,6 +36,7 @@ typedef struct seen_shape {
     thud_terrain line;
 } seen_shape;
 
+/* Reads a shape with its pose, for the reference. */
 static void look_at(const chaos *c, thud_shape_id id, seen_shape *out) {
     thud_shape_state shape;
     OK(thud_shape_get(c->world, id, &shape));
@@ -61,6 +62,7 @@ static void look_at(const chaos *c, thud_shape_id id, seen_shape *out) {
     }
 }
 
+/* Reads all shapes, by their slots. */
 static void look_around(const chaos *c, seen_shape *shapes) {
     memset(shapes, 0, SHAPES_MAX * sizeof *shapes);
     for (int i = 0; i <= BODIES; i++) {

@@ -8,11 +8,13 @@
 #include <thud/thud_edits.h>
 #include <thud/thud_lists.h>
 
+/* The events of one step. */
 static thud_events told(thud_world *world) {
     run(world, 1);
     return thud_world_events(world);
 }
 
+/* Asserts that there are no events for that many steps. */
 static void nothing_told(thud_world *world, int steps) {
     for (int i = 0; i < steps; i++) {
         thud_events e = told(world);
@@ -27,6 +29,7 @@ static thud_shape_id add_silent(thud_world *world, thud_body_id body, float hx, 
     return add_shape(world, body, hx, hy, false, &def);
 }
 
+/* Sets whether a shape's pairs make events, and asserts that it is read back. */
 static void set_events(thud_world *world, thud_shape_id shape, bool events) {
     thud_shape_state state;
     OK(thud_shape_set_events(world, shape, events));
@@ -146,6 +149,7 @@ static void line_is_told_of_as_it_began(void **state) {
 
 /* ---- at random ---- */
 
+/* Switches events of random shapes on or off. */
 static void toggle_some(chaos *c) {
     thud_shape_id shapes[256];
     int count;

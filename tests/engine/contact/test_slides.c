@@ -67,6 +67,7 @@ static void add_pieces(thud_world *world, const slide *s, thud_body_id body, boo
     }
 }
 
+/* Adds the case's ground, in one piece (`whole`) or in many. */
 static void add_ground(thud_world *world, const slide *s, bool whole) {
     int step = s->floor == TILES ? 1 : s->floor == SHAPES ? 5 : 10;
     if (s->floor == LINES && whole) {
@@ -112,6 +113,7 @@ typedef struct track {
     int steps;
 } track;
 
+/* Slides the body over the ground and records its motion. */
 static track run_slide(const slide *s, bool whole) {
     thud_world_def def = thud_world_def_of(s->quality);
     def.sleeping = false;
@@ -149,6 +151,7 @@ static void limits_of(const slide *s, double *hop, double *loss) {
     }
 }
 
+/* Asserts that the slider moves over pieces as over the whole ground, within the bounds. */
 static void compare(const slide *s) {
     track whole = run_slide(s, true), pieces = run_slide(s, false);
     double most_hop, most_loss, hop = 0, loss = 0;

@@ -10,6 +10,7 @@ typedef struct range {
     thud_body_id bullets[BULLETS], walls[BULLETS];
 } range;
 
+/* Light walls, each with a bullet flying at it; bullets are boxes or circles. */
 static range make_range(bool boxes) {
     thud_world_def def = weightless();
     def.sleeping = false;

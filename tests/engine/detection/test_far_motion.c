@@ -27,6 +27,7 @@ typedef struct heap {
     int what;
 } heap;
 
+/* The def of body i, with extreme values in some of them. */
 static thud_body_def body_def(const heap *h, int i, uint64_t *seed) {
     thud_body_def def = thud_default_body_def();
     def.kind = one_in(seed, 8) ? THUD_KINEMATIC : THUD_DYNAMIC;
@@ -43,6 +44,7 @@ static thud_body_def body_def(const heap *h, int i, uint64_t *seed) {
     return def;
 }
 
+/* Creates heap number `number`; settings follow from the number, the rest is random. */
 static heap make_heap(uint64_t *seed, int number) {
     static const double steps[] = {1.0 / 60, 0.1, 1};
     bool joined = number % 2;

@@ -14,6 +14,7 @@ typedef struct load {
     double deepest, speed;
 } load;
 
+/* Runs a scene under `swept` and measures it. */
 static load run_scene(const char *name, int size, int steps) {
     scene s;
     thud_world *world;

@@ -38,6 +38,7 @@ static void done_or_short(thud_result result) {
     assert_true(result == THUD_OK || (result == THUD_ERROR_MEMORY && fails));
 }
 
+/* Makes a random edit from inside a callback, now and then. */
 static void edit(room *m) {
     source *r = &m->random;
     thud_body_id body = m->bodies[draw_below(r, BODIES)];
@@ -116,6 +117,7 @@ static void add_shapes(source *r, thud_world *world, thud_body_id body) {
     }
 }
 
+/* Creates the random world of a seed. */
 static void make_room(room *m, uint64_t seed, bool plain_simd) {
     source r = {seed};
     thud_world_def def = thud_default_world_def();
@@ -147,6 +149,7 @@ static void make_room(room *m, uint64_t seed, bool plain_simd) {
 
 /* ---- what must hold after every step ---- */
 
+/* Asserts the bounds of work, and that bodies are finite and inside the room. */
 static void check(const room *m, uint64_t seed, int step) {
     thud_stats stats = thud_world_stats(m->world);
     if (stats.impacts > 9 * BODIES || stats.held_bodies > BODIES ||

@@ -55,6 +55,7 @@ static inline void bring_to_touch(pair *p) {
     p->b.y -= (double)(best.y * part);
 }
 
+/* Places b above a, parallel or rotated by a tiny angle, with or without a gap. */
 static inline void place_parallel(source *r, pair *p) {
     const double gaps[] = {0.0, 0.01, -0.01, draw(r, -1.0, 1.0)};
     const double turns[] = {0.0, 0.0, 1e-12, 1e-9, 1e-6, 1e-3};
@@ -80,6 +81,7 @@ static inline void place_corners(source *r, pair *p) {
     p->b.y = p->a.y + i.y - j.y - off * draw(r, -1.0, 1.0);
 }
 
+/* Makes one shape or both a needle (a circle a point), and places them across or end to end. */
 static inline void make_needles(source *r, pair *p) {
     thud_shape_instance *thin = draw_below(r, 2) ? &p->a : &p->b;
     for (int i = 0; i < 2; i++, thin = thin == &p->a ? &p->b : &p->a) {
@@ -99,6 +101,7 @@ static inline void make_needles(source *r, pair *p) {
     }
 }
 
+/* A random pair of kinds (an index of pair_kinds), in a family. */
 static inline pair draw_pair_of(source *r, int kinds, pair_family family) {
     pair p = {draw_shape_of(r, pair_kinds[kinds][0]), draw_shape_of(r, pair_kinds[kinds][1])};
     bool far = family == FAR_AWAY;
@@ -163,6 +166,7 @@ typedef struct moving {
     double target;
 } moving;
 
+/* A random pair in motion; `i` selects the family. */
 static inline moving draw_moving(source *r, int kinds, int i, bool turning) {
     moving m = {.p = draw_pair_of(r, kinds, (pair_family)(i % FAMILIES))};
     double speed = exp(draw(r, -3.0, 5.0)), away = draw_below(r, 3) ? 3.0 : 0.0;
@@ -187,11 +191,13 @@ static inline moving draw_moving(source *r, int kinds, int i, bool turning) {
     return m;
 }
 
+/* A unit of rounding of answers about the moving pair. */
 static inline double moving_rounding(const moving *m) {
     double way = fabs(m->a.dx) + fabs(m->a.dy) + fabs(m->b.dx) + fabs(m->b.dy);
     return pair_rounding(&m->p) + ROUNDING * (way + m->target);
 }
 
+/* Distance of the pair after the share t of the motion, in long double. */
 static inline real moving_distance(const moving *m, real t) {
     solid a = solid_after(&m->p.a, m->a, t, m->p.a.x, m->p.a.y);
     solid b = solid_after(&m->p.b, m->b, t, m->p.a.x, m->p.a.y);

@@ -15,6 +15,7 @@ static const thud_shape_instance wall = {
     .kind = THUD_AABB, .x = 3.0, .c = 1.0, .hx = 0.5, .hy = 4.0};
 static const thud_motion still = {0.0, 0.0, 0.0};
 
+/* Time at which the ball collides with the wall. */
 static double collision(thud_motion motion, double tolerance, bool *collided) {
     double time;
     assert_int_equal(thud_shapes_time_of_collision(&ball, motion, &wall, still, tolerance, collided,

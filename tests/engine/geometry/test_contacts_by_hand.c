@@ -25,6 +25,7 @@ static thud_contacts contacts(thud_shape_instance a, thud_shape_instance b, doub
     return c;
 }
 
+/* Asserts the point on a and the distance, and that b's point follows from them and the normal. */
 static void point_is(const thud_closest *c, double ax, double ay, double distance) {
     NEAR(c->ax, ax);
     NEAR(c->ay, ay);

@@ -16,6 +16,7 @@ typedef struct pair {
     double scale; /* rounding of the coordinates in use */
 } pair;
 
+/* Moves the pair far away, and its tolerance with it. */
 static void shift(pair *p, double x, double y) {
     p->a.x += x, p->b.x += x;
     p->a.y += y, p->b.y += y;
@@ -30,6 +31,7 @@ static void bring_together(pair *p) {
     p->b.y -= c.ny * c.distance;
 }
 
+/* A random pair of a family (0: any place). */
 static pair draw_pair(source *r, int family) {
     pair p = {draw_shape(r), draw_shape(r), 1e-12};
     switch (family) {
@@ -83,6 +85,7 @@ static double sampled_distance(const pair *p) {
     return best;
 }
 
+/* Asserts that both points are on the outlines, and the distance apart along a unit normal. */
 static void check_points(const pair *p, const thud_closest *c) {
     double on_a = point_distance(&p->a, c->ax - p->a.x, c->ay - p->a.y);
     double on_b = point_distance(&p->b, c->bx - p->b.x, c->by - p->b.y);

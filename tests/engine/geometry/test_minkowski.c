@@ -43,6 +43,7 @@ static void each_pair(uint64_t seed, int cases, void (*check)(source *r, const t
     }
 }
 
+/* The distance, normal and containment of b's centre against long double. */
 static void check_distance(source *r, const trial *t) {
     (void)r;
     solid a = solid_of(&t->p.a, 0.0, 0.0), b = solid_of(&t->p.b, 0.0, 0.0);
@@ -73,6 +74,7 @@ static real support(const thud_shape_instance *shape, vec n) {
     return most + s.radius;
 }
 
+/* The sum's polygon: each face touches both shapes' support, and corners are in order. */
 static void check_polygon(source *r, const trial *t) {
     (void)r;
     const thud_minkowski *m = &t->sum;
@@ -136,6 +138,7 @@ static double least_distance(const trial *t, double dx, double dy, double end) {
 
 static int casts, hits;
 
+/* A random cast against the least distance along its path. */
 static void check_cast(source *r, const trial *t) {
     double reach = draw_below(r, 2) ? 8.0 : 2.0, fraction, nx, ny;
     double dx = draw(r, -reach, reach), dy = draw(r, -reach, reach);

@@ -52,6 +52,7 @@ static void check_either_way_round(const pair *p) {
     CHECK_PAIR(p, fabs(there.distance - back.distance) <= BOUND * pair_rounding(p));
 }
 
+/* Calls `check` for every pair of kinds and family. */
 static void each_pair(uint64_t seed, void check(const pair *p)) {
     int count = case_count(QUICK);
     for (int kinds = 0; kinds < PAIR_KINDS; kinds++) {

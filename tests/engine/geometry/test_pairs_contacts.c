@@ -19,6 +19,7 @@ typedef struct spot {
     real along, above;
 } spot;
 
+/* The place p in the frame of the normal n. */
 static spot spot_of(vec n, vec p) {
     return (spot){n.x * p.y - n.y * p.x, dot(n, p)};
 }
@@ -84,6 +85,7 @@ static bool some_side_explains(const solid *face, const solid *other, vec n, vec
     return false;
 }
 
+/* Whether a side of the box has the normal n. */
 static bool has_face_along(const solid *s, vec n, real slack) {
     for (int i = 0; i < 4 && s->count == 4; i++) {
         if (off_normal(s, i, n) <= slack) {
@@ -93,6 +95,7 @@ static bool has_face_along(const solid *s, vec n, real slack) {
     return false;
 }
 
+/* Asserts that the second point, or its absence, is explained by clipping some face. */
 static void check_second(const pair *p, const thud_contacts *c, real margin, real slack) {
     const thud_closest *one = &c->point[0], *two = &c->point[1];
     double x = p->a.x, y = p->a.y;

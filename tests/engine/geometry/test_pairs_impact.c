@@ -20,6 +20,7 @@ enum { QUICK = 12000, QUICK_TURNING = 600, STEPS = 1000 };
 
 static int hits;
 
+/* Asserts that the time is between those of the thicker and the thinner pair. */
 static void check_translating(const moving *m) {
     double slack = BOUND * moving_rounding(m), time;
     bool hit;
@@ -106,6 +107,7 @@ static bool apart_until(const moving *m, real least, real end) {
 
 static int stopped_early;
 
+/* Asserts that the shapes are at the target distance at the time, and farther apart before. */
 static void check_turning(const moving *m) {
     double size = m->p.a.hx + m->p.a.hy + m->p.b.hx + m->p.b.hy;
     double slack = 1.1e-10 * size + BOUND * moving_rounding(m), time;

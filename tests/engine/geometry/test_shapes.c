@@ -29,6 +29,7 @@ static thud_closest closest(thud_shape_instance a, thud_shape_instance b) {
     return c;
 }
 
+/* The time of impact with a shape b at rest, or 2 where there is none. */
 static double impact(thud_shape_instance a, thud_motion ma, thud_shape_instance b, double target) {
     bool hit;
     double time;

@@ -201,6 +201,7 @@ static void functions_of_terrain_refuse_impossible_shapes(void **state) {
     }
 }
 
+/* Asserts that every function of terrains refuses this one. */
 static void refuse_ground(const thud_terrain *t, thud_result code) {
     int first = 5, last = 9;
     REFUSES(code, thud_terrain_check(t));

@@ -15,6 +15,7 @@ enum { CASES = 20000, KINDS = THUD_OBB + 1, CLOUD = 40, ANGLES = 720 };
 
 #define OK(call) assert_int_equal(call, THUD_OK)
 
+/* Whether volumes overlap, which must not depend on their order. */
 static bool overlap(const thud_volume *a, const thud_volume *b) {
     bool yes, back;
     OK(thud_volumes_overlap(a, b, &yes));
@@ -147,12 +148,14 @@ static void volumes_of_every_shape_are_the_smallest(void **state) {
     each_pair(4, case_count(CASES / 4), check_around_shape);
 }
 
+/* A random motion, with up to some turns of rotation. */
 static thud_motion draw_motion(source *r) {
     const double turns[] = {0.0, 0.1, 1.5, 4.0, 30.0};
     double reach = draw_below(r, 4) ? 3.0 : 0.0, turn = turns[draw_below(r, 5)];
     return (thud_motion){draw(r, -reach, reach), draw(r, -reach, reach), draw(r, -turn, turn)};
 }
 
+/* Volumes around a motion contain the shape at sampled times, and are not much larger. */
 static void check_around_motion(source *r, const pair *both) {
     const thud_shape_instance *shape = &both->a;
     thud_motion m = draw_motion(r);
@@ -196,6 +199,7 @@ static void volumes_of_random_motions_hold_every_place_on_the_way(void **state) 
     each_pair(5, case_count(CASES / 20), check_around_motion);
 }
 
+/* Merged volumes contain both. */
 static void check_merge(source *r, const pair *p) {
     (void)r;
     const thud_shape_instance *a = &p->a, *b = &p->b;

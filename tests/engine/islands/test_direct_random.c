@@ -63,6 +63,7 @@ typedef struct normals {
     int count;
 } normals;
 
+/* All normal rows of a problem. */
 static normals normals_of(const problem *p) {
     normals n = {.count = 0};
     for (int i = 0; i < p->d.constraint_count; i++) {
@@ -94,6 +95,7 @@ static long double coupling(const problem *p, const normals *n, int i, int k) {
     return sum;
 }
 
+/* The velocity of row i without impulses. */
 static long double free_speed(const problem *p, const normals *n, int i) {
     long double sum = n->row[i]->known_speed;
     for (int j = 0; j < 3; j++) {
@@ -166,6 +168,7 @@ static bool search(const problem *p, long double *impulse) {
     return false;
 }
 
+/* Asserts that the problem's velocities are those of these impulses. */
 static void assert_same_velocities(const problem *p, const long double *impulse, double tolerance) {
     normals n = normals_of(p);
     for (int body = 0; body < p->d.body_count; body++) {

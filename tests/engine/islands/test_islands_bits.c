@@ -20,6 +20,7 @@ static void fill_yard(thud_world *world, double x) {
     }
 }
 
+/* Runs the world, and asserts that bodies were solved directly. */
 static void run_hard(thud_world *world, int steps) {
     int64_t bodies = 0;
     for (int i = 0; i < steps; i++) {

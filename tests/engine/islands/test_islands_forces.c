@@ -20,6 +20,7 @@ typedef struct forces {
     int count;
 } forces;
 
+/* Adds a force on b to that of the pair. */
 static void add_force(forces *f, int a, int b, double x, double y) {
     int sign = a < b ? 1 : -1, low = a < b ? a : b, high = a < b ? b : a, i = 0;
     while (i < f->count && (f->at[i].body_a != low || f->at[i].body_b != high)) {
@@ -42,6 +43,7 @@ static void note(thud_world *world, const thud_contact *c, void *context) {
               n * y - t * x);
 }
 
+/* The contact forces in one step after 180 steps, when the scene is at rest. */
 static forces forces_of_thud(const scene *s, const thud_quality *quality) {
     forces found = {.count = 0};
     thud_world_def def = thud_default_world_def();
@@ -60,6 +62,7 @@ static forces forces_of_thud(const scene *s, const thud_quality *quality) {
     return found;
 }
 
+/* The oracle's contact forces after one second. */
 static forces forces_of_oracle(const scene *s) {
     forces found = {.count = 0};
     oracle *o = oracle_create(s, &(oracle_settings){1.0 / 240, 0.01});

@@ -6,6 +6,7 @@
 #include "hostile_memory.h"
 #include "direct/sparse.h"
 
+/* Begins the system of the current graph and orders it; false where an allocation fails. */
 static bool order(td_memory *memory, td_sparse *s) {
     if (!td_sparse_begin(memory, s, g.nodes)) {
         return false;

@@ -23,6 +23,7 @@ typedef struct game {
 /* fails_at: the step that fails once; played: how often `play` was called. */
 static int fails_at = -1, played;
 
+/* The step function of the rollback: applies the inputs, and steps. */
 static thud_result play(thud_world *world, const uint64_t *inputs, void *state) {
     game *g = state;
     played++;
@@ -74,6 +75,7 @@ static thud_rollback *make_rollback(thud_world *world, game *g) {
     return made;
 }
 
+/* The input of a player in a step: one of nine directions. */
 static uint64_t input_of(int player, int64_t step) {
     return (uint64_t)(step / 7 * 5 + player * 3) % 9; /* each input is held for 7 steps */
 }
@@ -300,6 +302,7 @@ static void memory_that_fails_is_asked_again(void **state) {
 
 static thud_rollback *inner;
 
+/* A step function inside of which calls of the rollback are refused. */
 static thud_result ask_inside(thud_world *world, const uint64_t *inputs, void *state) {
     bool made;
     (void)inputs, (void)state;

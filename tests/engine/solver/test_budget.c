@@ -18,6 +18,7 @@ static double read_fake(void *context) {
     return f->now;
 }
 
+/* A def with this time budget, and the controlled clock. */
 static thud_world_def budget_of(double seconds, int substeps, fake *f) {
     thud_world_def def = thud_default_world_def();
     def.time_budget = seconds;

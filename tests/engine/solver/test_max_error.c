@@ -120,6 +120,7 @@ typedef struct column {
 
 enum { COLUMN = 16 };
 
+/* A column of COLUMN boxes at the case's scale. */
 static thud_world *make_column(const column *c, double max_error, thud_body_id *boxes) {
     thud_world_def def = thud_world_def_of(c->quality);
     float half = (float)(0.5 * c->scale);
@@ -159,6 +160,7 @@ static void try_columns(column_fn *try_it) {
     }
 }
 
+/* Asserts that no step exceeds a maximum error of 0.0005 length scales. */
 static void keeps_max_error(const column *c) {
     thud_body_id boxes[COLUMN];
     const double most = 0.0005;

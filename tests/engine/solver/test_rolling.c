@@ -9,6 +9,7 @@ typedef struct off {
     double way, slip;
 } off;
 
+/* Rolls a disc down a slope, and measures its deviation. */
 static off roll(const thud_quality *quality, double degrees) {
     double angle = degrees * 3.14159265358979323846 / 180, c = cos(angle), s = sin(angle);
     thud_world_def def = thud_default_world_def();

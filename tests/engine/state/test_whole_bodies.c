@@ -171,6 +171,7 @@ typedef struct try_made {
     long allowed;
 } try_made;
 
+/* A prologue that creates a body with many shapes while an allocation fails. */
 static bool make_many(thud_world *w, const thud_contact *contact, thud_contact_settings *settings,
                       void *context) {
     (void)contact, (void)settings;

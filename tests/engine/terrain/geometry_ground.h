@@ -31,6 +31,7 @@ static inline double vertex_x(const thud_terrain *t, int i) {
     return t->kind == THUD_TERRAIN_UNIFORM ? t->x0 + i * t->spacing : t->points[i].x;
 }
 
+/* Draws the vertices of a line of a family. */
 static inline void draw_line(source *r, ground *g, ground_family family) {
     int count = family == TWO_POINTS ? 2 : 3 + draw_below(r, MAX_VERTICES - 2);
     double spacing = exp(draw(r, -2.5, 0.5)), rough = family == GENTLE ? 0.1 : 1.0;
@@ -73,6 +74,7 @@ static inline real line_height(const thud_terrain *t, const thud_shape_instance 
     return -HUGE_VALL;
 }
 
+/* Half of the shape's horizontal extent. */
 static inline real half_width(const thud_shape_instance *s) {
     return s->kind == THUD_CIRCLE ? (real)s->hx
                                   : fabsl((real)s->c * s->hx) + fabsl((real)s->s * s->hy);
@@ -172,6 +174,7 @@ static inline void place_shape(source *r, ground *g) {
     } /* else just touching */
 }
 
+/* Draws a terrain with a shape near it; `i` selects the family. */
 static inline ground *draw_ground_of(source *r, ground *g, thud_terrain_kind kind,
                                      thud_shape_kind shape, int i) {
     *g = (ground){.terrain = {.kind = kind}, .shape = {.kind = shape, .c = 1.0}};

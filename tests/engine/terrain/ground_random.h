@@ -67,6 +67,7 @@ static inline double height(const thud_terrain *t, double x) {
     return -INFINITY;
 }
 
+/* Half of the shape's horizontal extent. */
 static inline double half_width(const thud_shape_instance *s) {
     return s->kind == THUD_CIRCLE ? s->hx : fabs(s->c) * s->hx + fabs(s->s) * s->hy;
 }

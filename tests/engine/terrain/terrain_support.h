@@ -34,6 +34,7 @@ static inline ground level_ground(thud_terrain_kind kind, thud_world_def def) {
     return g;
 }
 
+/* The present line of the ground, which must be valid. */
 static inline thud_terrain line_of(const ground *g) {
     thud_terrain line;
     OK(thud_shape_terrain(g->world, g->shape, &line));
@@ -61,6 +62,7 @@ static inline thud_terrain keep_line(const ground *g, thud_pos room[ROOM]) {
     return line;
 }
 
+/* Asserts that the ground's line has these vertices exactly. */
 static inline void line_is(const ground *g, const thud_terrain *wanted) {
     thud_terrain line = line_of(g);
     assert_int_equal(line.count, wanted->count);
@@ -86,6 +88,7 @@ static inline void add_walls(const ground *g) {
     add_shape(g->world, add_body(g->world, THUD_STATIC, 30, 0, 0), 1, 30, true, NULL);
 }
 
+/* Steps until every body sleeps, at most 601 steps. */
 static inline void run_to_sleep(const ground *g) {
     run(g->world, 1);
     for (int i = 0; i < 600 && thud_world_stats(g->world).awake_bodies; i++) {

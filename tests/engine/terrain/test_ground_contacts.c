@@ -31,6 +31,7 @@ static void offer(reach *k, real distance, vec place, bool certain) {
     }
 }
 
+/* The point of the segment from a to b that is nearest to p. */
 static vec nearest_on(vec a, vec b, vec p) {
     vec d = minus(b, a);
     real t = dot(minus(p, a), d) / dot(d, d);
@@ -134,6 +135,7 @@ static void offer_segment(reach *k, int i, real out) {
     }
 }
 
+/* Offers all candidates for the second point. */
 static reach search(const ground *g, const thud_closest *from, double depth, double margin,
                     double slack) {
     reach k = {.g = g,
@@ -155,6 +157,8 @@ static reach search(const ground *g, const thud_closest *from, double depth, dou
     return k;
 }
 
+/* Asserts that a contact's points are on the shape and on the ground, and the distance apart along
+ * the normal. */
 static void check_point(const ground *g, const thud_closest *c, double coarse) {
     const thud_shape_instance *s = &g->shape;
     solid shape = solid_of(s, s->x, s->y);

@@ -98,6 +98,7 @@ static void check_translating(const ground *g, thud_motion m, double target) {
     hits += hit;
 }
 
+/* Distance of the shape from the ground's outline after the share t of the motion. */
 static real ground_distance(const ground *g, thud_motion m, real t) {
     solid shape = solid_after(&g->shape, m, t, g->shape.x, g->shape.y), piece;
     real least = HUGE_VALL, reach = (real)g->shape.hx + g->shape.hy;
@@ -166,6 +167,7 @@ static void check_turning(const ground *g, thud_motion m, double target) {
 
 /* ---- time of collision ---- */
 
+/* Whether the shape is in the ground after the share t of the motion. */
 static answer in_ground_after(const ground *g, thud_motion m, double t, double slack) {
     ground moved = *g;
     thud_shape_instance *s = &moved.shape;

@@ -29,6 +29,7 @@ static thud_shape_instance box(double x, double y, double hx, double hy) {
     return (thud_shape_instance){.kind = THUD_AABB, .x = x, .y = y, .c = 1.0, .hx = hx, .hy = hy};
 }
 
+/* The time of impact, or 2 where there is none. */
 static double impact(const thud_terrain *t, thud_shape_instance shape, double dx, double dy,
                      double target) {
     bool hit;

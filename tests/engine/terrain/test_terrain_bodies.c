@@ -2,6 +2,7 @@
  * rest, and that their contacts and events are right. */
 #include "terrain_support.h"
 
+/* Makes one of four edits at x: dig, raise, or replace a range. */
 static void edit_by_number(const ground *g, int which, double x) {
     const thud_pos bumps[] = {{x - 0.9, 0.2}, {x - 0.3, -0.1}, {x, 0.1}, {x + 0.8, 0.3}};
     switch (which % 4) {
@@ -20,6 +21,7 @@ static void edit_by_number(const ground *g, int which, double x) {
     }
 }
 
+/* Asserts that the body sleeps and has not moved. */
 static void sleeps_as_it_was(const ground *g, thud_body_id body, const thud_body_state *was) {
     thud_body_state now = state_of(g->world, body);
     assert_false(now.awake);

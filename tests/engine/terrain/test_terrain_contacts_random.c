@@ -39,6 +39,7 @@ static bool within_neighbours(const thud_terrain *t, int i, double nx, double ny
     return angle >= low - 1e-9 && angle <= high + 1e-9;
 }
 
+/* The deepest contact of the shape with any segment near it. */
 static deepest meet(const thud_terrain *t, const thud_shape_instance *s) {
     deepest d = {0, 1e300, 0.0, 1.0};
     double reach = half_width(s) + MARGIN;

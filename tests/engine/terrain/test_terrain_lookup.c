@@ -64,6 +64,7 @@ static int free_watched(void **state) {
     return munmap(watched, watched_bytes);
 }
 
+/* How many pages of vertices one look-up reads. */
 static int pages_read_for(const thud_terrain *terrain, double x) {
     struct sigaction counting = {.sa_sigaction = open_page, .sa_flags = SA_SIGINFO};
     struct sigaction segv, bus; /* which signal it is depends on the system */

@@ -4,6 +4,7 @@
 
 #include "hostile_memory.h"
 
+/* The result of edit number `which`. */
 static thud_result edit_result(const ground *g, int which) {
     const thud_pos more[] = {{0.1, 1}, {0.2, 2}, {0.3, 1}};
     const double heights[] = {1, 2, 3};
