@@ -49,6 +49,8 @@ static void look_at(const stage *t, int plank, int index, crossing *c, tally *su
     }
 }
 
+/* Bodies rise through planks and never sink through, and belts carry balls and crates in opposite
+ * directions. */
 static void planks_let_rise_and_hold_and_carry_by_kind(void **state) {
     (void)state;
     enum { SIZE = 30 };

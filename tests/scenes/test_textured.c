@@ -13,6 +13,7 @@
 static const thud_pos POINTS[] = {{0, 0}, {3, 4}, {4, 4}};
 static const thud_terrain LINE = {.kind = THUD_TERRAIN_IRREGULAR, .points = POINTS, .count = 3};
 
+/* Texture row, coordinates and weights at places along the line. */
 static void texture_goes_along_the_line_by_its_weights(void **state) {
     (void)state;
     texture_place at;

@@ -147,6 +147,8 @@ static void play_by_pictures(game *g, double rate) {
     }
 }
 
+/* The game has the same counts of events, the same hashes and the same final state, whether it
+ * makes single steps or calls thud_world_advance_with at any rate. */
 static void the_outcome_is_the_same_at_any_rate(void **state) {
     (void)state;
     for (int quality = 0; quality < QUALITIES; quality++) {
@@ -205,6 +207,8 @@ static void a_force_acts_for_the_time_of_its_picture(void **state) {
     }
 }
 
+/* A force acts on the time that the next call adds, also in the later step in which that time is
+ * made; it acts on no time of further calls. */
 static void a_force_in_one_call_is_gone_in_the_next(void **state) {
     (void)state;
     thud_world_def def = weightless();
@@ -282,6 +286,8 @@ static void push_up(thud_world *world, const thud_contact *contact, void *contex
     OK(thud_body_apply_force(world, contact->body_b, (thud_vec2){0, 40}, 0));
 }
 
+/* Pushes of an epilogue act in the next step alone: four rates of calls, with and without a query
+ * in between, end with the same hash. */
 static void forces_of_listeners_act_in_one_step(void **state) {
     (void)state;
     uint64_t hash[4];

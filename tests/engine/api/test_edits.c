@@ -202,6 +202,8 @@ static void filters_begin_and_end_contacts(void **state) {
     thud_world_destroy(s.world);
 }
 
+/* A mass that was set stays when rotation is fixed and freed and when a density changes; null
+ * restores the mass of the shapes. */
 static void given_mass_outlasts_shapes_and_fixing(void **state) {
     (void)state;
     scene s = make_scene(&thud_quality_default, NULL, false);

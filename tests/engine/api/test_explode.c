@@ -19,6 +19,8 @@ static int explode(thud_world *world, thud_explosion blast) {
     return pushed;
 }
 
+/* A ball 1 wide is given its width times the impulse; beyond the radius the impulse falls to 0 over
+ * the distance `falloff`. A negative impulse pulls. */
 static void a_ball_gets_its_diameter_and_less_further_out(void **state) {
     (void)state;
     const double distance[] = {0.75, 2.5, 4.9, 5.1};
@@ -82,6 +84,8 @@ static void cover_is_partial(void **state) {
     }
 }
 
+/* A hill covers the ball behind it. A floor does not cover a ball that stands on it from an
+ * explosion at the height of its surface. */
 static void ground_hides_and_the_edge_of_a_floor_does_not(void **state) {
     (void)state;
     const thud_pos hill[] = {{-20, 0}, {-2, 0}, {0, 3}, {2, 0}, {20, 0}};
@@ -140,6 +144,8 @@ static void filters_sensors_and_bodies_of_several_shapes(void **state) {
     thud_world_destroy(world);
 }
 
+/* An explosion wakes a sleeping box, and pushes one that contains its centre. One out of reach
+ * pushes nothing; too many rays are refused. */
 static void sleepers_wake_and_what_holds_the_centre_is_pushed(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());

@@ -10,6 +10,8 @@ static double energy(thud_world *world) {
 
 /* ---- wind ---- */
 
+/* The drag of still air on a box and a ball follows the formula: it depends on the length across
+ * the motion, and does not turn the box. */
 static void still_air_brakes_by_what_goes_across(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -63,6 +65,8 @@ static void drag_over_edges_is_the_integral(void **state) {
     thud_world_destroy(world);
 }
 
+/* A lift coefficient raises a wing without changing its drag; a rotating ball has the lift of its
+ * spin. */
 static void wings_and_spin_lift(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());

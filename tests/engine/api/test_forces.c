@@ -16,6 +16,8 @@ static void near(double a, double b, double tolerance) {
     assert_true(fabs(a - b) <= tolerance);
 }
 
+/* A force off the centre of mass accelerates and rotates by its lever arm, for one step; impulses
+ * act at once. */
 static void forces_turn_by_their_arm_for_one_step(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
@@ -164,6 +166,8 @@ static void pushes_inside_callbacks_act_through_the_next_step(void **state) {
     }
 }
 
+/* A local point and vector are transformed to the world and back, and a point's velocity includes
+ * the rotation. */
 static void points_go_there_and_back(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -210,6 +214,8 @@ static void too_much_is_refused_and_changes_nothing(void **state) {
     thud_world_destroy(world);
 }
 
+/* Functions that read a single value return what thud_body_get and the other reads of all values
+ * do. */
 static void single_values_are_those_of_the_whole(void **state) {
     (void)state;
     thud_world_def def = weightless();

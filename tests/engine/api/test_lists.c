@@ -23,6 +23,8 @@ static void empty_world_lists_nothing(void **state) {
     thud_world_destroy(world);
 }
 
+/* A body leaves the list of awake bodies when it sleeps or is disabled, and returns when it wakes;
+ * the list of all bodies keeps it. */
 static void sleepers_leave_the_awake_and_come_back(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
@@ -196,6 +198,8 @@ static bool side_is(thud_pair_side side, thud_body_id body, uint64_t body_data,
            side.shape_data == shape_data;
 }
 
+/* thud_pair_get tells the bodies and user data of an event's shapes; for a shape that was destroyed
+ * it tells nothing, also where its slot is used again. */
 static void pair_tells_whose_shapes_met_and_what_is_gone(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());

@@ -115,6 +115,8 @@ static void slot_of_another_is_told_as_moved(void **state) {
     thud_world_destroy(world);
 }
 
+/* Moved bodies for which the list has no room are listed by later calls. Bodies whose slots are
+ * beyond the caller's array of seen poses are not listed. */
 static void moved_without_room_are_told_later_and_beyond_the_seen_never(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -142,6 +144,8 @@ static void moved_without_room_are_told_later_and_beyond_the_seen_never(void **s
     thud_world_destroy(world);
 }
 
+/* After a restore, the bodies listed as moved are those that are elsewhere than when they were last
+ * listed; the other lists are those of the snapshot's time. */
 static void restore_tells_who_is_elsewhere(void **state) {
     (void)state;
     yard y = make_yard(NULL);

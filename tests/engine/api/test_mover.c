@@ -90,6 +90,7 @@ static void platform_is_ridden_up_down_and_sideways_without_sinking_or_hopping(v
     }
 }
 
+/* A mover that flies into a wall loses the velocity along the wall's normal, and keeps the rest. */
 static void wall_takes_only_the_normal_part_of_a_flight(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());

@@ -47,6 +47,8 @@ static void kinematic_body_follows_and_dynamic_bodies_meet_it(void **state) {
     thud_world_destroy(world);
 }
 
+/* A moving wall pushes the mover out. Between that wall and a fixed one it has no free place, and
+ * report.depth tells how deep it overlaps. */
 static void mover_pressed_by_a_moving_wall_is_pushed_out_and_told_where_it_cannot_be(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -124,6 +126,7 @@ static void random_moves_in_a_level_never_enter_anything(void **state) {
     scene_free(&s);
 }
 
+/* With a time of 1e-39 s the velocity of the mover's body is bounded and finite. */
 static void body_follows_in_the_shortest_of_times_by_a_speed_that_is_a_number(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());

@@ -246,6 +246,8 @@ static void edits_that_wait_for_the_step_are_restored(void **state) {
     free(edited.bytes);
 }
 
+/* A velocity set just before a snapshot is not part of the energy change that the next step
+ * reports, in the restored world as in the first. */
 static void velocity_set_just_before_is_no_gain_of_energy(void **state) {
     (void)state;
     yard y = make_yard(NULL);
@@ -332,6 +334,7 @@ static void handles_are_those_of_the_snapshot(void **state) {
     free(snapshot.bytes);
 }
 
+/* A snapshot is restored where terrains were destroyed, created or dug since. */
 static void lines_that_came_went_or_grew_are_restored(void **state) {
     (void)state;
     yard y = make_yard(NULL);

@@ -62,6 +62,7 @@ static void workers_one_after_the_other_give_the_same_bits(void **state) {
     assert_true(calls >= 40);
 }
 
+/* A world with little work does not call the job system. */
 static void small_worlds_ask_nobody(void **state) {
     (void)state;
     int calls = 0;

@@ -84,6 +84,8 @@ static void gear_of_distances_is_a_pulley(void **state) {
     }
 }
 
+/* A gear does not act while one of its joints is disabled, and is destroyed with it; no constraint
+ * is left. */
 static void gear_lets_go_with_a_joint_and_goes_with_it(void **state) {
     (void)state;
     train t = make_train(&thud_quality_default, 1);
@@ -107,6 +109,7 @@ static void gear_lets_go_with_a_joint_and_goes_with_it(void **state) {
     thud_world_destroy(t.world);
 }
 
+/* The def of a gear is read back, and lists contain it until one of its joints is destroyed. */
 static void gear_is_read_as_it_was_made_and_listed_while_it_is_there(void **state) {
     (void)state;
     train t = make_train(&thud_quality_default, -2.5);

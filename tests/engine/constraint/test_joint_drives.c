@@ -51,6 +51,8 @@ static void spring_of_a_distance_rests_at_its_length(void **state) {
     }
 }
 
+/* The infinite default target, which means the joint's length, is valid for a distance joint alone;
+ * its other wrong targets are refused. */
 static void only_a_distance_has_a_length_for_a_target(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -178,6 +180,7 @@ static double worst_pull(const thud_quality *quality, thud_vec2 to, bool motors,
     return worst;
 }
 
+/* At every quality a target joint pulls with its maximum force and no more, in a pile of boxes. */
 static void springs_and_motors_keep_their_caps_in_a_pile(void **state) {
     (void)state;
     const thud_vec2 to[] = {{60, 0.5f}, {6, 60}, {60, 60}};

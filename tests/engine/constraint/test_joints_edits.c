@@ -11,6 +11,8 @@ static const thud_vec2 middle = {0, 0};
 
 /* ---- collisions and edits ---- */
 
+/* A joint switches the collision of its bodies off, with an end event, and destroying it switches
+ * it on again, unless collide_connected is set. */
 static void joined_bodies_do_not_meet_unless_they_shall(void **state) {
     (void)state;
     for (int meets = 0; meets < 2; meets++) {

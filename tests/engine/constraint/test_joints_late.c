@@ -21,6 +21,7 @@ static thud_body_id add_swing(thud_world *world, thud_body_id ground, double x) 
     return block;
 }
 
+/* The loaded mechanism starts to move in the first step; no step has a gap above 1e-4 m. */
 static void what_sets_off_under_load_is_whole_from_its_first_step(void **state) {
     (void)state;
     thud_world *world = world_at(&thud_quality_default);

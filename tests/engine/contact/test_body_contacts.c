@@ -127,6 +127,8 @@ static void manifolds_are_points_with_depth_and_impulse(void **state) {
     thud_world_destroy(world);
 }
 
+/* The drawing of stages has a line in its own style for pairs whose fat bounds overlap, whose
+ * bounds overlap, and which touch. */
 static void stages_tell_fat_bounds_from_true_ones_from_touching(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());

@@ -219,6 +219,8 @@ static void add_up(thud_world *world, const thud_contact *contact, void *context
     p->tangent += (double)contact->tangent_impulse;
 }
 
+/* The impulses given to the epilogue sum to the momentum that friction took and to the weight times
+ * the time. */
 static void epilogue_hears_all_of_friction_and_weight(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {

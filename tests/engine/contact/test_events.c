@@ -53,6 +53,8 @@ static void bouncing_ball_begins_and_ends_and_hits(void **state) {
     thud_world_destroy(world);
 }
 
+/* Two balls meet at 3e38 m/s each: the approach speed, whose sum overflows a float, is reported as
+ * a finite one. */
 static void hit_of_bodies_faster_than_floats_add_up_tells_a_finite_speed(void **state) {
     (void)state;
     for (int swept = 0; swept < 2; swept++) {
@@ -72,6 +74,8 @@ static void hit_of_bodies_faster_than_floats_add_up_tells_a_finite_speed(void **
     }
 }
 
+/* Under `swept` a ball that bounces within a step is reported as a hit; it begins no contact, since
+ * it does not touch at the end of the step. */
 static void bounce_within_a_swept_step_is_a_hit_without_a_begin(void **state) {
     (void)state;
     thud_world_def def = weightless();

@@ -158,6 +158,7 @@ static void real_step_between_tiles_still_stops_a_box(void **state) {
     }
 }
 
+/* A tile's face that was covered by a neighbour stops a box once that neighbour is destroyed. */
 static void neighbour_that_goes_uncovers_the_face_it_hid(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());

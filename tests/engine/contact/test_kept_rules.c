@@ -173,6 +173,8 @@ static void snapshot_without_rules_takes_them_away(void **unused) {
     }
 }
 
+/* Rules enlarge a snapshot by one record for each pair of categories with a rule, and by nothing
+ * else. */
 static void snapshot_is_longer_by_what_is_set_alone(void **unused) {
     (void)unused;
     thud_world *w = bare(0);
@@ -219,6 +221,8 @@ static void filter_stays_as_the_world_has_it(void **unused) {
 
 /* ---- refused ---- */
 
+/* A world that never had rules refuses a snapshot with rules; after thud_world_use_rules it
+ * restores it. */
 static void world_that_never_had_rules_refuses_some(void **unused) {
     (void)unused;
     thud_world *w = make_pile(0, true), *other = make_pile(0, false);

@@ -12,6 +12,8 @@ static thud_world_def def_with(int detection) {
     return def;
 }
 
+/* Listeners of all four forms are given the same contacts in the same order and cause the same
+ * motion; those for all contacts are called far less often. */
 static void both_forms_hear_and_do_the_same(void **state) {
     (void)state;
     static uint64_t hashes[STEPS];
@@ -268,6 +270,8 @@ static void count_message(thud_result result, const char *message, void *context
     ++*(int *)context;
 }
 
+/* Refused calls of thud_world_set_listeners (inside a callback, two forms at once, unknown flags,
+ * null) leave the present listeners, and each is logged. */
 static void refused_listeners_leave_those_that_there_are(void **state) {
     (void)state;
     int messages = 0, asked = 0;

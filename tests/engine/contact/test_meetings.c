@@ -43,6 +43,8 @@ static bool same(thud_body_id a, thud_body_id b) {
     return a.index1 == b.index1 && a.generation == b.generation;
 }
 
+/* Side a of a meeting is of the first category asked for, whatever the order of shapes in the
+ * event. */
 static void first_kind_comes_first_whatever_the_event_has(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -131,6 +133,8 @@ static void two_sensors_meet_once(void **state) {
     thud_world_destroy(world);
 }
 
+/* Bodies that are destroyed between two calls of thud_world_next_meeting are not listed any
+ * more. */
 static void who_is_gone_has_met_nobody(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -153,6 +157,7 @@ static void who_is_gone_has_met_nobody(void **state) {
     thud_world_destroy(world);
 }
 
+/* A search for meetings ends where a step or a restore comes between two calls. */
 static void new_step_or_older_snapshot_between_two_meetings_does_no_harm(void **state) {
     (void)state;
     static char bytes[1 << 16];

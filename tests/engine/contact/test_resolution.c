@@ -149,6 +149,7 @@ static void box_on_a_belt_gains_speed_by_friction_up_to_the_belts(void **state) 
     }
 }
 
+/* A body whose own surface moves (a tank's tracks) drives over static ground at that speed. */
 static void tracked_body_drives_over_still_ground(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());

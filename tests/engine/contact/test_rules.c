@@ -50,6 +50,8 @@ static void a_rule_takes_hold_of_what_touches(void **unused) {
     thud_world_destroy(w);
 }
 
+/* For rules, a shape is of the category of its lowest category bit; a changed filter changes
+ * that. */
 static void the_lowest_bit_is_the_kind(void **unused) {
     (void)unused;
     thud_world *w = make(NULL, NULL);
@@ -71,6 +73,7 @@ static void the_lowest_bit_is_the_kind(void **unused) {
 
 /* ---- surfaces ---- */
 
+/* Rules give pairs of categories ice, a belt, or a trampoline. */
 static void rules_make_surfaces(void **unused) {
     (void)unused;
     thud_world *w = make(NULL, NULL);
@@ -151,6 +154,8 @@ static void a_prologue_comes_after_the_rules(void **unused) {
 
 /* ---- impulse limits ---- */
 
+/* A landing whose impulse is above the limit makes impulse events with the point, normal and
+ * impulse; a landing below it, and a pair without the rule, make none. */
 static void impulses_are_told(void **unused) {
     (void)unused;
     for (int d = 0; d < DETECTIONS; d++) {

@@ -199,6 +199,8 @@ static thud_body_id add_other(const bedroom *room, bool sensor, bool over, thud_
     return body;
 }
 
+/* A pair of a sensor and a sleeping body begins and ends, and the body sleeps on, whichever of the
+ * two is the sensor. */
 static void pair_begins_and_ends_while_the_body_sleeps(void **state) {
     (void)state;
     for (int sleeper_senses = 0; sleeper_senses < 2; sleeper_senses++) {
@@ -264,6 +266,8 @@ static void sensor_that_moves_a_little_ends_and_begins_over_a_sleeper(void **sta
     thud_world_destroy(room.world);
 }
 
+/* A terrain that is created over a sleeping body, and then moved away, makes a begin and an end;
+ * one of the two is the sensor. */
 static void line_that_comes_to_a_sleeping_sensor_is_seen(void **state) {
     (void)state;
     for (int how = 0; how < 2; how++) {

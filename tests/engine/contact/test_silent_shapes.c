@@ -39,6 +39,8 @@ static void set_events(thud_world *world, thud_shape_id shape, bool events) {
 
 /* ---- what is not reported ---- */
 
+/* A silent ball lands, hits and is destroyed without events, while another ball beside it has its
+ * events. */
 static void silent_shape_touches_hits_and_parts_unheard_and_others_do_not(void **state) {
     (void)state;
     for (int d = 0; d < 4; d++) {
@@ -68,6 +70,7 @@ static void silent_shape_touches_hits_and_parts_unheard_and_others_do_not(void *
     }
 }
 
+/* A pair makes no sensor events where either the sensor or the other shape is silent. */
 static void silence_of_either_side_is_enough_for_sensors_too(void **state) {
     (void)state;
     for (int silent = 0; silent < 2; silent++) {
@@ -175,6 +178,7 @@ static chaos *make_chaos(const thud_detection *detection, uint64_t seed) {
     return c;
 }
 
+/* In random worlds whose shapes are switched at random, each reported begin has exactly one end. */
 static void every_told_begin_has_its_end_whatever_is_switched(void **state) {
     (void)state;
     for (int d = 0; d < 4; d++) {

@@ -42,6 +42,7 @@ static void nothing_passes_a_thin_wall_or_the_ground(void **state) {
     }
 }
 
+/* Under `overlap`, for comparison, a bullet passes the wall. */
 static void without_it_a_bullet_passes(void **state) {
     (void)state;
     thud_world_def def = weightless();

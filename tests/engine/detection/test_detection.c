@@ -230,6 +230,8 @@ static void bisected_body_is_taken_back_to_its_collision(void **state) {
     thud_world_destroy(world);
 }
 
+/* thud_world_bisection_limit is the thickness of the thinnest shape divided by the time step, and
+ * statistics count bodies that move faster. */
 static void bisection_limit_is_the_thinnest_shape_a_step_and_who_breaks_it_is_counted(
     void **state) {
     (void)state;
@@ -326,6 +328,8 @@ static void tell(thud_world *world, const thud_contact *contact, void *context) 
     h->impulse += (double)contact->normal_impulse;
 }
 
+/* An impact within a step calls the prologue and, unless that vetoes it, the epilogue, and makes
+ * one hit event with its speed. */
 static void impact_within_a_step_asks_tells_and_hits(void **state) {
     (void)state;
     for (int veto = 0; veto < 2; veto++) {

@@ -4,6 +4,8 @@
 
 /* ---- which islands are solved directly ---- */
 
+/* At default a light box with a load of 1000 times its density is solved directly, an even column
+ * beside it is not. */
 static void islands_heavy_on_light_turns_hard_by_itself(void **state) {
     (void)state;
     thud_world *world = world_of(&thud_quality_default);
@@ -87,6 +89,7 @@ static void islands_are_all_hard_where_the_limit_is_zero(void **state) {
     }
 }
 
+/* A quality without an island solver solves no island directly, whatever its load. */
 static void islands_are_none_without_a_solver(void **state) {
     (void)state;
     thud_world *world = world_of(&thud_quality_draft);
@@ -193,6 +196,8 @@ static int direct_steps(int factoring_budget, int *longest) {
     return steps;
 }
 
+/* With a patience of one step, islands that exceed the budget of factorisations are solved directly
+ * in fewer steps, and fewer in succession, than with unlimited patience. */
 static void islands_that_strain_are_left_alone_once_patience_is_out(void **state) {
     (void)state;
     int long_one, short_one;
@@ -249,6 +254,7 @@ static void heap_takes_no_more_work_at_fewer_substeps(void **state) {
 
 /* ---- the caller's quality ---- */
 
+/* A world copies the caller's quality: later changes of that struct have no effect. */
 static void islands_follow_a_copy_of_the_callers_quality(void **state) {
     (void)state;
     thud_quality mine = thud_quality_draft;
@@ -267,6 +273,7 @@ static void islands_follow_a_copy_of_the_callers_quality(void **state) {
     thud_world_destroy(world);
 }
 
+/* A column stands while the quality changes back and forth. */
 static void islands_follow_the_quality_back_and_forth(void **state) {
     (void)state;
     thud_world *world = world_of(&thud_quality_exact);

@@ -139,6 +139,7 @@ static void sparse_chain_takes_three_operations_a_node(void **state) {
     }
 }
 
+/* The elimination order begins at the leaves of a star, which causes no fill-in. */
 static void sparse_star_begins_at_its_points(void **state) {
     (void)state;
     uint64_t seed = 3;

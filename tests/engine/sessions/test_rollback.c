@@ -118,6 +118,8 @@ static void tell_all(thud_rollback *r) {
     }
 }
 
+/* At each time the confirmed step has the hash of the reference, and so has the end, with ten
+ * random orders of inputs. */
 static void late_inputs_end_as_if_all_had_come_in_time(void **state) {
     (void)state;
     static uint64_t hashes[STEPS + 1];
@@ -174,6 +176,8 @@ static void inputs_in_time_are_played_once(void **state) {
     thud_world_destroy(world);
 }
 
+/* Where a player's input is missing for more than `depth` steps, thud_rollback_advance makes no
+ * step until all inputs of the oldest step are there. */
 static void who_is_not_heard_of_is_waited_for(void **state) {
     (void)state;
     game g;
@@ -225,6 +229,8 @@ static void prediction_holds_what_was_held(void **state) {
 
 /* ---- failures and wrong calls ---- */
 
+/* A step function that fails is called again by the next call, from the same state; the end is the
+ * reference's. */
 static void failed_step_is_made_again(void **state) {
     (void)state;
     static uint64_t hashes[STEPS + 1];
@@ -253,6 +259,8 @@ static void failed_step_is_made_again(void **state) {
     thud_world_destroy(world);
 }
 
+/* Creating and advancing with failing allocations has an effect only where it succeeds; the end is
+ * the reference's. */
 static void memory_that_fails_is_asked_again(void **state) {
     (void)state;
     static uint64_t hashes[STEPS + 1];

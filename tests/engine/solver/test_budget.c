@@ -73,6 +73,7 @@ static void substeps_rise_again_when_there_is_time_and_not_beyond_the_quality(vo
     thud_world_destroy(f.world);
 }
 
+/* A single step over the budget among eight that are within it does not change the substeps. */
 static void one_slow_step_changes_nothing(void **state) {
     (void)state;
     fake f = {.fixed = 1e-3};
@@ -84,6 +85,8 @@ static void one_slow_step_changes_nothing(void **state) {
     thud_world_destroy(f.world);
 }
 
+/* Where four substeps are 5 % over the budget, with noise, the number changes once and then
+ * stays. */
 static void load_about_the_budget_does_not_make_quality_flutter(void **state) {
     (void)state;
     uint64_t seed = 3;

@@ -34,6 +34,7 @@ static void penetration_of_a_sunk_ball_is_how_deep_it_ends(void **state) {
     thud_world_destroy(world);
 }
 
+/* The mean penetration counts all touching points, also those that do not overlap. */
 static void mean_counts_points_that_do_not_overlap(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -79,6 +80,8 @@ static void penetration_agrees_with_the_measure_in_every_scene(void **state) {
     }
 }
 
+/* td_error_recount, which computes the report from the final state, agrees with what the step has
+ * counted. */
 static void recount_finds_what_the_step_found(void **state) {
     (void)state;
     static const char *const names[] = {"pyramid", "circle_pit"};
@@ -168,6 +171,8 @@ static void residual_is_large_where_the_solver_does_not_get_done(void **state) {
     assert_true(residual[1] > 0.1);
 }
 
+/* `overlaps` counts points deeper than 0.005 length scales: none in a stack under a light box,
+ * several under a heavy one. */
 static void points_of_a_stack_overlap_under_a_weight_that_crushes_it(void **state) {
     (void)state;
     int overlaps[2];

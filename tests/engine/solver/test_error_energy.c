@@ -46,6 +46,7 @@ static void fall_on_exact_parabolas_changes_no_energy(void **state) {
     thud_world_destroy(world);
 }
 
+/* The energy that a sliding box loses is the friction force times the distance. */
 static void slide_loses_what_friction_works(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();
@@ -56,7 +57,7 @@ static void slide_loses_what_friction_works(void **state) {
     thud_body_id box = add_body(world, THUD_DYNAMIC, 0, 0.25, 0);
     add_shape(world, box, 0.5f, 0.25f, false, &rough);
     OK(thud_body_set_velocity(world, box, (thud_vec2){5, 0}, 0));
-    run(world, 10); /* until it is at rest on the floor */
+    run(world, 10); /* until its contact has settled */
     double x = state_of(world, box).position.x, lost = 0;
     for (int i = 0; i < 40; i++) {
         thud_step_error e = error_of_step(world);
@@ -126,6 +127,7 @@ static void energy_change_leaves_edits_out(void **state) {
     thud_world_destroy(world);
 }
 
+/* After an impact within the step, the reported change of energy is that of the whole step. */
 static void energy_counts_anew_after_a_collision_within_the_step(void **state) {
     (void)state;
     thud_world_def def = weightless();

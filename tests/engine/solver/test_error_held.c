@@ -34,6 +34,7 @@ static void ball_that_runs_into_a_held_one_is_as_deep_as_they_stand(void **state
     assert_true(ran_into);
 }
 
+/* shortfall is the greatest distance by which a held body is behind its free motion. */
 static void shortfall_is_the_way_that_the_held_ball_lacks(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());

@@ -34,6 +34,8 @@ static thud_world *short_steps(thud_vec2 gravity) {
     return make_world(def);
 }
 
+/* With a sufficient force, any point of the car has the target velocity along the axis after one
+ * step, under gravity and another force; the length of the axis does not matter. */
 static void great_force_brings_any_point_to_its_speed_in_a_step(void **state) {
     (void)state;
     uint64_t seed = 7;
@@ -55,6 +57,8 @@ static void great_force_brings_any_point_to_its_speed_in_a_step(void **state) {
     }
 }
 
+/* A force that is too small is used completely: velocity changes by force * time / mass towards the
+ * target. */
 static void small_force_is_all_used_on_the_way_there(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());

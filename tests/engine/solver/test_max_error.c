@@ -30,6 +30,8 @@ static void add_column(thud_world *world, double x, int boxes) {
     }
 }
 
+/* Without a maximum error a column of ten sinks by more than 5 mm, and nothing is solved
+ * directly. */
 static void error_without_limit_is_missed(void **state) {
     (void)state;
     thud_quality q = rough();
@@ -41,6 +43,8 @@ static void error_without_limit_is_missed(void **state) {
     thud_world_destroy(world);
 }
 
+/* A column of ten keeps a maximum error of 2 mm and is solved directly; a single box, which does
+ * not exceed it, is not. */
 static void column_keeps_the_limit_and_the_lone_box_stays_soft(void **state) {
     (void)state;
     thud_quality q = rough();
@@ -75,6 +79,7 @@ static void quality_falls_again_when_the_load_is_gone(void **state) {
     thud_world_destroy(world);
 }
 
+/* A maximum error that is set while the world runs takes effect. */
 static void limit_set_later_takes_effect(void **state) {
     (void)state;
     thud_quality q = rough();

@@ -46,6 +46,7 @@ static void handle_of_another_world_is_refused(void **state) {
     thud_world_destroy(two);
 }
 
+/* A handle is not valid in any of 20,000 worlds created after its own. */
 static void handle_is_refused_however_many_worlds_are_made_after_its_own(void **state) {
     (void)state;
     thud_world *one = make_world(thud_default_world_def());

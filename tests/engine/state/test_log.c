@@ -97,6 +97,8 @@ typedef struct drive_case {
     const char *word;
 } drive_case;
 
+/* A joint with a wrong drive is refused with a message that names the field, its value and its
+ * range. */
 static void drives_name_the_field(void **state) {
     (void)state;
     const drive_case cases[] = {
@@ -152,6 +154,7 @@ static void drives_name_the_field(void **state) {
     thud_world_destroy(world);
 }
 
+/* Messages print numbers with as many digits as they need. */
 static void numbers_are_told_as_they_were_written(void **state) {
     (void)state;
     const struct {
@@ -184,6 +187,7 @@ static void numbers_are_told_as_they_were_written(void **state) {
     thud_world_destroy(world);
 }
 
+/* A terrain with a wrong field is refused with a message that names the field. */
 static void lines_name_the_field(void **state) {
     (void)state;
     thud_pos points[] = {{0, 0}, {1, 0}}, falling[] = {{0, 0}, {-1, 0}};

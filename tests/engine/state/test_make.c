@@ -25,6 +25,7 @@ static thud_shape_state shape_of(const thud_world *world, thud_body_id body) {
     return state;
 }
 
+/* thud_world_make sets gravity and quality; NaN and null give no world. */
 static void world_has_the_gravity_and_quality_that_were_asked_for(void **state) {
     (void)state;
     thud_step_settings settings;
@@ -38,6 +39,8 @@ static void world_has_the_gravity_and_quality_that_were_asked_for(void **state) 
     assert_null(thud_world_make((thud_vec2){0, 0}, NULL));
 }
 
+/* A body made without options is static, and its shape has the defaults of
+ * thud_default_shape_def. */
 static void zero_is_the_default(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());

@@ -151,6 +151,7 @@ static void room_that_nothing_is_in_touches_no_page(void **state) {
 #endif
 }
 
+/* Blocks of all sizes are zeroed and aligned to 64 bytes, also where they were used before. */
 static void rooms_of_all_sizes_are_zeroed_and_begin_a_cache_line(void **state) {
     (void)state;
     enum { ROOMS = 200 };

@@ -72,6 +72,7 @@ static void stack_stands_at_the_end_as_on_a_small_box(void **state) {
     }
 }
 
+/* A bullet does not pass the ground far from its centre, and a ball beyond its end falls. */
 static void nothing_fast_passes_and_what_leaves_the_end_falls(void **state) {
     (void)state;
     const thud_detection *const detections[] = {&thud_detection_continuous, &thud_detection_swept};
@@ -113,6 +114,7 @@ static void body_slides_from_one_long_box_to_the_next(void **state) {
     }
 }
 
+/* Rays and closest points find the ground along its whole length. */
 static void queries_find_it_all_along(void **state) {
     (void)state;
     for (int p = 0; p < 3; p++) {

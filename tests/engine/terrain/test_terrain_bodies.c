@@ -137,6 +137,7 @@ static void raised_ground_wakes_a_body_that_did_not_touch_it(void **state) {
     thud_world_destroy(g.world);
 }
 
+/* Two edits between steps wake the bodies at both places, and not those between them. */
 static void two_edits_between_steps_wake_only_their_own_places(void **state) {
     (void)state;
     ground g = level_ground(THUD_TERRAIN_IRREGULAR, thud_default_world_def());

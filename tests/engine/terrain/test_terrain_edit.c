@@ -121,6 +121,8 @@ static void thousands_of_digs_keep_a_bounded_number_of_vertices(void **state) {
     thud_world_destroy(g.world);
 }
 
+/* Raising adds height * (1 - u^2)^2, where u is the distance divided by the radius; a negative
+ * height lowers. */
 static void raise_adds_a_smooth_mound_and_a_negative_one_a_hollow(void **state) {
     (void)state;
     for (int kind = THUD_TERRAIN_UNIFORM; kind <= THUD_TERRAIN_IRREGULAR; kind++) {
