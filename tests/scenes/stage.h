@@ -11,6 +11,7 @@
 
 #include <thud/thud_snapshot.h>
 
+/* A scene with its world and bodies. */
 typedef struct stage {
     scene scene;
     thud_world *world;

@@ -70,6 +70,8 @@ static void boats_float_at_their_draught_with_their_cargo(void **state) {
 
 /* ---- flags ---- */
 
+/* Each flag has three stripes of seven plates. The bodies before the plates are land, scenery, and
+ * last the poles. */
 enum { FLAGS = 4, STRIPES = 3, PLATES = 7, FIRST_PLATE = 1 + FLAGS + 1 + FLAGS };
 
 /* Mean distance of the stripes' free ends to the right of their poles, over stripes and steps, in

@@ -12,6 +12,7 @@
  * alternately. */
 enum { LOWEST_PLANK = 5, PLANKS = 2, FIRST_LOOSE = LOWEST_PLANK + PLANKS };
 
+/* What is known of a body at a plank. */
 typedef struct crossing {
     bool above; /* since it was last beside the plank, it has been completely above it */
     bool below; /* and completely below it */

@@ -10,6 +10,7 @@
 
 #include <limits.h>
 
+/* Bodies and contacts of a problem at most; body index of the ground. */
 enum { BODIES_MOST = 32, CONTACTS_MOST = 64, GROUND = TD_NONE };
 
 /* A problem with its own memory. `step` and `work` are the arrays of which the solver needs one

@@ -5,6 +5,7 @@
 
 #include "engine_support.h"
 
+/* Gravity in m/s^2 and time step in s of the default world. */
 #define G 10.0
 #define STEP (1.0 / 60)
 

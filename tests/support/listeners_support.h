@@ -7,6 +7,7 @@
 
 #include <thud/thud_terrain.h>
 
+/* Bodies of the scene; forms of listeners; contacts kept of a step. */
 enum { BODIES = 70, FORMS = 4, HEARD_MOST = 512 };
 
 /* A listener's context: what it counted, and a digest of all that it was given. */

@@ -6,6 +6,7 @@
 
 #include <thud/thud_lists.h>
 
+/* Length of every list. */
 enum { ROOM = 32 };
 
 static inline bool same_body(thud_body_id a, thud_body_id b) {

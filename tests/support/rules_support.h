@@ -9,6 +9,7 @@
 #include <thud/thud_rules.h>
 
 enum { DETECTIONS = 4, BROADPHASES = 3 };
+/* Categories of shapes. */
 enum { GROUND = 1, PLANK = 2, PLAYER = 4, CRATE = 8 };
 
 static inline thud_world *make(const thud_detection *detection, const thud_broadphase *broadphase) {

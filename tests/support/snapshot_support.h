@@ -8,6 +8,7 @@
 #include <thud/thud_snapshot.h>
 #include <thud/thud_terrain.h>
 
+/* A snapshot in memory of its own. */
 typedef struct saved {
     char *bytes;
     size_t size;

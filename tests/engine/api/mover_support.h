@@ -7,6 +7,7 @@
 
 #include <thud/thud_mover.h>
 
+/* Time of a move in seconds. */
 #define DT (1.0 / 60)
 /* Where the scripted walk of test_mover.c ends, on every machine; recorded from a run. */
 #define WALK_END_X 14.504182945844535

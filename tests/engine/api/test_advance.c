@@ -12,6 +12,7 @@
 
 enum { STEPS = 600, BALLS = 12 };
 
+/* Calls per second, where a step is 1/60 s. */
 static const double RATES[] = {20, 30, 60, 144, 7.3, 1000};
 enum { RATE_COUNT = sizeof RATES / sizeof *RATES };
 
@@ -339,6 +340,7 @@ static void a_call_that_makes_no_step_tells_nothing(void **state) {
 
 /* ---- edits inside of the callbacks of a step ---- */
 
+/* The context of callbacks that edit the world: the last ball made, and a snapshot taken inside. */
 typedef struct guest {
     thud_body_id made;
     void *snapshot;

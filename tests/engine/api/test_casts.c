@@ -123,6 +123,7 @@ static void one_after_the_other(thud_task_fn *task, void *argument, int workers,
     }
 }
 
+/* Many rays, and their hits when they are cast outside of a callback. */
 static thud_ray rays[80];
 static thud_ray_hit outside[80];
 

@@ -109,6 +109,7 @@ static bool passes(const crowd *c, int i, const thud_query_filter *f) {
     return (c->filter[i].category & f->mask) && (c->filter[i].mask & f->category);
 }
 
+/* A random cast: from `at` by (dx, dy), of a ray or of `shape`. */
 typedef struct query {
     thud_pos at;
     double dx, dy;
@@ -170,6 +171,7 @@ static int ask_all(const crowd *c, const query *q, thud_ray_hit *hits) {
 
 /* ---- callbacks for each hit ---- */
 
+/* What a cast's or an overlap's callback was given, and its answers. */
 typedef struct listener {
     thud_ray_hit hits[SHAPES];
     int count;

@@ -39,6 +39,7 @@ static void on_point(thud_vec2 p, thud_draw_style style, void *context) {
     ((seen *)context)->points[style]++;
 }
 
+/* All flags; THUD_DRAW_MANIFOLDS is the highest. */
 static const unsigned EVERYTHING = THUD_DRAW_MANIFOLDS * 2 - 1;
 
 static thud_debug_draw drawing_of(unsigned flags, seen *k) {

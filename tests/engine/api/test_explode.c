@@ -165,6 +165,7 @@ static void sleepers_wake_and_what_holds_the_centre_is_pushed(void **state) {
     thud_world_destroy(world);
 }
 
+/* The context of an epilogue that explodes. */
 typedef struct bomb {
     thud_body_id ball;
     int asked;

@@ -11,6 +11,7 @@
 
 #include <stdio.h>
 
+/* Bodies at most, and steps of each world. */
 enum { BODIES = 400, STEPS = 110 };
 
 /* A world of a pair. */
@@ -22,6 +23,7 @@ typedef struct side {
     int asked; /* calls of callbacks */
 } side;
 
+/* A case; the first three are indices of quality, detection and broadphase. */
 typedef struct setting {
     int quality, detection, broadphase;
     bool sleeping, terrain, sensors, callbacks, tiles, queries, joints;

@@ -131,6 +131,7 @@ static void workers_in_any_mode_give_the_same_bits(void **state) {
 
 /* ---- every call that changes a world's state ---- */
 
+/* A world, and the hash of all that its calls returned. */
 typedef struct deeds {
     thud_world *world;
     thud_mover mover;

@@ -100,6 +100,7 @@ static void targets_are_reached_in_one_step(void **state) {
 
 /* ---- inside callbacks ---- */
 
+/* The context of a callback that pushes, once. */
 typedef struct pusher {
     thud_body_id box, lift;
     int asked;

@@ -51,6 +51,7 @@ static void sleepers_leave_the_awake_and_come_back(void **state) {
 
 /* ---- inside callbacks ---- */
 
+/* What the prologue made and read. */
 typedef struct inside {
     thud_body_id floor, ball, made;
     thud_shape_id sensor, late;

@@ -5,6 +5,7 @@
 #include "lists_support.h"
 #include "snapshot_support.h"
 
+/* MOST: slots of the reference and length of every list. */
 enum { BODIES = 24, SHAPES = 4 * BODIES, MOST = 512, ROUNDS = 8, EDITS = 400 };
 
 /* The reference, by slots, as a slot holds one body or shape at a time; index1 is 0 where it holds
@@ -18,6 +19,7 @@ typedef struct model {
     bool open[MOST][MOST]; /* by shape slots: the sensor of the first sees the second */
 } model;
 
+/* A random world with its reference (`now`), and that of the last snapshot (`kept`). */
 typedef struct chaos {
     thud_world *world;
     uint64_t seed;

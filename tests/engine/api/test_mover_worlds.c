@@ -7,6 +7,7 @@
 
 #include <thud/thud_mover.h>
 
+/* MOVES of each mover in a world; TRIES to find a free place for it. */
 enum { SOLIDS = 60, POINTS = 40, MOVES = 500, TRIES = 2000 };
 
 #define DT (1.0 / 60)

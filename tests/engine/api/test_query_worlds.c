@@ -130,6 +130,7 @@ static thud_shape_instance grown(const thud_shape_instance *shape, double by) {
     return p;
 }
 
+/* A random query at (x, y), which moves by (dx, dy) where it is a cast. */
 typedef struct query {
     thud_shape_instance shape; /* about (0, 0), in the worlds' frame; not used by rays and points */
     bool pointlike;

@@ -8,6 +8,7 @@
 #include <thud/thud_joint.h>
 #include <thud/thud_rules.h>
 
+/* Steps before and after a snapshot; greatest size of a scene. */
 enum { BEFORE = 60, AFTER = 70, SIZE_MOST = 200 };
 
 /* A world of a scene, at most of size SIZE_MOST. *scale is the scene's length scale. */

@@ -193,6 +193,7 @@ static void null_and_small_buffer_are_refused(void **state) {
     end(&r);
 }
 
+/* The context of a prologue that tries snapshot calls. */
 typedef struct inside {
     saved snapshot;
     int asked;

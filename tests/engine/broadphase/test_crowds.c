@@ -8,6 +8,7 @@
 
 enum { MOST = 1000 };
 
+/* A crowd; counts of sensor overlaps that are open, and of contacts that began. */
 typedef struct crowd {
     thud_world *world;
     thud_body_id bodies[MOST];

@@ -157,6 +157,7 @@ enum { DOLLS = 50, FALL_STEPS = 240, REST_STEPS = 30 };
  * 0.75. */
 #define CHANCE 1.2
 
+/* Indices of the measures of a heap; see fall(). */
 enum { GAP, WIDEST, BEYOND, STUCK, OVERLAP, MEASURES };
 
 /* Measures of the heap: the mean gap of all joints; means over steps of the widest gap, of the

@@ -16,6 +16,7 @@ static thud_world *world_with(const thud_quality *quality, int substeps, double 
 
 /* ---- a pendulum of length 1 that is released at 1 rad ---- */
 
+/* Radius of the pendulum's bob, in metres. */
 #define BOB 0.1
 /* Moment of inertia about the hinge, divided by the mass. */
 #define INERTIA (1 + 0.5 * BOB * BOB)
@@ -75,6 +76,7 @@ static void pendulum_keeps_time_by_its_substeps(void **state) {
 
 /* ---- an undamped spring with a ball of 0.03 kg, stretched by 0.25 ---- */
 
+/* What is measured of a spring. */
 typedef struct measured {
     double frequency; /* relative to that of the def */
     double energy;    /* relative to that at the start */

@@ -8,6 +8,7 @@
 #include "joint_support.h"
 #include "pool.h"
 
+/* Random worlds with a floor and without; steps of each; bodies of a mechanism at most. */
 enum { WORLDS = 40, FREE_WORLDS = 300, STEPS = 240, BODIES_MOST = 10 };
 
 /* Bounds of a world: energy gained, as a share of the energy that was exchanged until then; speed
@@ -16,6 +17,8 @@ typedef struct bounds {
     double gain, speed, gap;
 } bounds;
 
+/* A mechanism: its bodies with their places and angles at the start, its total mass and its size in
+ * metres. */
 typedef struct mechanism {
     thud_world *world;
     thud_body_id body[BODIES_MOST];

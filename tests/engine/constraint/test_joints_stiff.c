@@ -13,6 +13,7 @@ typedef enum tie_kind { SOFT_WELD, SPRING, STIFF_HINGE, TIES } tie_kind;
 
 #define GAP 0.5f /* rest length of the springs */
 
+/* A chain of boxes; its total mass in kg and its length in metres. */
 typedef struct chain {
     thud_world *world;
     double mass, size;

@@ -9,6 +9,7 @@ enum { BODIES = 48, STEPS = 240, OPEN_MAX = 4096 };
 
 /* ---- ledger: pairs that have begun and not ended ---- */
 
+/* Pairs that are open, and how many have begun so far. */
 typedef struct ledger {
     thud_contact_event open[OPEN_MAX];
     int count, begun;
@@ -65,6 +66,7 @@ static inline void book(ledger *l, const thud_contact_event *begin, int begins,
 
 /* ---- a world that is edited in every step ---- */
 
+/* A random world with ledgers of its contact and sensor events. */
 typedef struct chaos {
     thud_world *world;
     thud_body_id bodies[BODIES], ground;

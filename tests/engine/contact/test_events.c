@@ -191,6 +191,7 @@ static void prologue_that_says_no_lets_bodies_through(void **state) {
     thud_world_destroy(world);
 }
 
+/* Sum of the normal impulses that the epilogue was given. */
 static double impulse_sum;
 
 /* An epilogue that sums normal impulses. */

@@ -5,6 +5,7 @@
 
 #include "contact/internal_edges.h"
 
+/* Kinds of ground: AABBs, OBBs, one terrain, or terrains and boxes alternately. */
 enum { TILES, TURNED_TILES, LINE, LINES_AND_BOXES, GROUNDS };
 
 static thud_shape_def smooth(void) {

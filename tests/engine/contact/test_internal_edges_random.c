@@ -9,6 +9,8 @@
 #include "geometry_random.h"
 #include "state/world.h"
 
+/* Static shapes and terrain vertices at most; steps of a case; step by which bodies have
+ * settled. */
 enum { STATICS = 9, VERTICES = 6, STEPS = 150, SETTLED = 120 };
 
 /* Lengths in length scales; chosen. */
@@ -256,6 +258,7 @@ static thud_world *make_heap(const heap *h, bool seams, thud_body_id *body) {
 
 /* ---- outcomes ---- */
 
+/* What happened to the body. Lengths in length scales. */
 typedef struct outcome {
     double overlap; /* least overlap with any shape after it settled */
     double nearest; /* least distance from any shape at the end */

@@ -183,6 +183,7 @@ static void epilogues_hear_manifolds_and_all_impulses(void **state) {
 
 /* ---- listeners that leave out parts of contacts ---- */
 
+/* Contacts that listeners were given in a step. */
 typedef struct heard_list {
     thud_contact all[2 * HEARD_MOST];
     int count;

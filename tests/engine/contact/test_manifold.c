@@ -2,6 +2,7 @@
  * given it: normal, depth, points. */
 #include "engine_support.h"
 
+/* The last contact that the prologue was given, and how many there were. */
 static thud_contact seen;
 static int seen_count;
 

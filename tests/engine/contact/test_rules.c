@@ -196,6 +196,7 @@ static void impulses_are_told(void **unused) {
 
 /* ---- the caller's filter ---- */
 
+/* A filter's context: the shape whose pairs it refuses while `refuse` is set. */
 typedef struct apart {
     thud_shape_id shape;
     int asked;

@@ -171,6 +171,7 @@ static void line_and_sensor_meet_on_kinematic_bodies(void **state) {
 
 /* ---- sleeping bodies ---- */
 
+/* A world with a sleeping ball. */
 typedef struct bedroom {
     thud_world *world;
     thud_body_id ball;

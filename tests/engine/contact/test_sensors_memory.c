@@ -40,6 +40,8 @@ static void step(thud_world *world) {
 
 /* ---- crowds of sensors and balls ---- */
 
+/* A case: how many sensors (zones) and balls, which group moves, and indices of detection and
+ * broadphase. */
 typedef struct crowd {
     int zones, balls;
     bool zones_move; /* the sensors move to the balls; else the balls to the sensors */

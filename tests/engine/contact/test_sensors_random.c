@@ -9,6 +9,7 @@ enum { BODIES = 26, SHAPES_MAX = 256, STEPS = 200, LINE = 9 };
 /* Distance in metres below which a pair may count as overlapping or not. */
 #define NEARLY 2e-4
 
+/* A random world, and the pairs that its sensor events have left open. */
 typedef struct chaos {
     thud_world *world;
     thud_body_id bodies[BODIES], ground;
@@ -26,6 +27,7 @@ static int pick(chaos *c, int count) {
 
 /* ---- reference ---- */
 
+/* A shape as the reference sees it. */
 typedef struct seen_shape {
     bool there, sensor, awake;
     thud_body_kind kind;
@@ -285,6 +287,7 @@ static void book(chaos *c, const seen_shape *shapes) {
     }
 }
 
+/* Counts over all worlds, asserted at the end. */
 static int asleep_in_all, begun_in_all;
 
 static void run_chaos(const thud_detection *detection, const thud_broadphase *broadphase,

@@ -7,6 +7,7 @@
 #include "every_choice.h"
 #include "share.h"
 
+/* Length of the ground; steps until the slider has settled. */
 enum { LENGTH = 60, SETTLE = 30 };
 
 typedef enum floor_kind {
@@ -21,6 +22,7 @@ typedef enum floor_kind {
 
 enum { CIRCLE, AABB, OBB, THREE_OBBS, MOVERS };
 
+/* A case. */
 typedef struct slide {
     floor_kind floor;
     bool upright; /* AABBs; else OBBs */

@@ -5,6 +5,7 @@
 
 enum { BULLETS = 200, STEPS = 240 };
 
+/* Bullets and the wall that each flies at. */
 typedef struct range {
     thud_world *world;
     thud_body_id bullets[BULLETS], walls[BULLETS];

@@ -305,6 +305,7 @@ static void names_tell_what_was_chosen(void **state) {
 
 /* ---- callbacks and events of impacts ---- */
 
+/* Counts of callbacks, the sum of impulses, and whether the prologue vetoes. */
 typedef struct heard {
     int asked, told;
     double impulse;

@@ -20,6 +20,8 @@ static float either_sign(uint64_t *seed, double value) {
     return (float)(one_in(seed, 2) ? value : -value);
 }
 
+/* A heap; `size` is its bodies' extent, and `what` is extreme: 0 gravity scales, 1 spins, 2
+ * forces. */
 typedef struct heap {
     thud_world *world;
     thud_body_id body[MOST];
@@ -116,6 +118,7 @@ static void nothing_is_driven_further_than_places_can_follow(void **state) {
 static const thud_broadphase *const broadphases[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
                                                      &thud_broadphase_all};
 
+/* What a flight ended with. */
 typedef struct flight {
     thud_stats stats;
     thud_pos end;

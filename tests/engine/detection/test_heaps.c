@@ -8,6 +8,7 @@
 #include "geometry_random.h"
 #include "scenes.h"
 
+/* What detection did in a scene. */
 typedef struct load {
     double held;  /* held bodies, as a share of all bodies in all steps */
     double exact; /* times of impact computed, for each body and step */

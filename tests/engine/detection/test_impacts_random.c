@@ -14,6 +14,7 @@ enum { BODIES = 14, STEPS = 40 };
 #define ROOM 8.0 /* half its width; its walls are 2 thick */
 #define WALLS 0x80000000u
 
+/* A random world and its settings. */
 typedef struct room {
     thud_world *world;
     thud_body_id bodies[BODIES];
@@ -24,6 +25,7 @@ typedef struct room {
 
 /* ---- failing allocations ---- */
 
+/* Whether allocations may fail at present. */
 static bool fails;
 
 /* ---- callbacks ---- */

@@ -14,6 +14,7 @@ enum { QUICK = 200000 };
 /* Tolerance of distances, in units of their rounding. Chosen. */
 #define BOUND 8.0
 
+/* A case: two circles in motion; `slack` is the tolerance of distances. */
 typedef struct passing {
     thud_shape_instance a, b;
     thud_motion motion_a, motion_b;

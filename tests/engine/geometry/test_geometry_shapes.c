@@ -9,6 +9,8 @@
 
 #include <cmocka.h>
 
+/* Random pairs; samples of an outline; random rays and samples of each; random motions and samples
+ * of each. */
 enum { PAIRS = 12000, OUTLINE = 256, RAYS = 20000, MARCH = 400, MOTIONS = 2500, TIMES = 300 };
 
 typedef struct pair {

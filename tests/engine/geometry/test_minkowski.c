@@ -10,6 +10,7 @@
 
 #include <cmocka.h>
 
+/* Cases for each pair of kinds; golden sections of a search. */
 enum { CASES = 20000, SECTIONS = 48 };
 
 /* Tolerance, in roundings of the lengths that an answer is computed from. Chosen. */
@@ -17,6 +18,7 @@ enum { CASES = 20000, SECTIONS = 48 };
 
 #define OK(call) assert_int_equal(call, THUD_OK)
 
+/* A case: a pair with its Minkowski sum; `slack` is the tolerance of distances. */
 typedef struct trial {
     pair p;
     double x, y; /* b's centre, relative to a's */
@@ -136,6 +138,7 @@ static double least_distance(const trial *t, double dx, double dy, double end) {
     return least;
 }
 
+/* Counts of casts and hits, asserted at the end. */
 static int casts, hits;
 
 /* A random cast against the least distance along its path. */

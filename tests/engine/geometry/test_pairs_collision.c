@@ -10,6 +10,7 @@
 #include <cmocka.h>
 
 enum { QUICK = 12000 };
+/* Tolerance, in roundings of the lengths that an answer is computed from. Chosen. */
 #define BOUND 16.0
 
 static int collisions;

@@ -9,6 +9,7 @@
 #include <cmocka.h>
 
 enum { QUICK = 30000 };
+/* Tolerance, in roundings of the lengths that an answer is computed from. Chosen. */
 #define BOUND 16.0
 /* Sine of the angle up to which faces are parallel for the engine; up to ten times more, either
  * answer is accepted. */
@@ -122,6 +123,7 @@ static void check_second(const pair *p, const thud_contacts *c, real margin, rea
     }
 }
 
+/* How many pairs had a second point. */
 static int seconds;
 
 static void check_contacts(const pair *p, double margin) {

@@ -13,7 +13,10 @@
 
 #include <cmocka.h>
 
+/* Cases for each pair of kinds in a quick run, without and with rotation; the shortest step of a
+ * search is 1/STEPS of the motion. */
 enum { QUICK = 12000, QUICK_TURNING = 600, STEPS = 1000 };
+/* Tolerance, in roundings of the lengths that an answer is computed from. Chosen. */
 #define BOUND 16.0
 
 /* ---- without rotation ---- */
@@ -105,6 +108,7 @@ static bool apart_until(const moving *m, real least, real end) {
     return true;
 }
 
+/* Impacts at which the search ended farther away than the target. */
 static int stopped_early;
 
 /* Asserts that the shapes are at the target distance at the time, and farther apart before. */

@@ -11,6 +11,8 @@
 
 #include <cmocka.h>
 
+/* Cases for each pair of kinds; kinds of volumes; points of a cloud at most; angles of the search
+ * for the smallest box. */
 enum { CASES = 20000, KINDS = THUD_OBB + 1, CLOUD = 40, ANGLES = 720 };
 
 #define OK(call) assert_int_equal(call, THUD_OK)

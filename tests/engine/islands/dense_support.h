@@ -19,6 +19,7 @@ typedef struct dense {
     long double at[3 * NODES_MOST][3 * NODES_MOST], right[3 * NODES_MOST];
 } dense;
 
+/* The current graph, and its dense matrix. */
 static graph g;
 static dense full;
 

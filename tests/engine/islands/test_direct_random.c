@@ -4,6 +4,7 @@
 
 /* ---- problems ---- */
 
+/* How problems are drawn. */
 typedef struct mix {
     int bodies, contacts; /* at most */
     double ratio;         /* greatest mass ratio, log10 */
@@ -57,6 +58,7 @@ static void make_random(problem *p, mix m, uint64_t *seed) {
 
 enum { ROWS_MOST = 8 };
 
+/* Normal rows of a problem, with their contacts. */
 typedef struct normals {
     const td_direct_constraint *contact[ROWS_MOST];
     const td_direct_row *row[ROWS_MOST];

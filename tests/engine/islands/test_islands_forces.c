@@ -10,6 +10,7 @@
 
 enum { PAIRS_MOST = 64 };
 
+/* The force of a pair of bodies; body_a is the one with the lower number. */
 typedef struct force {
     int body_a, body_b;
     double x, y; /* N, on b */

@@ -151,6 +151,7 @@ static void islands_sliding_disk_comes_to_roll(void **state) {
     }
 }
 
+/* What an epilogue counts. */
 typedef struct ledger {
     double impulse; /* into the floor */
     /* greatest excess of friction over its bound, as a share of the greatest load */
@@ -289,6 +290,7 @@ static void islands_lift_takes_a_column_along(void **state) {
 
 /* ---- vetoes and edits ---- */
 
+/* The body whose contacts the prologue vetoes. */
 static thud_body_id vetoed;
 
 static bool veto(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,

@@ -9,11 +9,13 @@
 
 #include <inttypes.h>
 
+/* Bodies of a room at most, and steps of each room. */
 enum { BODIES_MOST = 24, STEPS = 100 };
 
 #define ROOM 6.0 /* half its width; its walls are 2 thick */
 #define GRAVITY 10.0
 
+/* A random world; its mass, and its energy at the start. */
 typedef struct room {
     thud_world *world;
     thud_body_id bodies[BODIES_MOST];

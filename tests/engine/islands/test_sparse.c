@@ -89,6 +89,7 @@ static void assert_order_is_permutation(const td_sparse *s) {
     }
 }
 
+/* A sparse solver with its memory. */
 typedef struct fixture {
     td_memory memory;
     td_sparse s;

@@ -10,6 +10,7 @@
 #include <thud/thud_reads.h>
 #include <thud/thud_rollback.h>
 
+/* Options of the rollback; IDLE is the input of a player before its first known one. */
 enum { PLAYERS = 3, STEPS = 200, DEPTH = 8, IDLE = 4 };
 
 /* The game's own state, which is rolled back with the world. The input makes new balls now and
@@ -308,6 +309,7 @@ static void memory_that_fails_is_asked_again(void **state) {
     assert_int_equal(memory_held, 0);
 }
 
+/* The rollback whose step function calls it. */
 static thud_rollback *inner;
 
 /* A step function inside of which calls of the rollback are refused. */

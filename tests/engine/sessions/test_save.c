@@ -8,11 +8,13 @@
 
 #define PATH "test_save.thud"
 
+/* A game's own data, which is saved with the world. */
 typedef struct score {
     int lives;
     thud_body_id hero;
 } score;
 
+/* The last message of the log. */
 static char heard[128];
 
 static void keep(thud_result result, const char *message, void *context) {

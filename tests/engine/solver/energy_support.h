@@ -5,8 +5,10 @@
 
 #include "engine_support.h"
 
+/* Kinds of bodies (circle, AABB, OBB); bodies at most; steps of a minute. */
 enum { CIRCLE, UPRIGHT, TURNED, KINDS, MOST_BODIES = 100, MINUTE = 3600 };
 
+/* A world and its bodies. */
 typedef struct bodies {
     thud_world *world;
     thud_body_id id[MOST_BODIES];

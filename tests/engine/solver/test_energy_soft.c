@@ -4,6 +4,7 @@
 
 /* ---- soft qualities with their own detection ---- */
 
+/* Qualities whose substeps solve contacts softly. */
 static const thud_quality *const SOFT[] = {&thud_quality_draft, &thud_quality_default,
                                            &thud_quality_high};
 

@@ -116,6 +116,7 @@ static void limit_that_cannot_be_kept_is_refused(void **state) {
 
 /* ---- columns whose bodies detection stops ---- */
 
+/* A case. */
 typedef struct column {
     double scale, step; /* length scale; time step in s */
     const thud_quality *quality;

@@ -11,6 +11,7 @@
 #include <math.h>
 #include <stdio.h>
 
+/* What the log was given last, and how many messages there were. */
 typedef struct heard {
     thud_result result;
     char message[200];
@@ -90,6 +91,7 @@ static void worlds_name_the_field(void **state) {
     }
 }
 
+/* A drive that is refused, and a part of the message. */
 typedef struct drive_case {
     thud_joint_kind kind;
     int direction;

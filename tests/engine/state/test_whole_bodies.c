@@ -165,6 +165,8 @@ static void one_wrong_shape_leaves_nothing_behind(void **state) {
 
 /* ---- without memory ---- */
 
+/* The context of a prologue that creates bodies: result, statistics around the call, and how many
+ * allocations succeed. */
 typedef struct try_made {
     thud_result result;
     thud_stats before, after;
@@ -222,6 +224,7 @@ static void bodies_without_memory_are_not_made(void **state) {
 
 /* ---- defs not begun from their defaults ---- */
 
+/* The last result and message of the log. */
 static thud_result heard;
 static char said[160];
 

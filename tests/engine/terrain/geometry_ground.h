@@ -21,6 +21,7 @@ typedef enum ground_family {
     GROUND_FAMILIES
 } ground_family;
 
+/* A terrain with its points, and a shape near it. */
 typedef struct ground {
     thud_terrain terrain;
     thud_pos points[MAX_VERTICES];

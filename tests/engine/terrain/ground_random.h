@@ -11,7 +11,9 @@
 
 #include <cmocka.h>
 
+/* Random terrains and cases on each; vertices at most; samples of a width; samples of a motion. */
 enum { LINES = 300, PER_LINE = 20, VERTICES = 40, SAMPLES = 800, TIMES = 200 };
+/* Distance up to which a contact is made, in metres. */
 #define MARGIN 0.02
 
 typedef struct ground {

@@ -6,6 +6,7 @@
 
 enum { ROOM = 4000 }; /* vertices of a copied line at most */
 
+/* A world with a terrain. */
 typedef struct ground {
     thud_world *world;
     thud_body_id body;

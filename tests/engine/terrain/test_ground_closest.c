@@ -11,7 +11,10 @@
 
 #include <cmocka.h>
 
+/* Cases for each pair of kinds in a quick run; samples and refinements of the search for a way
+ * out. */
 enum { QUICK = 2000, SAMPLES = 48, REFINEMENTS = 40 };
+/* Tolerance, in roundings of the lengths that an answer is computed from. Chosen. */
 #define BOUND 16.0
 
 static thud_shape_instance thicker(const thud_shape_instance *s, double by) {
@@ -57,6 +60,7 @@ static void check_normal(const ground *g, const thud_closest *c, real coarse) {
     CHECK_GROUND(g, step > 1e-9L || line_height(&g->terrain, &g->shape, out.x) <= out.y + slack);
 }
 
+/* Shapes in the ground, and shapes apart from it. */
 static int ways, parted;
 
 static void check_closest(const ground *g) {

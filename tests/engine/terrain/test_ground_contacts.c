@@ -10,6 +10,7 @@
 #include <cmocka.h>
 
 enum { QUICK = 4000 };
+/* Tolerance, in roundings of the lengths that an answer is computed from. Chosen. */
 #define BOUND 32.0
 
 /* The greatest distance of candidates from the first point: of all that may count, and of those
@@ -198,6 +199,7 @@ static void check_second(const ground *g, const thud_contacts *c, const thud_clo
     CHECK_GROUND(g, apart(one, two) <= fmaxl(back.may, apart(closest, two)) + placed);
 }
 
+/* How many cases had a second point. */
 static int seconds;
 
 static void check_contacts(const ground *g, double margin) {

@@ -8,7 +8,10 @@
 
 #include <cmocka.h>
 
+/* Cases for each pair of kinds in a quick run, without and with rotation; the shortest step of a
+ * search is 1/STEPS of the motion. */
 enum { QUICK = 6000, QUICK_TURNING = 200, STEPS = 1000 };
+/* Tolerance, in roundings of the lengths that an answer is computed from. Chosen. */
 #define BOUND 16.0
 
 static thud_shape_instance thicker(const thud_shape_instance *s, double by) {
@@ -65,6 +68,7 @@ static bool outline_piece(const ground *g, thud_motion m, int i, solid *out) {
     return i <= t->count;
 }
 
+/* Counts of shapes in the ground, of impacts, and of searches that ended early. */
 static int in, hits, stopped_early;
 
 static void check_overlap(const ground *g) {

@@ -2,6 +2,7 @@
  * from its centre, contacts, stacks, detection and queries are as precise as on a small box. */
 #include "engine_support.h"
 
+/* Half of the ground's length, and a place near its end. */
 #define HALF 20000.0f
 #define FAR 19700.0
 

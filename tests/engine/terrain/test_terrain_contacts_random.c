@@ -5,6 +5,7 @@
 
 /* ---- contacts of all segments together ---- */
 
+/* The deepest contact: how many there were, its separation and its normal. */
 typedef struct deepest {
     int count;
     double separation, nx, ny;

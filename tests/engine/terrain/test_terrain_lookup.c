@@ -26,6 +26,7 @@ static const thud_terrain flat = {.kind = THUD_TERRAIN_FLAT, .slope = 0.75};
 
 enum { VERTICES = 100000 };
 
+/* Points of the terrain in protected memory, and the pages that were touched. */
 static thud_pos *watched;
 static size_t watched_bytes, page_bytes;
 static volatile sig_atomic_t pages_read;

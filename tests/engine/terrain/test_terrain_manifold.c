@@ -12,8 +12,10 @@
 #include <cmocka.h>
 
 #define NEAR(a, b) assert_true(fabs((a) - (b)) < 1e-9)
+/* Distance up to which a contact is made, in metres. */
 #define MARGIN 0.02
 
+/* Contact points of all segments, each with its normal; how many segments had any. */
 typedef struct contacts {
     int count, segments;
     td_terrain_point point[64];
