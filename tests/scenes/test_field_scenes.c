@@ -39,7 +39,7 @@ static void expect_afloat(const stage *t, int first, int end) {
         mass += (double)body(t, i).mass;
     }
     if (!(fabs(water - mass) < 0.01 * mass + 0.01))
-        fail_msg("bodies %d to %d weigh %g, and the water in their place %g", first, end - 1, mass,
+        fail_msg("bodies %d to %d have mass %g and displace %g of water", first, end - 1, mass,
                  water);
 }
 

@@ -24,9 +24,9 @@ static double reach_of(const scene *s, const scene_body *body) {
  * rotate. */
 static void check_body(const scene *s, const scene_body *body, const char *name) {
     if (!(isfinite(body->x) && isfinite(body->y) && fabs(body->angle) <= 7))
-        fail_msg("%s: a body lies nowhere", name);
+        fail_msg("%s: a body has no finite position or angle", name);
     if (body->x != scene_grid(body->x) || body->y != scene_grid(body->y))
-        fail_msg("%s: a body lies off the grid", name);
+        fail_msg("%s: a body is off the position grid", name);
     if (body->shape_count < 1)
         fail_msg("%s: a body without a shape", name);
     for (int i = 0; i < body->shape_count; i++) {
@@ -34,7 +34,7 @@ static void check_body(const scene *s, const scene_body *body, const char *name)
         if (shape->kind <= SCENE_OBB && !(shape->hx >= 1e-4 && shape->hx <= 16384))
             fail_msg("%s: a shape of size %g", name, shape->hx);
         if (shape->kind == SCENE_AABB && (!body->fixed_rotation || body->angle != 0))
-            fail_msg("%s: an AABB that could turn", name);
+            fail_msg("%s: an AABB that may rotate", name);
     }
 }
 

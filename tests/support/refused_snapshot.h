@@ -28,7 +28,7 @@ static inline void refused(thud_world *world, const void *bytes, size_t size, co
     told[0] = 0;
     assert_int_equal(thud_world_restore(world, bytes, size), THUD_ERROR_INVALID);
     if (!strstr(told, word)) {
-        fail_msg("'%s' does not tell of '%s'", told, word);
+        fail_msg("'%s' does not contain '%s'", told, word);
     }
     assert_int_equal(digest_of(world), before);
 }

@@ -93,7 +93,7 @@ static int number_of(const crowd *c, thud_shape_id shape) {
             return i;
         }
     }
-    fail_msg("told of a shape that was never made");
+    fail_msg("a shape was reported that does not exist");
     return -1;
 }
 

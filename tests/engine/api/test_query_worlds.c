@@ -188,7 +188,7 @@ static int index_of(const worlds *w, thud_shape_id id) {
             return i;
         }
     }
-    fail_msg("told of a shape that was never made");
+    fail_msg("a shape was reported that does not exist");
     return -1;
 }
 

@@ -76,7 +76,8 @@ static void springs_hold_nobody_back(void **state) {
 }
 
 /* Held bodies stop together, and gravity adds no velocity while they are held: boxes on rods around
- * a hub fall onto the floor, and no step gains more than 2 J, beside 500 J of the fall. */
+ * a hub fall onto the floor, and the gains of all steps together are below 2 J, beside 500 J of the
+ * fall. */
 static void energy_does_not_rise_where_a_linkage_is_stopped(void **state) {
     (void)state;
     for (int i = QUALITIES; i < 3 * QUALITIES; i++) {
@@ -166,6 +167,7 @@ static void body_is_counted_once_however_often_it_is_held(void **state) {
     }
 }
 
+/* Balls in a row. */
 enum { LINKS = 120 };
 
 /* Two rows of hinged balls fly at a wall, which the first ball of each row reaches in the step in

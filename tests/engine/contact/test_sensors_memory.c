@@ -57,13 +57,14 @@ static thud_shape_def shape_of(bool zone) {
 
 enum { BODIES = 4000 };
 
-/* Sensors around x = 0 and balls around x = 100, of which one group moves by `way` in a step. */
+/* A world with sensors around x = 0 and balls around x = 100. */
 typedef struct scene {
     thud_world *world;
     thud_body_id body[BODIES];
     int count;
 } scene;
 
+/* Creates the case's world; `half` is the half width of the sensors. */
 static scene make_crowd(const crowd *c, float half) {
     thud_world_def def = weightless();
     def.detection = detections[c->detection];
@@ -88,7 +89,7 @@ static scene make_crowd(const crowd *c, float half) {
     return s;
 }
 
-/* Gives the moving group its velocity. */
+/* Gives the moving group a velocity of `way` metres in a step, towards the other group. */
 static void set_off(const scene *s, const crowd *c, double way) {
     for (int i = 0; i < s->count; i++) {
         if ((i < c->zones) == c->zones_move) {
@@ -163,7 +164,8 @@ static void what_there_is_no_room_for_is_told_by_the_next_step(void **state) {
 
 /* ---- shapes that pass ---- */
 
-/* Fast groups pass each other completely within one step. */
+/* The moving group passes the other completely within one step. `bisect` and `swept` see that, and
+ * `continuous` does where the sensors are static. */
 static void pass(const crowd *c) {
     scene s = make_crowd(c, 0.05f);
     bool looks = c->detection > 1 || (c->detection == 1 && !c->zones_move);

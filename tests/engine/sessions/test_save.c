@@ -100,7 +100,7 @@ static void refused(thud_world *world, const char *word) {
     heard[0] = 0;
     assert_int_equal(thud_world_load(world, PATH, &back, sizeof back), THUD_ERROR_INVALID);
     if (!strstr(heard, word)) {
-        fail_msg("'%s' does not tell of '%s'", heard, word);
+        fail_msg("'%s' does not contain '%s'", heard, word);
     }
     assert_true(back.lives == -77 && digest_of(world) == before && memory_held == held);
 }

@@ -60,6 +60,7 @@ static void column_keeps_the_limit_and_the_lone_box_stays_soft(void **state) {
     thud_world_destroy(world);
 }
 
+/* Where all boxes but the lowest are destroyed, that is solved softly again. */
 static void quality_falls_again_when_the_load_is_gone(void **state) {
     (void)state;
     thud_quality q = rough();
@@ -116,7 +117,7 @@ static void limit_that_cannot_be_kept_is_refused(void **state) {
 
 /* ---- columns whose bodies detection stops ---- */
 
-/* A case. */
+/* A case: a column of boxes of this kind. */
 typedef struct column {
     double scale, step; /* length scale; time step in s */
     const thud_quality *quality;
@@ -149,9 +150,10 @@ static thud_world *make_column(const column *c, double max_error, thud_body_id *
     return world;
 }
 
-/* Calls the test for columns of all scales, steps, qualities, detections and shapes. */
+/* Checks one case. */
 typedef void column_fn(const column *c);
 
+/* Calls the check for columns of all scales, steps, qualities, detections and shapes. */
 static void try_columns(column_fn *try_it) {
     static const double scales[] = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.3,
                                     0.7,  1,    3,    10,   1e3,  1e6};

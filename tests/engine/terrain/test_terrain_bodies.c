@@ -119,6 +119,8 @@ static void bodies_inside_raised_ground_are_pushed_out(void **state) {
     }
 }
 
+/* A sleeping plank lies on a shelf above the ground that is raised into it; a ball on a high perch
+ * is out of reach, and sleeps on. */
 static void raised_ground_wakes_a_body_that_did_not_touch_it(void **state) {
     (void)state;
     ground g = level_ground(THUD_TERRAIN_UNIFORM, thud_default_world_def());
@@ -156,6 +158,8 @@ static void two_edits_between_steps_wake_only_their_own_places(void **state) {
     thud_world_destroy(g.world);
 }
 
+/* Edits a terrain among sensors in 400 steps, and compares the number of pairs after each with that
+ * after the terrain was set to its own place, which makes its pairs anew. */
 static void edit_among_sensors(const thud_broadphase *broadphase) {
     uint64_t seed = 21;
     thud_world_def def = weightless();
@@ -188,8 +192,7 @@ static void edit_among_sensors(const thud_broadphase *broadphase) {
     thud_world_destroy(g.world);
 }
 
-/* Sensors do not move, so after any edit they must have exactly the pairs that a new line would
- * give. */
+/* Sensors do not move, so after any edit they must have the pairs that a new terrain would have. */
 static void pairs_after_random_edits_are_those_of_a_new_line(void **state) {
     (void)state;
     edit_among_sensors(&thud_broadphase_grid);
