@@ -140,6 +140,8 @@ static double ask_many(const thud_ray_hit *hit, void *context) {
     return THUD_CAST_END;
 }
 
+/* The job system is called once for 80 rays, not at all for 63, and not inside a callback, where
+ * the rays are cast in the calling thread. */
 static void the_job_system_is_asked_once_for_many_and_never_inside_a_callback(void **state) {
     (void)state;
     row r;
@@ -252,6 +254,8 @@ static void one_shape_has_bounds_points_and_a_surface_wherever_it_stands(void **
     }
 }
 
+/* Bounds of a terrain are those of its line; its ground is solid below the line and ends with it. A
+ * flat terrain has no bounds. */
 static void a_terrain_has_the_bounds_of_its_line_and_is_solid_below(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());

@@ -71,6 +71,8 @@ static thud_body_id add_moving(thud_world *world, thud_body_id body, float vx, f
     return body;
 }
 
+/* The motion of a ball is drawn as its circles before and after the step and the two tangents
+ * between them; short motions are left out. */
 static void motions_of_a_fast_ball_are_two_circles_and_two_tangents(void **state) {
     (void)state;
     thud_world *world = world_with(NULL);
@@ -118,6 +120,8 @@ static void is_side_of_hull(thud_vec2 from, thud_vec2 to, const thud_pos corners
     assert_int_equal(ends[1], 1);
 }
 
+/* The motion of a box is drawn as the boxes before and after the step, joined by sides of their
+ * convex hull. */
 static void motions_of_a_box_are_joined_by_the_sides_of_its_hull(void **state) {
     (void)state;
     const float turns[] = {0, 30, -45, 94.2477f}, sizes[] = {0.2f, 0.6f};
@@ -162,6 +166,8 @@ static void add_four(thud_world *world) {
     add_ball(world, 50, 0, 0.5f);
 }
 
+/* The sweep broadphase's intervals are drawn at the lower edge of the view: overlapping ones in
+ * different rows, each as wide as its shape's bounds. */
 static void axes_of_a_plane_sweep_are_bars_in_rows_at_the_lower_edge(void **state) {
     (void)state;
     thud_world *world = world_with(&thud_broadphase_sweep);
@@ -180,6 +186,7 @@ static void axes_of_a_plane_sweep_are_bars_in_rows_at_the_lower_edge(void **stat
     thud_world_destroy(world);
 }
 
+/* Intervals of static shapes are drawn above those of awake shapes. */
 static void axes_of_resting_shapes_stand_above_those_of_awake_ones(void **state) {
     (void)state;
     thud_world *world = world_with(&thud_broadphase_sweep);

@@ -62,6 +62,8 @@ static thud_body_state pushed_behind(thud_body_kind kind, double y, float half_y
     return s;
 }
 
+/* A wall between explosion and box covers it by the options `cover` and `rays`: completely, or half
+ * of it. */
 static void cover_is_partial(void **state) {
     (void)state;
     for (int rays = 1; rays <= THUD_EXPLOSION_RAYS_MAX; rays++) {
@@ -114,6 +116,8 @@ static void ground_hides_and_the_edge_of_a_floor_does_not(void **state) {
     thud_world_destroy(world);
 }
 
+/* An explosion's filter selects categories and ignores a body; sensors do not cover, and disabled
+ * bodies are not pushed. */
 static void filters_sensors_and_bodies_of_several_shapes(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -182,6 +186,7 @@ static void explode_once(thud_world *world, const thud_contact *contact, void *c
     }
 }
 
+/* An explosion inside an epilogue acts in the next step. */
 static void inside_callbacks_it_acts_through_the_next_step(void **state) {
     (void)state;
     bomb b = {.asked = 0};

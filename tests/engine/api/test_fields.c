@@ -159,6 +159,8 @@ static void wind_takes_along_and_wakes_nobody(void **state) {
 
 /* ---- rolling resistance ---- */
 
+/* Rolling resistance slows a ball by 2/3 of coefficient * g until it stops and sleeps; its velocity
+ * does not change sign. */
 static void balls_roll_to_a_stop(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
@@ -184,6 +186,8 @@ static void balls_roll_to_a_stop(void **state) {
     }
 }
 
+/* The greatest rolling resistance stops a rotating ball without reversing it, and has no effect on
+ * a ball in the air or on a box. */
 static void resistance_never_turns_back_nor_slows_what_flies(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());

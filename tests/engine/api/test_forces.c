@@ -70,6 +70,8 @@ static void sleeping_bodies_wake_and_disabled_ones_forget_forces(void **state) {
     thud_world_destroy(world);
 }
 
+/* A kinematic body with a target is at its place and angle after one step, with and without
+ * damping. */
 static void targets_are_reached_in_one_step(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES * 2; q++) {
@@ -131,6 +133,8 @@ static void push_after(thud_world *world, const thud_contact *contact, void *con
     push_all(world, context);
 }
 
+/* Impulses, forces and targets set inside a callback have no effect in that step and act in the
+ * next. */
 static void pushes_inside_callbacks_act_through_the_next_step(void **state) {
     (void)state;
     for (int i = 0; i < QUALITIES * 2; i++) {

@@ -83,6 +83,8 @@ static bool ask_inside(thud_world *world, const thud_contact *contact,
     return true;
 }
 
+/* Inside a callback, lists and pairs are of the step in progress: new bodies are listed, overlaps
+ * of sensors are those of the last step. */
 static void callbacks_read_the_step_under_way(void **state) {
     (void)state;
     inside in = {0};
@@ -111,6 +113,8 @@ static void callbacks_read_the_step_under_way(void **state) {
 
 /* ---- sensors ---- */
 
+/* thud_sensor_overlaps lists the shapes in the order of their slots, while bodies sleep as well;
+ * destroyed and disabled ones are left out at once. */
 static void sensor_lists_by_slot_what_it_overlaps_now(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());

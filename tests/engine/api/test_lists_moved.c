@@ -4,6 +4,8 @@
 #include "resolution_support.h"
 #include "snapshot_support.h"
 
+/* A body is listed as moved exactly where its pose differs from that when it was last listed; a new
+ * body is. */
 static void moved_are_those_whose_pose_is_another(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
@@ -47,6 +49,7 @@ static void moved_are_those_whose_pose_is_another(void **state) {
     }
 }
 
+/* A body that only rotates is listed as moved. */
 static void body_that_turns_in_its_place_is_told(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -89,6 +92,7 @@ static void quarantined_body_is_listed_and_moves_no_more(void **state) {
     thud_world_destroy(world);
 }
 
+/* A body in the slot of a destroyed one is listed as moved, though its pose is the same. */
 static void slot_of_another_is_told_as_moved(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());

@@ -79,6 +79,7 @@ static void ride_platform(int kind, thud_vec2 platform, float spin) {
     thud_world_destroy(world);
 }
 
+/* Platforms that move up, down and sideways, and one that rotates slowly, carry the mover. */
 static void platform_is_ridden_up_down_and_sideways_without_sinking_or_hopping(void **state) {
     (void)state;
     for (int kind = 0; kind < 2; kind++) {
@@ -108,6 +109,8 @@ static void wall_takes_only_the_normal_part_of_a_flight(void **state) {
     thud_world_destroy(world);
 }
 
+/* A mover without an up direction, as in a game seen from above, slides along a wall at an angle
+ * and is never on the ground. */
 static void mover_seen_from_above_slides_along_slanting_walls_and_has_no_ground(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -153,6 +156,8 @@ static void slope_too_steep_to_stand_on_is_slid_down(void **state) {
     thud_world_destroy(world);
 }
 
+/* A mover that jumps against a slope too steep to stand on rises no higher than the jump itself,
+ * and lands on the ground. */
 static void jump_against_a_steep_slope_gains_no_height(void **state) {
     (void)state;
     thud_world *world = world_with_slope(tan(1.0472));
@@ -170,6 +175,8 @@ static void jump_against_a_steep_slope_gains_no_height(void **state) {
     thud_world_destroy(world);
 }
 
+/* With thud_mover_passes_one_way the mover rises through a platform and stands on it, and `drop`
+ * lets it fall through. */
 static void one_way_platform_is_passed_from_below_and_carries_from_above(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());

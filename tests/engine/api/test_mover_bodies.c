@@ -5,6 +5,7 @@
 #include "build_thud.h"
 #include "level.h"
 
+/* The mover pushes a crate by at most push_force * time, and not at all with a push_force of 0. */
 static void dynamic_body_is_pushed_by_a_bounded_impulse_if_asked(void **state) {
     (void)state;
     double speed[3];
@@ -25,6 +26,7 @@ static void dynamic_body_is_pushed_by_a_bounded_impulse_if_asked(void **state) {
     assert_true(speed[2] > 2.5 && speed[2] < 3.001);
 }
 
+/* A kinematic body follows the mover exactly, and pushes a ball away. */
 static void kinematic_body_follows_and_dynamic_bodies_meet_it(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());

@@ -124,7 +124,7 @@ static void mover_reports_the_sensors_on_its_way_once_and_in_order(void **state)
     thud_mover_report report;
     mover.body = add_body(world, THUD_KINEMATIC, 0, 0, 0);
     def.filter.category = 1;
-    /* a sensor does not see shapes of the mover's own body */
+    /* a sensor of the mover's own body is not reported to it */
     add_shape(world, mover.body, 1, 0, false, &def);
     mover.filter.sensors = true;
     mover.filter.mask = 1;

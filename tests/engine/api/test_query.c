@@ -71,6 +71,7 @@ static bool gather(thud_shape_id shape, void *context) {
     return *count < 3;
 }
 
+/* An overlap reports shapes in the order of their slots until the callback returns false. */
 static void overlap_tells_in_order_of_slots_until_told_to_stop(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -128,6 +129,7 @@ static void advance_runs_whole_steps_and_keeps_the_rest(void **state) {
     thud_world_destroy(world);
 }
 
+/* A box that sleeps on a terrain is lifted with it by thud_shape_set_heights. */
 static void raised_ground_lifts_what_rests_on_it(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());

@@ -54,6 +54,7 @@ static void ray_through_all_lists_the_nearest_first(void **state) {
     thud_world_destroy(world);
 }
 
+/* Hits at the same fraction are in the order of their shapes' slots. */
 static void equal_fractions_are_told_in_the_order_of_slots(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -227,6 +228,7 @@ static void closest_measures_from_outside_and_from_inside(void **state) {
     thud_world_destroy(world);
 }
 
+/* Queries use filters and sensors, and apply edits that no step has applied yet. */
 static void queries_heed_filters_sensors_and_edits_not_stepped_yet(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());

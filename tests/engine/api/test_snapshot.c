@@ -228,6 +228,7 @@ static void edit(const yard *y) {
     add_ball(y->world, 1, 14, 0.4f);
 }
 
+/* Snapshots with edits that are not applied yet are restored with them. */
 static void edits_that_wait_for_the_step_are_restored(void **state) {
     (void)state;
     yard y = make_yard(NULL);
@@ -262,6 +263,7 @@ static void velocity_set_just_before_is_no_gain_of_energy(void **state) {
     free(snapshot.bytes);
 }
 
+/* Every setting with a setter is restored; worlds of all qualities. */
 static void settings_with_a_setter_are_restored(void **state) {
     (void)state;
     thud_quality odd = {.name = "odd",
@@ -298,6 +300,8 @@ static void settings_with_a_setter_are_restored(void **state) {
     }
 }
 
+/* After a restore, handles of the snapshot are valid, later ones are not, and new bodies get the
+ * handles that they had the first time. */
 static void handles_are_those_of_the_snapshot(void **state) {
     (void)state;
     yard y = make_yard(NULL);
@@ -366,6 +370,7 @@ static void lines_that_came_went_or_grew_are_restored(void **state) {
     free(snapshot.bytes);
 }
 
+/* The time that thud_world_advance has left over is restored. */
 static void poses_and_time_left_over_are_restored(void **state) {
     (void)state;
     yard y = make_yard(NULL);

@@ -234,6 +234,7 @@ static void bodies_that_a_rod_ties_fall_asleep_and_wake_together(void **state) {
     thud_world_destroy(world);
 }
 
+/* A rod does not act while one of its bodies is disabled. */
 static void rod_to_a_disabled_body_lets_go_until_it_is_enabled(void **state) {
     (void)state;
     thud_world *world = world_at(&thud_quality_default);
@@ -272,6 +273,7 @@ static void body_that_is_destroyed_takes_its_rods_away(void **state) {
     thud_world_destroy(world);
 }
 
+/* Destroying a rod wakes the body that hung on it. */
 static void rod_that_is_destroyed_lets_go_of_sleepers(void **state) {
     (void)state;
     thud_world *world = make_world(def_of(&thud_quality_default));

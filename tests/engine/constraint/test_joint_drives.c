@@ -77,6 +77,7 @@ static void only_a_distance_has_a_length_for_a_target(void **state) {
 
 /* ---- limits ---- */
 
+/* Limits and targets of angles may be +-pi in float, and no more. */
 static void limits_and_targets_reach_pi(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());

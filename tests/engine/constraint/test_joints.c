@@ -376,6 +376,8 @@ static thud_pos dragged_to(double seconds) {
     return (thud_pos){x, y};
 }
 
+/* A target drags a box to it with a strong spring; with a weak one, whose force is below the
+ * weight, the box falls as the reference does. */
 static void target_drags_with_no_more_than_its_force(void **state) {
     (void)state;
     thud_pos falls = dragged_to(2);

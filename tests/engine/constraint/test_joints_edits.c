@@ -40,6 +40,7 @@ static void joined_bodies_do_not_meet_unless_they_shall(void **state) {
     }
 }
 
+/* A disabled joint does not act, and closes again when it is enabled. */
 static void joint_lets_go_while_it_is_disabled(void **state) {
     (void)state;
     thud_world *world = world_at(&thud_quality_default);
@@ -79,6 +80,7 @@ static void edit(thud_world *world, thud_body_id body, thud_joint_id joint, int 
     }
 }
 
+/* The joint stays closed after each edit, with its body awake or asleep. */
 static void joints_follow_every_edit_awake_and_asleep(void **state) {
     (void)state;
     for (int i = 0; i < 10; i++) {

@@ -33,6 +33,8 @@ static double y_of(const thud_world *world, thud_body_id body) {
 
 /* ---- how well locks hold ---- */
 
+/* The locked coordinate is held within 2e-4 m, at every quality and detection, and the other
+ * follows a free body. */
 static void locked_axis_takes_no_gravity_and_the_other_is_free(void **state) {
     (void)state;
     for (int i = 0; i < QUALITIES * 4; i++) {
@@ -154,6 +156,7 @@ static void fast_hit_leaves_it_on_its_line(void **state) {
     }
 }
 
+/* Locks hold at distances of up to 9e8 from the origin. */
 static void far_away_it_holds_as_well(void **state) {
     (void)state;
     static const double places[] = {1e5, -1e7, 9e8};
@@ -300,6 +303,7 @@ static void lock_follows_the_centre_of_mass(void **state) {
     thud_world_destroy(world);
 }
 
+/* A locked body may sleep; its kind cannot be changed while it is locked. */
 static void locked_body_sleeps_and_stays_dynamic(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());

@@ -25,6 +25,8 @@ static bool wish_for(thud_world *world, const thud_contact *contact,
     return true;
 }
 
+/* While a prologue sets friction to 0 a box slides on at its velocity; afterwards the shapes'
+ * friction stops it. */
 static void ice_of_a_prologue_lasts_as_long_as_it_says(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
@@ -49,6 +51,7 @@ static void ice_of_a_prologue_lasts_as_long_as_it_says(void **state) {
     }
 }
 
+/* While a prologue sets a surface speed the box is carried at it; afterwards it stops. */
 static void belt_of_a_prologue_carries_and_stops(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
@@ -165,6 +168,8 @@ static uint64_t hash_after(const thud_detection *detection, wish *w, bool asks) 
     return hash;
 }
 
+/* Wrong settings are logged and the contact keeps the shapes' settings: the world ends with the
+ * hash of one without a prologue. */
 static void settings_out_of_range_are_refused_and_the_pair_keeps_its_own(void **state) {
     (void)state;
     const thud_contact_settings bad[] = {{-1, 0, 0},         {2e6f, 0, 0},
@@ -186,6 +191,7 @@ static void settings_out_of_range_are_refused_and_the_pair_keeps_its_own(void **
     }
 }
 
+/* A shape with a wrong surface speed is refused; a negative one is valid. */
 static void surface_speed_out_of_range_is_no_shape(void **state) {
     (void)state;
     const float bad[] = {NAN, INFINITY, -INFINITY, 1.1e6f, -1.1e6f};

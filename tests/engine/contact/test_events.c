@@ -94,6 +94,8 @@ static void bounce_within_a_swept_step_is_a_hit_without_a_begin(void **state) {
     thud_world_destroy(world);
 }
 
+/* A contact ends with one event where its body or shape is destroyed, the body is moved away, or
+ * the ground under a sleeping body is destroyed. */
 static void contact_ends_when_a_body_a_shape_or_the_ground_goes(void **state) {
     (void)state;
     for (int how = 0; how < 4; how++) {
@@ -204,6 +206,8 @@ static void weigh(thud_world *world, const thud_contact *contact, void *context)
     assert_true((double)fabsf(state_of(world, contact->body_b).velocity.x) < 2.0);
 }
 
+/* The impulses given to the epilogue in a second sum to weight times time; and its deferred edits
+ * act. */
 static void epilogue_hears_the_impulse_that_carries_the_weight(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();

@@ -109,6 +109,7 @@ static void pair_is_told_once_a_step(void **state) {
     assert_true(both > 0 && hits > 0);
 }
 
+/* A sensor meets a body in the step in which their overlap begins, and in no later one. */
 static void sensors_meet_what_they_begin_to_overlap(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -122,6 +123,7 @@ static void sensors_meet_what_they_begin_to_overlap(void **state) {
     thud_world_destroy(world);
 }
 
+/* Two sensors report two events, and count as one meeting. */
 static void two_sensors_meet_once(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());

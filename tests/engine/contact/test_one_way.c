@@ -120,6 +120,8 @@ static void planks_beside_ground(void **unused) {
     }
 }
 
+/* A snapshot taken while a player is inside of a plank continues with the same bits in another
+ * world. */
 static void passing_goes_through_a_snapshot(void **unused) {
     (void)unused;
     thud_world *w = make(NULL, NULL), *twin = make(NULL, NULL);

@@ -58,6 +58,7 @@ static bool refuse(thud_world *world, const thud_contact *contact, thud_contact_
     return false;
 }
 
+/* A body at 300 m/s whose contact is vetoed passes a wall or a terrain at its full velocity. */
 static void veto_lets_fast_bodies_through_a_wall_at_full_speed(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
@@ -87,6 +88,8 @@ static void veto_lets_fast_bodies_through_a_wall_at_full_speed(void **state) {
 
 /* ---- sensors ---- */
 
+/* Begin and end events of a sensor give, at each step, the number of balls that overlap it by
+ * geometry. */
 static void sensor_knows_at_every_step_who_is_in(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {

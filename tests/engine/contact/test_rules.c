@@ -215,6 +215,7 @@ static bool keep_apart(const thud_world *w, thud_shape_id a, thud_shape_id b, vo
     return !s->refuse || (a.index1 != s->shape.index1 && b.index1 != s->shape.index1);
 }
 
+/* The caller's filter keeps the pairs of one shape apart until it is set again. */
 static void a_filter_keeps_apart(void **unused) {
     (void)unused;
     for (int i = 0; i < DETECTIONS * BROADPHASES; i++) {

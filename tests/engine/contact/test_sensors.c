@@ -52,6 +52,7 @@ static void no_sensor_event(const thud_world *world) {
 
 /* ---- which bodies a sensor sees ---- */
 
+/* A sensor on any kind of body sees any kind of body, except a static one by a static sensor. */
 static void sensor_of_each_kind_sees_each_kind_but_static_static(void **state) {
     (void)state;
     for (int i = 0; i < THUD_BODY_KIND_COUNT * THUD_BODY_KIND_COUNT; i++) {
@@ -95,6 +96,7 @@ static void kinematic_body_that_passes_a_sensor_begins_and_ends(void **state) {
     thud_world_destroy(world);
 }
 
+/* Two sensors see each other, in both orders, where their filters let them collide. */
 static void two_sensors_report_each_other_where_their_filters_meet(void **state) {
     (void)state;
     for (int meet = 0; meet < 2; meet++) {
@@ -121,6 +123,7 @@ static void two_sensors_report_each_other_where_their_filters_meet(void **state)
     }
 }
 
+/* Sensor events do not depend on contact_events. */
 static void sensors_report_without_contact_events(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();

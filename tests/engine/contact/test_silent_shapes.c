@@ -91,6 +91,8 @@ static void silence_of_either_side_is_enough_for_sensors_too(void **state) {
 
 /* ---- switched while shapes touch ---- */
 
+/* Events are switched while the two shapes touch or overlap: the end is reported exactly where the
+ * begin was. */
 static void end_is_told_where_its_begin_was(void **state) {
     (void)state;
     for (int silent = 0; silent < 2; silent++) {
@@ -238,6 +240,7 @@ static void silent_world_moves_as_a_loud_one(void **state) {
 
 /* ---- snapshots ---- */
 
+/* A restored world continues with the same events. */
 static void snapshot_knows_who_is_silent_and_what_was_told(void **state) {
     (void)state;
     chaos *c = make_chaos(NULL, 65537);

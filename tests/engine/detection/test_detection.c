@@ -73,6 +73,8 @@ static int shoot(const thud_detection *detection, int kind, double speed, bool d
     return passed;
 }
 
+/* At 10 to 1e5 m/s no swept bullet passes a wall, while more than half of those under `overlap`
+ * do. */
 static void swept_bullets_pass_no_thin_wall_and_overlap_tested_ones_do(void **state) {
     (void)state;
     uint64_t seed = 41;
@@ -270,6 +272,8 @@ static void bisected_bodies_within_the_limit_never_overlap(void **state) {
 
 /* ---- choice ---- */
 
+/* In a world under `overlap`, a body whose own detection is `swept` stops at a wall that another
+ * one passes. */
 static void body_chooses_its_own_detection(void **state) {
     (void)state;
     thud_world *world = make_world(with(&thud_detection_overlap, weightless()));

@@ -86,6 +86,7 @@ static void push_some(const heap *h, uint64_t *seed) {
     }
 }
 
+/* In no step does a body move by more than 1.01e9 in x or y, and velocities stay finite. */
 static void nothing_is_driven_further_than_places_can_follow(void **state) {
     (void)state;
     uint64_t seed = 11;

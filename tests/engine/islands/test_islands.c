@@ -156,6 +156,7 @@ static void islands_for_which_no_work_is_left_stay_soft(void **state) {
     thud_world_destroy(world);
 }
 
+/* With no work budget every island that would be solved directly is left to the soft solver. */
 static void islands_without_any_work_stay_soft(void **state) {
     (void)state;
     thud_quality none = thud_quality_exact;

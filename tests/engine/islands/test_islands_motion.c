@@ -269,6 +269,7 @@ static void islands_kinematic_wall_pushes_a_row_at_its_speed(void **state) {
     }
 }
 
+/* A column on a rising kinematic body has its velocity and keeps its height. */
 static void islands_lift_takes_a_column_along(void **state) {
     (void)state;
     for (int q = 0; q < DIRECT; q++) {

@@ -154,6 +154,7 @@ static void late_inputs_end_as_if_all_had_come_in_time(void **state) {
     }
 }
 
+/* Where all inputs are in time, each step is played once. */
 static void inputs_in_time_are_played_once(void **state) {
     (void)state;
     game g;

@@ -105,6 +105,7 @@ static void refused(thud_world *world, const char *word) {
     assert_true(back.lives == -77 && digest_of(world) == before && memory_held == held);
 }
 
+/* A file with any changed byte, cut short, lengthened, or of another kind of world is refused. */
 static void every_damage_is_refused(void **state) {
     (void)state;
     score own;
@@ -148,6 +149,8 @@ static void every_damage_is_refused(void **state) {
     thud_world_destroy(world);
 }
 
+/* A save that fails for a wrong path or for memory leaves the old file, and the world,
+ * unchanged. */
 static void failed_save_leaves_the_file_as_it_was(void **state) {
     (void)state;
     score own;

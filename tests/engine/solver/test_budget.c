@@ -121,6 +121,7 @@ static double fastest_in(thud_world *world, const thud_body_id *box, int count) 
     return fastest;
 }
 
+/* A stack at rest stays at rest while the budget lowers and raises the substeps. */
 static void stack_stays_calm_while_substeps_change(void **state) {
     (void)state;
     fake f = {.per_substep = 1e-4};

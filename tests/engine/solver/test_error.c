@@ -20,6 +20,7 @@ static void error_before_the_first_step_and_without_a_world_is_zero(void **state
     thud_world_destroy(world);
 }
 
+/* The reported penetration is the depth that the ball has at the end of the step. */
 static void penetration_of_a_sunk_ball_is_how_deep_it_ends(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -150,6 +151,8 @@ static void body_that_is_no_number_leaves_no_trace_in_the_errors(void **state) {
     }
 }
 
+/* At draft, the residual is small under a box of the same mass and large under one of 10^4 times
+ * its mass. */
 static void residual_is_large_where_the_solver_does_not_get_done(void **state) {
     (void)state;
     double residual[2];

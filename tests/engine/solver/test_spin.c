@@ -60,6 +60,7 @@ static void free_body_keeps_any_spin_at_every_quality_and_detection(void **state
     }
 }
 
+/* A greater angular velocity is limited to 1e8 rad/s with its sign. */
 static void spin_beyond_the_highest_is_held_there_with_its_sign(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());

@@ -8,6 +8,8 @@ static bool found(thud_world *world, double x, double y) {
     return hit;
 }
 
+/* A disabled body has no contacts, is not found by queries, and keeps its pose; when it is enabled
+ * it continues with its velocity, awake. */
 static void disabled_body_meets_nothing_and_comes_back_as_it_was(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
@@ -43,6 +45,7 @@ static void disabled_body_meets_nothing_and_comes_back_as_it_was(void **state) {
     }
 }
 
+/* A body that sleeps on the ground wakes and falls when the ground is disabled. */
 static void disabled_ground_lets_fall_and_wakes_who_slept_on_it(void **state) {
     (void)state;
     for (int line = 0; line < 2; line++) {

@@ -39,6 +39,8 @@ static long step_with_failures(thud_world *world) {
     }
 }
 
+/* A step that succeeds after failed attempts ends with the hash and events of a world whose memory
+ * never fails. */
 static void step_after_failed_ones_is_the_same_step(void **state) {
     (void)state;
     const struct {
@@ -67,6 +69,7 @@ static void step_after_failed_ones_is_the_same_step(void **state) {
     assert_int_equal(memory_held, 0);
 }
 
+/* Creating a world, body or shape that fails for memory changes no count and leaves no block. */
 static void creation_that_fails_leaves_nothing_behind(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();

@@ -72,6 +72,7 @@ static void bodies_with_shapes_are_those_of_single_calls(void **state) {
     thud_world_destroy(worlds[1]);
 }
 
+/* The angle of a placed shape is recovered from its cosine and sine within 1e-9. */
 static void angles_come_back_from_cosine_and_sine(void **state) {
     (void)state;
     thud_world *w = make_world(thud_default_world_def());
@@ -111,6 +112,7 @@ static void assert_unchanged(thud_world *w, bytes before) {
     free(after.data);
 }
 
+/* A body with one wrong shape is not created, and neither are its other shapes. */
 static void one_wrong_shape_leaves_nothing_behind(void **state) {
     (void)state;
     thud_world *w = make_world(thud_default_world_def());

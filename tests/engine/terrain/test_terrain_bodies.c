@@ -29,6 +29,7 @@ static void sleeps_as_it_was(const ground *g, thud_body_id body, const thud_body
                 now.angle == was->angle);
 }
 
+/* An edit wakes the stack at its place, and leaves stacks 20 m away asleep and in place. */
 static void edit_wakes_what_rests_there_and_nothing_far_away(void **state) {
     (void)state;
     for (int which = 0; which < 4; which++) {
