@@ -6,6 +6,7 @@
 #include "share.h"
 #include "snapshot_support.h"
 
+/* Bodies of a crowd at most. */
 enum { MOST = 1000 };
 
 /* A crowd; counts of sensor overlaps that are open, and of contacts that began. */
@@ -34,6 +35,7 @@ static void step(crowd *c) {
     c->met += e.begin_count;
 }
 
+/* A prologue that vetoes every contact. */
 static bool let_through(thud_world *world, const thud_contact *contact,
                         thud_contact_settings *settings, void *context) {
     (void)world;
@@ -149,6 +151,7 @@ static void crowd_that_stays_gets_all_pairs_within_steps_that_are_stated(void **
  * same bits. */
 static void crowd_that_comes_apart_gets_no_more_pairs_than_there_are_places(void **state) {
     (void)state;
+    /* Circles; room for pairs, for each of them; steps; and steps until the snapshot. */
     enum { COUNT = 2000, PLACES = 32, STEPS = 12, KEPT = 3 };
     for (int k = 0; k < 3; k++) {
         thud_world_def def = weightless();

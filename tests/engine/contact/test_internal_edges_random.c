@@ -1,8 +1,8 @@
 /* test_internal_edges_random.c: bodies are dropped and slid onto random heaps of static shapes,
  * which are side by side, flush, overlapping, or slightly offset. The bodies must not overlap a
  * shape, pass through it, or rest without support. Overlap is computed by exact geometry of every
- * pair (geometry_exact.h). A heap is counted only where the same world without internal edges
- * (internal_edges.h) has no fault. */
+ * pair (geometry_exact.h). A fault counts where the same world without internal edges
+ * (contact/internal_edges.h) has none; faults of both are only limited in number. */
 #include "engine_support.h"
 
 #include "geometry_exact.h"
@@ -260,8 +260,8 @@ static thud_world *make_heap(const heap *h, bool seams, thud_body_id *body) {
 
 /* What happened to the body. Lengths in length scales. */
 typedef struct outcome {
-    double overlap; /* least overlap with any shape after it settled */
-    double nearest; /* least distance from any shape at the end */
+    double overlap; /* deepest overlap with a shape, in the best step after it settled */
+    double nearest; /* distance from the nearest shape at the end */
     double inside;  /* greatest depth of its centre in a shape */
     double speed;   /* at the end */
     double energy;  /* greatest gain per mass, in (length scales / s)^2 */
@@ -326,7 +326,7 @@ static outcome watch(const heap *h, bool seams) {
             out.nearest = least_distance(h, &now);
             out.overlap = fmin(out.overlap, -out.nearest);
         }
-        if (now.y < -60) {
+        if (now.y < -60) { /* it has fallen beside the heap */
             break;
         }
     }
@@ -334,7 +334,8 @@ static outcome watch(const heap *h, bool seams) {
     return out;
 }
 
-/* What is wrong with an outcome; null: nothing. */
+/* What is wrong with an outcome; null: nothing. Its centre may be 0.02 inside of a shape, and it
+ * may gain an energy of 0.3: chosen, above what soft contacts cause. */
 static const char *fault_of(const outcome *o) {
     return o->overlap > OVERLAP                   ? "overlaps"
            : o->inside > 0.02                     ? "was inside"

@@ -109,7 +109,8 @@ static long double free_speed(const problem *p, const normals *n, int i) {
 }
 
 /* The impulses with which the rows of the set have exactly their target velocities; false where
- * they are linearly dependent. */
+ * they are linearly dependent. `full` holds the couplings of all rows, and `lack` their target
+ * velocities less those without impulses. */
 static bool solve_set(const long double full[ROWS_MOST][ROWS_MOST], const long double *lack,
                       int count, unsigned set, long double *impulse) {
     long double m[ROWS_MOST][ROWS_MOST + 1];
