@@ -334,8 +334,7 @@ static outcome watch(const heap *h, bool seams) {
     return out;
 }
 
-/* What is wrong with an outcome; null: nothing. Its centre may be 0.02 inside of a shape, and it
- * may gain an energy of 0.3: chosen, above what soft contacts cause. */
+/* What is wrong with an outcome; null: nothing. The bounds of depth and energy are chosen. */
 static const char *fault_of(const outcome *o) {
     return o->overlap > OVERLAP                   ? "overlaps"
            : o->inside > 0.02                     ? "was inside"
