@@ -1,4 +1,5 @@
-/* stage.h: a scene that was built at one of the qualities, for tests of what scenes promise. */
+/* stage.h: a built-in scene with its world at one of the qualities, for tests of what scenes
+ * show. */
 #ifndef THUD_TEST_STAGE_H
 #define THUD_TEST_STAGE_H
 
@@ -10,12 +11,14 @@
 
 #include <thud/thud_snapshot.h>
 
+/* A scene with its world and bodies. */
 typedef struct stage {
     scene scene;
     thud_world *world;
     thud_body_id *bodies;
 } stage;
 
+/* Builds a scene's world; size 0: the scene's default size. */
 static inline stage open_stage(const char *name, int size, const thud_quality *quality) {
     stage t;
     thud_world_def def = thud_default_world_def();
@@ -32,11 +35,13 @@ static inline void close_stage(stage *t) {
     scene_free(&t->scene);
 }
 
+/* State of the body with this index in the scene's list. */
 static inline thud_body_state body(const stage *t, int index) {
     return state_of(t->world, t->bodies[index]);
 }
 
-/* Nothing is lost: all bodies are finite and in the picture, or a little beside it. */
+/* Runs the scene, and asserts that no body is lost: none is quarantined, and all end in the
+ * camera's view or near it. */
 static inline void run_whole(stage *t, int steps) {
     const scene *s = &t->scene;
     for (int i = 0; i < steps; i++) {
@@ -50,7 +55,8 @@ static inline void run_whole(stage *t, int steps) {
     }
 }
 
-/* One that is restored into another world of its scene goes on as it would have. */
+/* Asserts that a world that is restored from the snapshot of another world of the same scene
+ * continues with the same hashes. */
 static inline void restored_goes_on(const char *name, int before, int after) {
     stage a = open_stage(name, 0, &thud_quality_default);
     stage b = open_stage(name, 0, &thud_quality_default);

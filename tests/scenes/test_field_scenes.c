@@ -1,12 +1,13 @@
-/* test_field_scenes.c: the scenes of water, wind and explosions do what they are to show, at every
- * quality. */
+/* test_field_scenes.c: at every quality, the scenes of buoyancy, wind and explosions behave as
+ * their descriptions say: boats float, flags follow the wind, and walls shield crates from a
+ * blast. */
 #include "stage.h"
 
 #include <thud/thud_fields.h>
 
 /* ---- boats ---- */
 
-/* The mass of the water in whose place a body is. */
+/* The mass in kg of the water that the body displaces. */
 static double displaced(const stage *t, int index) {
     const scene_fields *f = &t->scene.fields;
     const scene_body *from = &t->scene.bodies[index];
@@ -29,7 +30,8 @@ static double displaced(const stage *t, int index) {
     return sum;
 }
 
-/* Water carries these bodies, and nothing else does. */
+/* Asserts that the bodies first..end-1 together displace as much mass of water as they have: the
+ * water alone carries them. */
 static void expect_afloat(const stage *t, int first, int end) {
     double water = 0, mass = 0;
     for (int i = first; i < end; i++) {
@@ -37,13 +39,13 @@ static void expect_afloat(const stage *t, int first, int end) {
         mass += (double)body(t, i).mass;
     }
     if (!(fabs(water - mass) < 0.01 * mass + 0.01))
-        fail_msg("bodies %d to %d weigh %g, and the water in their place %g", first, end - 1, mass,
+        fail_msg("bodies %d to %d have mass %g and displace %g of water", first, end - 1, mass,
                  water);
 }
 
 static void boats_float_at_their_draught_with_their_cargo(void **state) {
     (void)state;
-    /* Land and jetty, then the hulls with what is on them. */
+    /* Indices of bodies: land and jetty, then the hulls, each with its cargo behind it. */
     enum { BARGE = 2, SAILING = 10, TUG = 14, LOG = 15, ANCHOR = 16, CRATES = 26 };
     for (int q = 0; q < QUALITIES; q++) {
         stage t = open_stage("boats", 3, qualities[q]);
@@ -56,26 +58,28 @@ static void boats_float_at_their_draught_with_their_cargo(void **state) {
         for (int i = 0; i < 3; i++)
             expect_afloat(&t, CRATES + i, CRATES + i + 1);
         assert_true(body(&t, BARGE).position.y < deck - 0.2);
-        for (int i = BARGE; i < LOG; i++) /* the cargo has stayed on board, all upright */
+        for (int i = BARGE; i < LOG; i++) /* hulls are upright, and their cargo is still on board */
             if (i == BARGE || i == SAILING || i == TUG)
                 assert_true(fabs(atan2(body(&t, i).sine, body(&t, i).cosine)) < 0.15);
             else
                 assert_true(displaced(&t, i) < 0.05 * (double)body(&t, i).mass);
-        assert_true(body(&t, CRATES + 3).position.y < -4); /* too heavy */
+        assert_true(body(&t, CRATES + 3).position.y < -4); /* heavier than water: it sank */
         close_stage(&t);
     }
 }
 
 /* ---- flags ---- */
 
+/* Each flag has three stripes of seven plates. The bodies before the plates are land, scenery, and
+ * last the poles. */
 enum { FLAGS = 4, STRIPES = 3, PLATES = 7, FIRST_PLATE = 1 + FLAGS + 1 + FLAGS };
 
-/* How far the ends of the stripes are to the right of their poles, on average over bodies and time,
- * in lengths of a stripe. */
+/* Mean distance of the stripes' free ends to the right of their poles, over stripes and steps, in
+ * lengths of a stripe. */
 static double leeward(double wind, int quality) {
     stage t = open_stage("flags", FLAGS, qualities[quality]);
     t.scene.fields.wind = wind;
-    run_whole(&t, 300); /* a gust has reached every flag */
+    run_whole(&t, 300); /* until a gust has reached every flag */
     double sum = 0;
     for (int step = 0; step < 300; step++) {
         run_whole(&t, 1);
@@ -108,7 +112,7 @@ static void gusts_come_from_the_wind_and_never_turn_it(void **state) {
         double here = scene_wind_at(&fields, step, 2);
         least = fmin(least, here);
         most = fmax(most, here);
-        /* Five metres on, the same air comes later. */
+        /* A gust travels 5 m in 20 steps. */
         assert_true(scene_wind_at(&fields, step + 20, 7) == here);
         assert_true(fabs(scene_wind_at(&fields, step + 1, 2) - here) < 0.35);
     }
@@ -134,14 +138,15 @@ static void crates_behind_the_wall_are_slower_than_their_twins(void **state) {
         for (int i = 0; i < PAIRS; i++) {
             double left = speed(&t, FIRST + 2 * i), right = speed(&t, FIRST + 2 * i + 1);
             assert_true(right < 0.5);
-            if (i < ROWS) /* what nothing stands before */
+            if (i < ROWS) /* no wall covers the left crate of the lower rows */
                 assert_true(left > 4 && left > 20 * right);
             open += left;
             covered += right;
         }
         assert_true(open > 30 * covered);
         run_whole(&t, t.scene.fields.blasts[1].step - t.scene.fields.blasts[0].step);
-        double thrown = 0; /* above them there is no wall */
+        /* the second blast is above the wall, which does not cover the right crates from it */
+        double thrown = 0;
         for (int i = 0; i < PAIRS; i++)
             thrown = fmax(thrown, speed(&t, FIRST + 2 * i + 1));
         assert_true(thrown > 4);
@@ -150,7 +155,7 @@ static void crates_behind_the_wall_are_slower_than_their_twins(void **state) {
     }
 }
 
-/* ---- all of them ---- */
+/* ---- all scenes of fields ---- */
 
 static void restored_scene_goes_on_with_its_fields(void **state) {
     (void)state;

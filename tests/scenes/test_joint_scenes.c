@@ -1,5 +1,6 @@
-/* test_joint_scenes.c: the scenes of joints do what they are to show. Bodies are told by their
- * places in the scenes' lists, which the scenes' files name. */
+/* test_joint_scenes.c: the scenes of joints behave as their descriptions say: chains do not
+ * stretch, cradles keep their energy, machines do their work, limits hold. Bodies are named by
+ * their index in the scene's list, whose order the scene's file gives. */
 #include "stage.h"
 
 #include <thud/thud_joint.h>
@@ -8,12 +9,13 @@ static double angle(thud_body_state state) {
     return atan2(state.sine, state.cosine);
 }
 
+/* How far the body is from where the scene placed it, in metres. */
 static double moved(const stage *t, int index) {
     thud_pos now = body(t, index).position;
     return hypot(now.x - t->scene.bodies[index].x, now.y - t->scene.bodies[index].y);
 }
 
-/* The widest gap of all steps. */
+/* Runs the scene; returns the widest gap of a joint in any step, in metres. */
 static double run_for_gap(const stage *t, int steps) {
     double widest = 0;
     for (int i = 0; i < steps; i++) {
@@ -23,6 +25,7 @@ static double run_for_gap(const stage *t, int steps) {
     return widest;
 }
 
+/* Qualities at which joints hold these scenes' loads. */
 static const thud_quality *const firm[] = {&thud_quality_default, &thud_quality_high,
                                            &thud_quality_exact};
 
@@ -32,21 +35,23 @@ static void chain_swings_without_stretching(void **state) {
     (void)state;
     stage t = open_stage("chain", 0, &thud_quality_default);
     assert_true(run_for_gap(&t, 400) < 1e-3);
-    assert_true(body(&t, 101).position.x < -20); /* on the other side */
+    assert_true(body(&t, 101).position.x < -20); /* the free end has swung past the other side */
     close_stage(&t);
 }
 
-/* The state of ball i of a cradle, from 0 at the top, and its height over where it hangs. */
+/* State of ball i of a cradle; cradle 0 is the top one. */
 static thud_body_state ball_of(const stage *t, int cradle, int i, int size) {
     return body(t, cradle * (size + 1) + 1 + i);
 }
 
+/* Height of the ball's centre above where it hangs at rest, in metres. */
 static double rise_of(const stage *t, int cradle, int i, int size) {
     const scene_joint *string = &t->scene.joints[cradle * size + i];
     const scene_body *bar = &t->scene.bodies[string->body[0]];
     return ball_of(t, cradle, i, size).position.y - (bar->y + string->y[0] - string->length);
 }
 
+/* Kinetic and potential energy of a cradle's balls, in J. */
 static double energy_of_cradle(const stage *t, int cradle, int size) {
     double energy = 0;
     for (int i = 0; i < size; i++) {
@@ -57,8 +62,10 @@ static double energy_of_cradle(const stage *t, int cradle, int size) {
     return energy;
 }
 
-/* In cradle k (0, 1, 2) the first k + 1 balls are lifted by 0.6. A ball may be moved a little by
- * those that go at its side; where three of five go, the third swings to both sides. */
+/* In cradle k (0, 1, 2) the first k + 1 balls are lifted by 0.6 m. In 600 steps energy stays within
+ * 2 %, the last ball rises above 0.55 m, and the middle ball stays below 0.05 m: collisions of its
+ * neighbours may move it a little. Where three of five balls swing, the middle one is among
+ * them. */
 static void cradles_swing_out_as_many_balls_as_came_in(void **state) {
     (void)state;
     static const thud_quality *const all[] = {&thud_quality_draft, &thud_quality_default,
@@ -221,7 +228,8 @@ static void both_walkers_walk(void **state) {
     }
 }
 
-/* Each of n stages has bars of 3 that stand 2.7 apart when the motor is at its limit. */
+/* The lift has 20 stages of crossed bars of length 3, whose ends are 2.7 apart when the motor is at
+ * its limit. */
 static void scissor_lift_reaches_its_height(void **state) {
     (void)state;
     for (int i = 0; i < FIRM; i++) {
@@ -234,8 +242,9 @@ static void scissor_lift_reaches_its_height(void **state) {
     }
 }
 
-/* The pendulum swings in 5.2 s; in each swing a tooth passes. The minute hand turns half as far as
- * the escape wheel and the hour hand a twelfth of that, both with it. */
+/* The pendulum's period is 5.2 s, and a tooth of the escape wheel passes in each. The minute hand
+ * turns half as far as the escape wheel, and the hour hand a twelfth of that, both in its
+ * direction. */
 static void clock_lets_a_tooth_pass_in_each_swing(void **state) {
     (void)state;
     enum { ANCHOR = 1, ESCAPE = 2, MINUTE = 5, HOUR = 6 };
@@ -256,7 +265,8 @@ static void clock_lets_a_tooth_pass_in_each_swing(void **state) {
     close_stage(&t);
 }
 
-/* A twelfth of the rim lies between each two circles, and the hub in their middle. */
+/* A blob is a hub and 12 circles of its rim. The mean distance of the rim from the hub stays
+ * between 0.75 and 1.1 of what it was. */
 static void blobs_keep_their_shape(void **state) {
     (void)state;
     stage t = open_stage("blobs", 0, &thud_quality_default);

@@ -1,5 +1,6 @@
-/* test_rule_scenes.c: the scenes of rules between kinds of shapes do what they are to show, at
- * every quality. */
+/* test_rule_scenes.c: at every quality, the scenes of collision rules behave as their descriptions
+ * say: one-way planks hold and carry, crates break at their impulse limit, kinds of bodies collide
+ * by the timetable. */
 #include "stage.h"
 
 #include <thud/thud_lists.h>
@@ -7,20 +8,23 @@
 
 /* ---- planks ---- */
 
-/* Walls and roof, the ice, the trampolines, then the planks, then balls and crates in turns. */
+/* Order of bodies in the scene: walls and roof, ice, trampolines, planks, then balls and crates
+ * alternately. */
 enum { LOWEST_PLANK = 5, PLANKS = 2, FIRST_LOOSE = LOWEST_PLANK + PLANKS };
 
+/* What is known of a body at a plank. */
 typedef struct crossing {
-    bool above; /* it has been clear of the plank on its upper side, and not left it sideways */
-    bool below; /* the same of its lower side */
+    bool above; /* since it was last beside the plank, it has been completely above it */
+    bool below; /* and completely below it */
 } crossing;
 
-/* What became of bodies at the planks. */
+/* What bodies did at the planks. */
 typedef struct tally {
-    int risen;          /* through a plank */
-    int ahead, against; /* steps in which one that lay on a plank moved as its belt runs, or not */
+    int risen;          /* passages through a plank, upward */
+    int ahead, against; /* steps in which a body on a plank moved with its belt, or against it */
 } tally;
 
+/* Updates what is known of a body at a plank; fails where it sinks through. */
 static void look_at(const stage *t, int plank, int index, crossing *c, tally *sum) {
     const scene *s = &t->scene;
     const scene_shape *board = &s->shapes[s->bodies[LOWEST_PLANK + plank].first_shape];
@@ -46,6 +50,8 @@ static void look_at(const stage *t, int plank, int index, crossing *c, tally *su
     }
 }
 
+/* Bodies rise through planks and never sink through, and belts carry balls and crates in opposite
+ * directions. */
 static void planks_let_rise_and_hold_and_carry_by_kind(void **state) {
     (void)state;
     enum { SIZE = 30 };
@@ -62,7 +68,7 @@ static void planks_let_rise_and_hold_and_carry_by_kind(void **state) {
                 early = sum;
         }
         assert_true(early.risen >= 25);
-        assert_true(sum.risen > early.risen); /* trampolines throw them up again */
+        assert_true(sum.risen > early.risen); /* trampolines threw bodies through planks again */
         assert_true(sum.ahead > 5000 && sum.ahead > 15 * sum.against);
         close_stage(&t);
     }
@@ -76,6 +82,7 @@ static int body_count(const stage *t) {
     return count;
 }
 
+/* Mass of all dynamic bodies in kg; asserts that each is finite and within the scene. */
 static double whole_mass(const stage *t) {
     thud_body_id ids[400];
     int count;
@@ -110,11 +117,11 @@ static void crates_break_into_four_by_the_impulses_that_reached_their_limit(void
             int now = body_count(&t);
             assert_int_equal(now, t.scene.body_count + 3 * (CRATES - whole));
             assert_true(events > 0 || now == before);
-            assert_true(step > LANDING || whole == CRATES); /* stacks bear their own weight */
+            assert_true(step > LANDING || whole == CRATES); /* the stacks carry their own weight */
             breaking += now > before;
         }
-        /* Each of the three weights broke something of the stack that it fell onto, and the stacks
-         * in between stand. */
+        /* Each of the three weights broke a crate of the stack that it fell onto, and the stacks
+         * between them stand. */
         assert_true(breaking >= 3);
         for (int stack = 0; stack < CRATES / STACK; stack += 3)
             assert_false(thud_body_is_valid(t.world, t.bodies[FIRST + STACK * stack + STACK - 1]));
@@ -129,13 +136,15 @@ static void crates_break_into_four_by_the_impulses_that_reached_their_limit(void
 
 /* ---- meetings ---- */
 
+/* How bodies of kinds a and b meet by the present rules. */
 static thud_meeting meeting(const stage *t, int a, int b) {
     thud_rule rule;
     OK(thud_world_rule(t->world, 2u << a, 2u << b, &rule, NULL, NULL));
     return rule.meeting;
 }
 
-/* Pairs of bodies of two kinds whose middles are nearer than the thinner of them is wide. */
+/* Pairs of bodies, one of each kind, whose centres are nearer than 0.5 m, less than the width of
+ * the thinner one. */
 static int overlaps(const stage *t, int a, int b) {
     int count = 0;
     for (int i = 1 + a; i < t->scene.body_count; i += 4)
@@ -161,7 +170,7 @@ static void kinds_meet_by_the_timetable(void **state) {
         run_whole(&t, 600);
         assert_int_equal(meeting(&t, 2, 3), THUD_COLLIDE);
         assert_int_equal(meeting(&t, 1, 3), THUD_ONE_WAY);
-        /* Those that ignore each other lie in one place, and those that collide do not. */
+        /* Bodies of kinds that ignore each other overlap, those of kinds that collide do not. */
         int apart = overlaps(&t, 0, 1) + overlaps(&t, 0, 3) + overlaps(&t, 1, 2) +
                     overlaps(&t, 2, 3) + overlaps(&t, 0, 0) + overlaps(&t, 2, 2);
         if (overlaps(&t, 0, 2) < 10 || overlaps(&t, 1, 1) < 10 || apart > 6)
@@ -171,7 +180,7 @@ static void kinds_meet_by_the_timetable(void **state) {
     }
 }
 
-/* ---- all of them ---- */
+/* ---- all scenes of rules ---- */
 
 static void restored_scene_goes_on_with_its_rules(void **state) {
     (void)state;

@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""thud-run as its user meets it: python3 test_run.py PATH_OF_THUD_RUN, in the project's root."""
+"""Tests of the program thud-run: its output, its options and its error messages.
+
+Usage: python3 test_run.py PATH_OF_THUD_RUN, in the root of the project.
+"""
 
 import json
 import os

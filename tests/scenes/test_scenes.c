@@ -1,4 +1,5 @@
-/* test_scenes.c: the built-in scenes as descriptions, before any engine sees them. */
+/* test_scenes.c: the built-in scenes as descriptions, before a world is built of them: sizes,
+ * texts, positions on the grid, no overlaps. */
 #include "scenes.h"
 
 #include <math.h>
@@ -11,18 +12,21 @@
 
 #include <cmocka.h>
 
-/* A body's farthest reach from its centre, for bodies with one shape about their origin. */
+/* Distance of the body's farthest point from its centre, for bodies with one shape about their
+ * origin. */
 static double reach_of(const scene *s, const scene_body *body) {
     const scene_shape *shape = &s->shapes[body->first_shape];
     return shape->kind == SCENE_CIRCLE ? shape->hx
                                        : sqrt(shape->hx * shape->hx + shape->hy * shape->hy);
 }
 
+/* Asserts that a body has shapes of sane sizes, is on the position grid, and an AABB does not
+ * rotate. */
 static void check_body(const scene *s, const scene_body *body, const char *name) {
     if (!(isfinite(body->x) && isfinite(body->y) && fabs(body->angle) <= 7))
-        fail_msg("%s: a body lies nowhere", name);
+        fail_msg("%s: a body has no finite position or angle", name);
     if (body->x != scene_grid(body->x) || body->y != scene_grid(body->y))
-        fail_msg("%s: a body lies off the grid", name);
+        fail_msg("%s: a body is off the position grid", name);
     if (body->shape_count < 1)
         fail_msg("%s: a body without a shape", name);
     for (int i = 0; i < body->shape_count; i++) {
@@ -30,7 +34,7 @@ static void check_body(const scene *s, const scene_body *body, const char *name)
         if (shape->kind <= SCENE_OBB && !(shape->hx >= 1e-4 && shape->hx <= 16384))
             fail_msg("%s: a shape of size %g", name, shape->hx);
         if (shape->kind == SCENE_AABB && (!body->fixed_rotation || body->angle != 0))
-            fail_msg("%s: an AABB that could turn", name);
+            fail_msg("%s: an AABB that may rotate", name);
     }
 }
 
@@ -167,7 +171,7 @@ static void cradle_row_touches_exactly_and_first_balls_fly(void **state) {
     scene_free(&s);
 }
 
-/* The table in digging.c against the file that it was taken from. */
+/* The table of heights in digging.c against the file that it was taken from. */
 static void digging_ground_is_the_profile_of_the_asset(void **state) {
     (void)state;
     scene s;
@@ -177,7 +181,7 @@ static void digging_ground_is_the_profile_of_the_asset(void **state) {
     double elevation[403];
     int count = 0;
     char line[64];
-    assert_non_null(fgets(line, sizeof line, file)); /* the head */
+    assert_non_null(fgets(line, sizeof line, file)); /* the line of column names */
     while (count < 403 && fscanf(file, "%*f,%lf", &elevation[count]) == 1)
         count++;
     fclose(file);

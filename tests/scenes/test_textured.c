@@ -1,5 +1,5 @@
-/* test_textured.c: ground with a texture: what it has at a place, and that feet grip and slip as it
- * says. */
+/* test_textured.c: ground with a texture: what texture_at gives for a place, and that a walker's
+ * feet grip and slip by the friction of the texture's row. */
 #include "engine_support.h"
 
 #include "build_thud.h"
@@ -13,6 +13,7 @@
 static const thud_pos POINTS[] = {{0, 0}, {3, 4}, {4, 4}};
 static const thud_terrain LINE = {.kind = THUD_TERRAIN_IRREGULAR, .points = POINTS, .count = 3};
 
+/* Texture row, coordinates and weights at places along the line. */
 static void texture_goes_along_the_line_by_its_weights(void **state) {
     (void)state;
     texture_place at;
@@ -36,15 +37,15 @@ static void place_beside_the_line_is_its_end_and_another_line_has_none(void **st
     assert_false(texture_at(&flat, 1, 0, &at));
 }
 
-/* Bands of six metres from the left end on, of the rows in turn: by place, since a band with the
- * friction of another one would call itself that. */
+/* The texture row at x. The scene repeats bands of 6 m of each row from the left end on; the row is
+ * derived from the place and not from the friction, so that a wrong friction is found. */
 static int row_at(const scene *s, double x) {
     double left = s->points[s->shapes[0].first_point].x;
     int band = (int)((x - left) / 6);
     return band % TEXTURE_ROWS;
 }
 
-/* The mean speed of feet along the ground of each row while they are pressed on it. */
+/* Sets, for each row, the mean speed in m/s at which pressed feet slide along the ground. */
 static void walk(double slip[TEXTURE_ROWS]) {
     scene s;
     thud_world *world;
@@ -81,7 +82,7 @@ static void walk(double slip[TEXTURE_ROWS]) {
 
 static void feet_grip_on_rock_and_slip_on_ice(void **state) {
     (void)state;
-    double slip[TEXTURE_ROWS]; /* rock, grass, ice, sand */
+    double slip[TEXTURE_ROWS]; /* of rock, grass, ice and sand */
     walk(slip);
     assert_true(slip[0] < 0.15);
     assert_true(slip[2] > 0.4 && slip[2] > 3 * slip[0]);

@@ -1,4 +1,6 @@
-/* direct_support.h: small problems for the direct solver, and what a solution has to be. */
+/* direct_support.h: small problems for the direct solver (direct/direct.h), built without a world:
+ * bodies, contact rows and the sparse matrix; and assertions on a solution: impulses and velocities
+ * balance, contacts satisfy the Karush-Kuhn-Tucker conditions, friction stays within its cones. */
 #ifndef DIRECT_SUPPORT_H
 #define DIRECT_SUPPORT_H
 
@@ -8,8 +10,11 @@
 
 #include <limits.h>
 
+/* Bodies and contacts of a problem at most; body index of the ground. */
 enum { BODIES_MOST = 32, CONTACTS_MOST = 64, GROUND = TD_NONE };
 
+/* A problem with its own memory. `step` and `work` are the arrays of which the solver needs one
+ * entry for each body. */
 typedef struct problem {
     td_memory memory;
     td_sparse matrix;
@@ -19,8 +24,9 @@ typedef struct problem {
     double step[BODIES_MOST][4], work[BODIES_MOST][4];
 } problem;
 
-/* As fast as 1/60 s of gravity makes a body. */
+/* The speed that gravity of 10 m/s^2 gives a body in a step of 1/60 s. */
 #define UNIT_SPEED (10.0 / 60)
+/* Tolerance of row velocities in m/s, for the assertions below. Chosen. */
 #define TOLERANCE (1e-3 * UNIT_SPEED)
 
 static inline void begin_problem(problem *p) {
@@ -40,7 +46,8 @@ static inline void end_problem(problem *p) {
     td_sparse_free(&p->memory, &p->matrix);
 }
 
-/* Gravity has pulled it for a step. An inertia of 0: it does not turn. */
+/* Adds a body whose free velocity is that after one step of gravity; returns its index. With an
+ * inertia of 0 it does not turn. */
 static inline int add_mass(problem *p, double mass, double inertia) {
     td_direct_body *b = &p->bodies[p->d.body_count];
     *b = (td_direct_body){.inverse_mass = 1 / mass,
@@ -49,6 +56,8 @@ static inline int add_mass(problem *p, double mass, double inertia) {
     return p->d.body_count++;
 }
 
+/* Sets the row's Jacobian: the direction (x, y) from body a to body b, and the lever arms relative
+ * to the bodies' centres. */
 static inline void put_row(td_direct_row *r, double x, double y, const double arm_a[2],
                            const double arm_b[2]) {
     *r = (td_direct_row){.a = {-x, -y, -(arm_a[0] * y - arm_a[1] * x)},
@@ -56,8 +65,8 @@ static inline void put_row(td_direct_row *r, double x, double y, const double ar
                          .used = true};
 }
 
-/* With `points` 1 or 2 of them, from a to b along (x, y), and the arms to the first; the second one
- * lies further by `width` across the normal. */
+/* Adds a contact from a to b with the normal (x, y) and 1 or 2 `points`. `arms` lead from the
+ * centres of a and b to the first point; the second is `width` further across the normal. */
 static inline td_direct_constraint *add_contact(problem *p, int a, int b, double x, double y,
                                                 const double arms[2][2], int points, double width,
                                                 double friction) {
@@ -78,13 +87,15 @@ static inline td_direct_constraint *add_contact(problem *p, int a, int b, double
     return c;
 }
 
-/* Boxes of edge 1, of which b stands on a. */
+/* Adds the contact of two boxes of edge 1, of which b stands on a. */
 static inline td_direct_constraint *stack(problem *p, int a, int b, double friction) {
     const double arms[2][2] = {{-0.5, 0.5}, {-0.5, -0.5}};
     return add_contact(p, a, b, 0, 1, arms, 2, 1, friction);
 }
 
-/* The order of the matrix, once all contacts are there. */
+/* Begins the matrix, in two passes over all contacts: the first tells it which bodies are coupled
+ * and orders the elimination, the second keeps the place of each contact's block. Called once all
+ * contacts exist. */
 static inline void order_problem(problem *p) {
     assert_true(td_sparse_reserve(&p->memory, &p->matrix, p->d.body_count));
     td_sparse_forget(&p->matrix);
@@ -106,7 +117,8 @@ static inline void order_problem(problem *p) {
     }
 }
 
-/* Impulses of the step before, for an active set to begin with. */
+/* Sets all impulses to 0, so that the active set is not warm-started from those of the last
+ * solution. */
 static inline void forget_impulses(problem *p) {
     for (int i = 0; i < p->d.constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
@@ -116,6 +128,8 @@ static inline void forget_impulses(problem *p) {
     p->d.factorings = 0;
 }
 
+/* The velocity of row k: its Jacobian times the velocities of its bodies, and the part that is
+ * known. */
 static inline double row_speed(const problem *p, const td_direct_constraint *c, int k) {
     const td_direct_row *r = &c->row[k];
     double speed = r->known_speed;
@@ -126,12 +140,14 @@ static inline double row_speed(const problem *p, const td_direct_constraint *c, 
     return speed;
 }
 
+/* The sum of the contact's normal impulses. */
 static inline double load_of(const td_direct_constraint *c) {
     return c->row[0].used * c->row[0].impulse + c->row[1].used * c->row[1].impulse;
 }
 
-/* Impulses account for what the velocities have changed by. A row may be off by the tolerance times
- * the mass that it feels, and rounding shows against the greatest load. */
+/* Asserts that the change of each body's momentum is the sum of the impulses on it. A row may be
+ * off by `tolerance` (m/s) times its effective mass; rounding may add 1e-7 of the sum of all
+ * magnitudes (chosen). */
 static inline void assert_balanced(const problem *p, double tolerance) {
     for (int i = 0; i < p->d.body_count; i++) {
         const td_direct_body *b = &p->bodies[i];
@@ -158,7 +174,9 @@ static inline void assert_balanced(const problem *p, double tolerance) {
     }
 }
 
-/* The conditions of Karush, Kuhn and Tucker, at the bounds of friction that the solver went by. */
+/* Asserts the Karush-Kuhn-Tucker conditions: a normal row has an impulse >= 0, a velocity that is
+ * not below its target, and one of the two at its bound; a friction row sticks, or its impulse is
+ * at max_impulse, the bound that the solver used, against the slip. */
 static inline void assert_solved(const problem *p, double tolerance) {
     assert_balanced(p, tolerance);
     for (int i = 0; i < p->d.constraint_count; i++) {
@@ -182,7 +200,8 @@ static inline void assert_solved(const problem *p, double tolerance) {
     }
 }
 
-/* Friction within its cone of the impulses that came out, but for two parts in a hundred. */
+/* Asserts that friction impulses stay within 1.02 times friction * normal impulse: the solver may
+ * stop while its friction bounds differ from the final normal impulses by 2 %. */
 static inline void assert_within_cones(const problem *p, double tolerance) {
     for (int i = 0; i < p->d.constraint_count; i++) {
         const td_direct_constraint *c = &p->contacts[i];

@@ -1,5 +1,5 @@
-/* driven.h: which directions each kind of joint drives, so that random drives are taken: limits, a
- * spring or a motor in another one are refused. */
+/* driven.h: which directions each kind of joint can drive. Tests that draw joints at random use it:
+ * a limit, spring or motor in any other direction is refused. */
 #ifndef DRIVEN_H
 #define DRIVEN_H
 

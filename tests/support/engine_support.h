@@ -1,4 +1,5 @@
-/* engine_support.h: small worlds for tests, in few words. */
+/* engine_support.h: helpers with which tests create small worlds, bodies and shapes, run them, and
+ * read them. Each asserts that the call succeeds. */
 #ifndef ENGINE_SUPPORT_H
 #define ENGINE_SUPPORT_H
 
@@ -26,13 +27,14 @@ static inline thud_world *make_world(thud_world_def def) {
     return world;
 }
 
-/* Null: none. */
+/* Sets the listeners one by one; null: none. */
 static inline void set_listeners(thud_world *world, thud_prologue_fn *prologue,
                                  thud_epilogue_fn *epilogue, void *context) {
     OK(thud_world_set_listeners(
         world, &(thud_listeners){.prologue = prologue, .epilogue = epilogue, .context = context}));
 }
 
+/* The defaults, without gravity and without sleeping. */
 static inline thud_world_def weightless(void) {
     thud_world_def def = thud_default_world_def();
     def.gravity = (thud_vec2){0, 0};
@@ -51,7 +53,8 @@ static inline thud_body_id add_body(thud_world *world, thud_body_kind kind, doub
     return id;
 }
 
-/* hy 0: a circle of radius hx; else a box, an AABB where it is `upright`. */
+/* Adds a circle of radius hx where hy is 0, else a box with half extents hx, hy: an AABB where it
+ * is `upright`, else an OBB. `def` may be null: defaults. */
 static inline thud_shape_id add_shape(thud_world *world, thud_body_id body, float hx, float hy,
                                       bool upright, const thud_shape_def *def) {
     thud_shape_def plain = thud_default_shape_def();
@@ -80,7 +83,7 @@ static inline thud_body_id add_box(thud_world *world, double x, double y, float 
     return id;
 }
 
-/* A static box whose top is at y = 0. */
+/* Adds a static box whose top is at y = 0, and which reaches from x = -100 to 100. */
 static inline thud_body_id add_floor(thud_world *world, const thud_shape_def *def) {
     thud_body_id id = add_body(world, THUD_STATIC, 0, -1, 0);
     add_shape(world, id, 100, 1, true, def);
@@ -99,13 +102,15 @@ static inline void run(thud_world *world, int steps) {
     }
 }
 
+/* Asserts that |value - wanted| <= tolerance; fails for NaN as well. */
 static inline void near_to(double value, double wanted, double tolerance) {
     if (!(fabs(value - wanted) <= tolerance)) {
         fail_msg("%.9g is not within %g of %.9g", value, tolerance, wanted);
     }
 }
 
-/* A small generator of its own: xorshift. */
+/* A number in [low, high) by xorshift64 (Marsaglia 2003), and the next state in *seed, which must
+ * not be 0. */
 static inline double random_in(uint64_t *seed, double low, double high) {
     *seed ^= *seed << 13;
     *seed ^= *seed >> 7;

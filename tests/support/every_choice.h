@@ -1,4 +1,4 @@
-/* every_choice.h: every detection and every broadphase, for tests of what holds with each. */
+/* every_choice.h: all detections and all broadphases, for tests of what must hold with each. */
 #ifndef EVERY_CHOICE_H
 #define EVERY_CHOICE_H
 

@@ -1,6 +1,7 @@
-/* geometry_exact.h: the answers of geometry once more, in long double and by other ways than the
- * engine's: everything about two shapes comes from the convex hull of all differences of their
- * corners. Places are relative to wherever the caller says. */
+/* geometry_exact.h: reference answers for the tests of geometry, in long double and by other
+ * methods than the engine's: distances, overlaps and times of impact of two shapes come from their
+ * Minkowski difference, the convex hull of all differences of their corners. Places are relative to
+ * an origin that the caller chooses. */
 #ifndef GEOMETRY_EXACT_H
 #define GEOMETRY_EXACT_H
 
@@ -16,7 +17,7 @@ typedef struct vec {
     real x, y;
 } vec;
 
-/* Half a unit in the last place of 1.0: what one operation of the engine may lose. */
+/* Half a unit in the last place of 1.0: the relative rounding error of one operation in double. */
 #define ROUNDING 0x1p-53
 
 static inline vec vec_of(real x, real y) {
@@ -51,6 +52,7 @@ typedef struct solid {
     real radius;
 } solid;
 
+/* The shape's polygon with this centre and rotation (c, si). */
 static inline solid solid_at(const thud_shape_instance *s, vec center, real c, real si) {
     solid out = {.count = 1, .v = {center}, .radius = s->kind == THUD_CIRCLE ? (real)s->hx : 0.0L};
     if (s->kind != THUD_CIRCLE) {
@@ -64,12 +66,12 @@ static inline solid solid_at(const thud_shape_instance *s, vec center, real c, r
     return out;
 }
 
-/* Relative to (x, y). */
+/* The shape's polygon, relative to (x, y). */
 static inline solid solid_of(const thud_shape_instance *s, double x, double y) {
     return solid_at(s, vec_of((real)s->x - x, (real)s->y - y), s->c, s->s);
 }
 
-/* Where the shape is after a part of its motion. */
+/* The shape's polygon after the share t of its motion m, relative to (x, y). */
 static inline solid solid_after(const thud_shape_instance *s, thud_motion m, real t, double x,
                                 double y) {
     bool turns = s->kind == THUD_OBB && m.turn != 0.0;
@@ -78,13 +80,16 @@ static inline solid solid_after(const thud_shape_instance *s, thud_motion m, rea
                     s->c * c - s->s * si, s->s * c + s->c * si);
 }
 
-/* The hull of all b - a; the shapes overlap if the origin is within `radius` of it. */
+/* The Minkowski difference: the convex hull of all b - a, with a rounding radius. The shapes
+ * overlap if the origin is within `radius` of it. */
 typedef struct sum {
     vec v[32];
     int count;
     real radius;
 } sum;
 
+/* Adds a corner to the chain of a hull, and first removes corners that are no longer convex; the
+ * first `keep` corners stay. */
 static inline void hull_add(sum *h, int keep, vec p) {
     while (h->count > keep && cross(minus(h->v[h->count - 1], h->v[h->count - 2]),
                                     minus(p, h->v[h->count - 1])) <= 0) {
@@ -93,7 +98,7 @@ static inline void hull_add(sum *h, int keep, vec p) {
     h->v[h->count++] = p;
 }
 
-/* By monotone chain (Andrew 1979). */
+/* The Minkowski difference of two solids, by Andrew's monotone chain (1979). */
 static inline sum sum_of(const solid *a, const solid *b) {
     sum h = {.radius = a->radius + b->radius};
     vec p[16];
@@ -119,11 +124,11 @@ static inline sum sum_of(const solid *a, const solid *b) {
     for (int i = n - 2; i >= 0; i--) {
         hull_add(&h, keep, p[i]);
     }
-    h.count--; /* the first once more */
+    h.count--; /* the first corner, which the lower chain added again */
     return h;
 }
 
-/* From p to the piece between a and b. */
+/* Distance of p from the segment from a to b. */
 static inline real segment_distance(vec a, vec b, vec p) {
     vec d = minus(b, a), q = minus(p, a);
     real square = dot(d, d), t = square > 0.0L ? dot(d, q) / square : 0.0L;
@@ -133,7 +138,7 @@ static inline real segment_distance(vec a, vec b, vec p) {
     return length_of(t < 0.5L ? q : minus(p, b));
 }
 
-/* Of p from the sum; negative inside: the depth. */
+/* Signed distance of p from the sum; negative inside, the penetration depth. */
 static inline real sum_distance(const sum *h, vec p) {
     real nearest = 1e300L, deepest = -1e300L;
     if (h->count == 1) {
@@ -147,21 +152,23 @@ static inline real sum_distance(const sum *h, vec p) {
     return (deepest > 0.0L || h->count == 2 ? nearest : deepest) - h->radius;
 }
 
+/* Signed distance of two solids; negative: the penetration depth. */
 static inline real solids_distance(const solid *a, const solid *b) {
     sum h = sum_of(a, b);
     return sum_distance(&h, vec_of(0.0L, 0.0L));
 }
 
-/* Of a point from a solid. */
+/* Signed distance of a point from a solid. */
 static inline real solid_distance(const solid *s, vec p) {
     solid point = {.count = 1, .v = {p}};
     return solids_distance(&point, s);
 }
 
-/* Later than any time of a motion. */
+/* Time that means "no impact": later than 1, the end of every motion. */
 #define NEVER 2.0L
 
-/* Narrows [first, last] to where p + t d is within `inset` of the inner side of the edge. */
+/* Narrows the interval [first, last] of times t to those at which p + t d is at least `inset`
+ * inside of the edge from a to b. *last is negative where there are none. */
 static inline void clip_path(vec a, vec b, real inset, vec p, vec d, real *first, real *last) {
     vec along = unit(minus(b, a)), out = {along.y, -along.x};
     real start = dot(out, minus(p, a)) + inset, speed = dot(out, d);
@@ -174,6 +181,7 @@ static inline void clip_path(vec a, vec b, real inset, vec p, vec d, real *first
     }
 }
 
+/* The first time t >= 0 at which p + t d is within the circle, or NEVER. */
 static inline real enters_circle(vec center, real radius, vec p, vec d) {
     vec o = minus(p, center);
     real a = dot(d, d), b = dot(o, d), side = cross(d, o);
@@ -186,15 +194,15 @@ static inline real enters_circle(vec center, real radius, vec p, vec d) {
     return (-b - sqrtl(radius * radius * a - side * side)) / a;
 }
 
-/* When a point that starts at the origin and moves by d first is within `radius` of the polygon; a
- * negative radius is a smaller polygon. */
+/* The first time in [0, 1] at which a point that starts at the origin and moves by d is within
+ * `radius` of the polygon, or NEVER. With a negative radius the polygon is shrunk by it. */
 static inline real enters(const sum *h, real radius, vec d) {
     vec origin = {0.0L, 0.0L};
     real time = NEVER, first = 0.0L, last = 1.0L;
     for (int i = 0; i < h->count && h->count > 1; i++) {
         vec a = h->v[i], b = h->v[(i + 1) % h->count], along = unit(minus(b, a));
         clip_path(a, b, -fminl(radius, 0.0L), origin, d, &first, &last);
-        if (radius > 0.0L) { /* the strip along the edge */
+        if (radius > 0.0L) { /* the strip of width `radius` along the edge, outside of it */
             vec out = {along.y * radius, -along.x * radius};
             vec c = {a.x + out.x, a.y + out.y}, e = {b.x + out.x, b.y + out.y};
             real from = 0.0L, to = 1.0L;
@@ -214,8 +222,9 @@ static inline real enters(const sum *h, real radius, vec d) {
     return time <= 1.0L ? time : NEVER;
 }
 
-/* How far b is beyond a in the direction n, which has length 1. The distance of two shapes is the
- * largest of all directions' gaps, so a direction with that gap is a right normal. */
+/* The gap between a and b along the unit vector n: by how far b is beyond a. The distance of two
+ * separate shapes is the greatest gap over all directions, so a direction with that gap is a
+ * correct normal. */
 static inline real gap_along(const solid *a, const solid *b, vec n) {
     real top = -1e300L, low = 1e300L;
     for (int i = 0; i < a->count; i++) {

@@ -1,9 +1,11 @@
-/* geometry_random.h: shapes, places and ground lines for the property tests of geometry, from a
- * small generator of its own, so that every run on every machine draws the same. */
+/* geometry_random.h: random shapes, points of outlines, and numbers of cases for the property tests
+ * of geometry. They come from a generator of the tests' own, so that every run on every machine
+ * draws the same. */
 #ifndef GEOMETRY_RANDOM_H
 #define GEOMETRY_RANDOM_H
 
 #include "share.h"
+/* State of the generator. */
 #include "thud/thud_shapes.h"
 
 #include <math.h>
@@ -34,7 +36,8 @@ static inline void set_angle(thud_shape_instance *shape, double angle) {
     shape->s = shape->kind == THUD_OBB ? sin(angle) : 0.0;
 }
 
-/* Of any kind about the origin; some are needles. */
+/* A shape of any kind about the origin; a fifth of the boxes are needles with a half width of
+ * 1e-5. */
 static inline thud_shape_instance draw_shape(source *r) {
     thud_shape_instance shape = {.kind = (thud_shape_kind)draw_below(r, 3), .c = 1.0};
     shape.x = draw(r, -1.5, 1.5);
@@ -48,7 +51,7 @@ static inline thud_shape_instance draw_shape(source *r) {
     return shape;
 }
 
-/* A point of the outline; `turn` in [0, 1) goes once round it. Relative to the centre. */
+/* A point of the outline, relative to the shape's centre; `turn` in [0, 1) goes once around it. */
 static inline thud_pos outline(const thud_shape_instance *shape, double turn) {
     if (shape->kind == THUD_CIRCLE) {
         double angle = turn * 6.283185307179586;
@@ -79,14 +82,15 @@ static inline double outline_length(const thud_shape_instance *shape) {
                                       : 4.0 * (shape->hx + shape->hy);
 }
 
-/* How many random cases a pair gets: what THUD_CASES in the environment says, or else the build's
- * share of the `usual` ones. */
+/* How many random cases a pair of kinds gets: THUD_CASES of the environment, or else the share of
+ * `usual` that this build runs (share.h). */
 static inline int case_count(int usual) {
     const char *text = getenv("THUD_CASES");
     int count = text ? atoi(text) : 0;
     return count > 0 ? count : share_of(usual);
 }
 
+/* A shape of one kind about the origin, none of them a needle. */
 static inline thud_shape_instance draw_shape_of(source *r, thud_shape_kind kind) {
     thud_shape_instance shape = {.kind = kind, .c = 1.0};
     shape.x = draw(r, -1.5, 1.5);

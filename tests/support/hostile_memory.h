@@ -1,5 +1,5 @@
-/* hostile_memory.h: an allocator that refuses when a test tells it to, and knows what is still
- * held. Only memory asked for through it counts, so that a test's own is never refused. */
+/* hostile_memory.h: an allocator for worlds that fails at a chosen allocation, and counts the
+ * blocks that are held. Allocations of the test itself do not go through it. */
 #ifndef HOSTILE_MEMORY_H
 #define HOSTILE_MEMORY_H
 
@@ -7,8 +7,8 @@
 
 #include <thud/thud.h>
 
-static long memory_allowed = -1; /* allocations until one fails; negative: no end */
-static long memory_held;         /* blocks not given back */
+static long memory_allowed = -1; /* allocations until one fails; negative: none fails */
+static long memory_held;         /* blocks allocated and not yet released */
 static long memory_refused;      /* allocations that failed */
 
 static inline void *hostile_allocate(size_t bytes, void *context) {

@@ -1,4 +1,4 @@
-/* joint_support.h: worlds with joints, in few words. */
+/* joint_support.h: helpers with which tests create worlds with joints, and read joints. */
 #ifndef JOINT_SUPPORT_H
 #define JOINT_SUPPORT_H
 
@@ -8,12 +8,14 @@
 
 #define PI 3.14159265358979323846
 
+/* A world of a quality without floor and without sleeping. */
 static inline thud_world *world_at(const thud_quality *quality) {
     thud_world_def def = def_of(quality);
     def.sleeping = false;
     return make_world(def);
 }
 
+/* The def of a joint with anchors at_a and at_b in the bodies' own coordinates. */
 static inline thud_joint_def between(thud_joint_kind kind, thud_body_id a, thud_body_id b,
                                      thud_vec2 at_a, thud_vec2 at_b) {
     thud_joint_def def = thud_default_joint_def(kind);

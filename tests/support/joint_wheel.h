@@ -1,13 +1,15 @@
-/* joint_wheel.h: what takes the direct solver more effort than a step has. */
+/* joint_wheel.h: an island of joints that takes the direct solver more work than its budget of a
+ * step. */
 #ifndef JOINT_WHEEL_H
 #define JOINT_WHEEL_H
 
 #include "joint_support.h"
 
+/* Bodies around the hub. */
 enum { RIM = 900 };
 
-/* Bodies around a hub, tied to it and each to the next: every loop is stretched at once as they
- * begin to fall. */
+/* Bodies without collisions around a static hub, at random radii, each joined by rods to the hub
+ * and to its two neighbours. As they begin to fall, every loop of rods is stretched at once. */
 static inline void add_wheel(thud_world *world) {
     thud_body_id hub = add_body(world, THUD_STATIC, 0, 0, 0), rim[RIM];
     double radius[RIM];

@@ -1,5 +1,5 @@
-/* listeners_support.h: listeners of every form with opinions of their own, what they hear in one
- * number, and a scene in which they hear much. */
+/* listeners_support.h: listeners of every form (for single contacts or for all at once) that answer
+ * by a fixed rule and hash all that they are given, and a scene with many contacts. */
 #ifndef LISTENERS_SUPPORT_H
 #define LISTENERS_SUPPORT_H
 
@@ -7,17 +7,19 @@
 
 #include <thud/thud_terrain.h>
 
+/* Bodies of the scene; forms of listeners; contacts kept of a step. */
 enum { BODIES = 70, FORMS = 4, HEARD_MOST = 512 };
 
-/* Who listens, and all that it heard in one number. */
+/* A listener's context: what it counted, and a digest of all that it was given. */
 typedef struct ear {
-    bool plain; /* it always says yes, and nothing else */
+    bool plain; /* the prologue accepts every contact as it is */
     uint64_t digest;
     int calls, asked, vetoed, changed, told;
-    thud_contact heard[HEARD_MOST]; /* by the epilogue of the last step */
+    thud_contact heard[HEARD_MOST]; /* by the epilogue since the test last set heard_count to 0 */
     int heard_count;
 } ear;
 
+/* Adds bytes to the digest (FNV-1a's step). */
 static inline void mix(ear *e, const void *values, size_t bytes) {
     const unsigned char *at = values;
     for (size_t i = 0; i < bytes; i++) {
@@ -25,6 +27,7 @@ static inline void mix(ear *e, const void *values, size_t bytes) {
     }
 }
 
+/* Adds a contact to the digest, and asserts that its handles are valid. */
 static inline void mix_contact(const thud_world *world, ear *e, const thud_contact *c) {
     const double numbers[] = {(double)c->normal.x,
                               (double)c->normal.y,
@@ -41,10 +44,11 @@ static inline void mix_contact(const thud_world *world, ear *e, const thud_conta
     assert_true(thud_body_is_valid(world, c->body_a) && thud_body_is_valid(world, c->body_b));
 }
 
-/* ---- what is answered: a pair now does nothing, now is ice, a trampoline, a belt, or nonsense
- * ----
- */
+/* ---- the answer of a prologue, by the pair and the step: veto, no friction, bounce, moving
+ * surface, invalid settings, or none ---- */
 
+/* Whether the contact collides; may change its settings. It asserts that a contact arrives with its
+ * shapes' settings and without impulses. */
 static inline bool opinion(thud_world *world, const thud_contact *contact, thud_contact_settings *s,
                            ear *e) {
     int steps = (int)thud_world_stats(world).steps;
@@ -74,7 +78,7 @@ static inline bool opinion(thud_world *world, const thud_contact *contact, thud_
         s->friction = NAN;
         s->restitution = 0.9f;
         break;
-    case 6: /* vetoed with other settings */
+    case 6: /* vetoed, with settings changed, which must have no effect */
         s->restitution = 0.5f;
         e->vetoed++;
         return false;
@@ -85,18 +89,21 @@ static inline bool opinion(thud_world *world, const thud_contact *contact, thud_
     return true;
 }
 
+/* What an epilogue does with a contact. */
 static inline void take_note(thud_world *world, const thud_contact *contact, ear *e) {
     mix_contact(world, e, contact);
     e->told++;
     if (e->heard_count < HEARD_MOST) {
         e->heard[e->heard_count++] = *contact;
     }
-    if (!e->plain && e->told % 41 == 0) { /* an edit that waits for the next step */
+    /* a deferred edit, which is applied as the next step begins */
+    if (!e->plain && e->told % 41 == 0) {
         thud_vec2 up = {0, 0.3f};
         (void)thud_body_apply_impulse(world, contact->body_b, up, contact->point);
     }
 }
 
+/* The four forms: `ask` and `ask_all` are prologues, `tell` and `tell_all` epilogues. */
 static inline bool ask(thud_world *world, const thud_contact *contact,
                        thud_contact_settings *settings, void *context) {
     ((ear *)context)->calls++;
@@ -125,7 +132,7 @@ static inline void tell_all(thud_world *world, const thud_contact *contacts, int
     }
 }
 
-/* Bit 0: the prologue for all at once; bit 1: the epilogue. */
+/* Bit 0 of `form`: the prologue takes all contacts at once; bit 1: the epilogue does. */
 static inline thud_listeners of_form(int form, ear *e) {
     return (thud_listeners){.prologue = form & 1 ? NULL : ask,
                             .epilogue = form & 2 ? NULL : tell,
@@ -134,7 +141,7 @@ static inline thud_listeners of_form(int form, ear *e) {
                             .context = e};
 }
 
-/* ---- a mixed scene: every kind of shape and body, some of them fast ---- */
+/* ---- a mixed scene: every kind of shape and body, some moving far in a step ---- */
 
 static inline thud_world *make_scene(thud_world_def def, thud_body_id bodies[BODIES]) {
     thud_world *world = make_world(def);

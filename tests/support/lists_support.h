@@ -1,4 +1,4 @@
-/* lists_support.h: asking a world for its lists, in few words. */
+/* lists_support.h: helpers that ask a world for its lists of bodies and shapes, and search them. */
 #ifndef LISTS_SUPPORT_H
 #define LISTS_SUPPORT_H
 
@@ -6,6 +6,7 @@
 
 #include <thud/thud_lists.h>
 
+/* Length of every list. */
 enum { ROOM = 32 };
 
 static inline bool same_body(thud_body_id a, thud_body_id b) {
@@ -48,24 +49,27 @@ static inline bool is_among_shapes(const thud_world *world, thud_shape_id shape)
     return i < count;
 }
 
+/* How many shapes overlap the sensor. */
 static inline int sensed_by(const thud_world *world, thud_shape_id sensor) {
     int count;
     OK(thud_sensor_overlaps(world, sensor, NULL, 0, &count));
     return count;
 }
 
-/* What has moved since the last call for this world. */
+/* Which bodies have moved since the last `look` at this world. */
 typedef struct watch {
     thud_body_seen seen[ROOM];
     thud_body_id list[ROOM];
     int count;
 } watch;
 
+/* Updates the watch; returns how many bodies moved. */
 static inline int look(watch *w, const thud_world *world) {
     OK(thud_world_moved_bodies(world, w->seen, ROOM, w->list, ROOM, &w->count));
     return w->count;
 }
 
+/* Whether the last `look` listed the body as moved. */
 static inline bool told(const watch *w, thud_body_id body) {
     return body_listed(w->list, w->count, body);
 }

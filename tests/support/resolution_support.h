@@ -1,4 +1,4 @@
-/* resolution_support.h: what tests of collision resolution share. */
+/* resolution_support.h: worlds and bodies that the tests of collision resolution share. */
 #ifndef RESOLUTION_SUPPORT_H
 #define RESOLUTION_SUPPORT_H
 
@@ -18,7 +18,7 @@ static inline thud_world *make_world_with(const thud_detection *detection,
     return world;
 }
 
-/* Kinds: 0 a circle of radius 0.5, 1 an AABB, 2 an OBB of half extents 0.5. */
+/* Adds a body of a form: 0 a circle of radius 0.5, 1 an AABB, 2 an OBB of half extents 0.5. */
 static inline thud_body_id add_kind(thud_world *world, int kind, double x, double y,
                                     const thud_shape_def *def) {
     thud_body_id body = add_body(world, THUD_DYNAMIC, x, y, 0);
@@ -26,6 +26,7 @@ static inline thud_body_id add_kind(thud_world *world, int kind, double x, doubl
     return body;
 }
 
+/* A shape def with this friction and surface speed. */
 static inline thud_shape_def surface(float friction, float speed) {
     thud_shape_def def = thud_default_shape_def();
     def.friction = friction;
@@ -33,7 +34,8 @@ static inline thud_shape_def surface(float friction, float speed) {
     return def;
 }
 
-/* In bisected and swept worlds. */
+/* The gap in metres at which contacts rest: 0.004, the skin, under the detections `bisect` and
+ * `swept`, which stop bodies there; 0 under the others. */
 static inline double gap_at_rest(int detection) {
     return detections[detection] == &thud_detection_bisect ||
                    detections[detection] == &thud_detection_swept

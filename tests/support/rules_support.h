@@ -1,4 +1,5 @@
-/* rules_support.h: worlds with kinds of shapes, for tests of thud_rules.h. */
+/* rules_support.h: worlds whose shapes belong to categories, for tests of collision rules
+ * (thud_rules.h). */
 #ifndef RULES_SUPPORT_H
 #define RULES_SUPPORT_H
 
@@ -8,6 +9,7 @@
 #include <thud/thud_rules.h>
 
 enum { DETECTIONS = 4, BROADPHASES = 3 };
+/* Categories of shapes. */
 enum { GROUND = 1, PLANK = 2, PLAYER = 4, CRATE = 8 };
 
 static inline thud_world *make(const thud_detection *detection, const thud_broadphase *broadphase) {
@@ -23,7 +25,8 @@ static inline thud_shape_def of_kind(uint32_t category) {
     return def;
 }
 
-/* Forms: 0 a circle, 1 an AABB, 2 an OBB. */
+/* Adds a body with one shape of a category. Forms: 0 a circle of radius hx, 1 an AABB, 2 an OBB of
+ * half extents hx, hy. */
 static inline thud_body_id add(thud_world *w, thud_body_kind body_kind, uint32_t category, int form,
                                double x, double y, float hx, float hy) {
     thud_shape_def def = of_kind(category);
@@ -44,6 +47,7 @@ static inline void steps(thud_world *w, int count) {
     }
 }
 
+/* The default rule with another way of meeting. */
 static inline thud_rule meeting(thud_meeting how) {
     thud_rule rule = thud_default_rule();
     rule.meeting = how;

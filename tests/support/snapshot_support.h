@@ -1,4 +1,5 @@
-/* snapshot_support.h: all that callers can tell of a step in one number; kept snapshots; a yard. */
+/* snapshot_support.h: snapshots that a test keeps, a digest of everything that a caller can read
+ * after a step, digests step by step, and a small scene with terrain and a sensor (yard). */
 #ifndef SNAPSHOT_SUPPORT_H
 #define SNAPSHOT_SUPPORT_H
 
@@ -7,6 +8,7 @@
 #include <thud/thud_snapshot.h>
 #include <thud/thud_terrain.h>
 
+/* A snapshot in memory of its own. */
 typedef struct saved {
     char *bytes;
     size_t size;
@@ -23,10 +25,12 @@ static inline saved save(const thud_world *world) {
     return made;
 }
 
+/* Restores the world from a snapshot. */
 static inline void back_to(thud_world *world, saved snapshot) {
     OK(thud_world_restore(world, snapshot.bytes, snapshot.size));
 }
 
+/* Adds bytes to a digest (FNV-1a's step). */
 static inline void mix(uint64_t *digest, const void *values, size_t bytes) {
     const unsigned char *at = values;
     for (size_t i = 0; i < bytes; i++) {
@@ -36,13 +40,14 @@ static inline void mix(uint64_t *digest, const void *values, size_t bytes) {
 
 #define MIX(value) mix(&digest, &(value), sizeof(value))
 
-/* Hash, poses, events, errors and statistics, but for seconds and memory. */
+/* Digest of the world's hash, poses, events, errors and statistics, without times and memory. */
 static inline uint64_t digest_of(thud_world *world) {
     uint64_t digest = thud_world_hash(world);
     int count = 0;
     const thud_pose *poses = thud_world_poses(world, (thud_pos){0, 0}, 0.5, &count);
     for (int i = 0; i < count; i++) {
-        if (poses[i].x == poses[i].x) { /* else there is no body, and the rest means nothing */
+        /* else the slot has no body, and its other values mean nothing */
+        if (poses[i].x == poses[i].x) {
             MIX(poses[i]);
         }
     }
@@ -90,12 +95,13 @@ static inline uint64_t digest_of(thud_world *world) {
 
 enum { TRAIL_MOST = 256 };
 
-/* A digest before the first and after each of so many steps. */
+/* Digests before the first step and after each step. */
 typedef struct trail {
     int steps;
     uint64_t digest[TRAIL_MOST + 1];
 } trail;
 
+/* Steps the world and records its digests. */
 static inline trail walk(thud_world *world, int steps) {
     trail made = {.steps = steps};
     assert_true(steps <= TRAIL_MOST);
@@ -107,7 +113,8 @@ static inline trail walk(thud_world *world, int steps) {
     return made;
 }
 
-/* The world goes the same way once more. */
+/* Asserts that the world, which was restored, repeats the recorded steps exactly. `what` names the
+ * case. */
 static inline void walks_again(thud_world *world, const trail *before, const char *what) {
     trail now = walk(world, before->steps);
     for (int i = 0; i <= before->steps; i++) {
@@ -117,7 +124,7 @@ static inline void walks_again(thud_world *world, const trail *before, const cha
     }
 }
 
-/* A floor of hills, some boxes and balls on it, a sensor. */
+/* A ground of hills, boxes and a ball on it, and a sensor. */
 typedef struct yard {
     thud_world *world;
     thud_shape_id ground, ball_shape;

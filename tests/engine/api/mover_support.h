@@ -1,4 +1,5 @@
-/* mover_support.h: characters of both shapes, and ground to walk on. */
+/* mover_support.h: character movers with a box or a circle as shape, and ground for them to walk
+ * on. */
 #ifndef MOVER_SUPPORT_H
 #define MOVER_SUPPORT_H
 
@@ -6,7 +7,9 @@
 
 #include <thud/thud_mover.h>
 
+/* Time of a move in seconds. */
 #define DT (1.0 / 60)
+/* Where the scripted walk of test_mover.c ends, on every machine; recorded from a run. */
 #define WALK_END_X 14.504182945844535
 #define WALK_END_Y 3.036515603702544
 
@@ -20,7 +23,7 @@ static inline thud_mover circle_mover(double x, double y) {
     return thud_default_mover(circle);
 }
 
-/* A game's own part: walks at `speed`, falls by a gravity of 20. */
+/* One move as a game makes it: the mover walks at `speed` and falls under gravity 20 m/s^2. */
 static inline thud_mover_report go(thud_world *world, thud_mover *mover, thud_vec2 *velocity,
                                    float speed) {
     thud_mover_report report;
@@ -31,6 +34,7 @@ static inline thud_mover_report go(thud_world *world, thud_mover *mover, thud_ve
     return report;
 }
 
+/* Makes that many moves, beginning at rest. */
 static inline void go_on(thud_world *world, thud_mover *mover, float speed, int moves) {
     thud_vec2 velocity = {0, 0};
     for (int i = 0; i < moves; i++) {
@@ -38,7 +42,7 @@ static inline void go_on(thud_world *world, thud_mover *mover, float speed, int 
     }
 }
 
-/* Flat up to x = 0, then rising by `slope` to x = 8, then flat again. */
+/* A terrain that is flat up to x = 0, rises by `slope` up to x = 8, and is flat again. */
 static inline thud_world *world_with_slope(double slope) {
     thud_world *world = make_world(weightless());
     thud_shape_def def = thud_default_shape_def();
@@ -54,6 +58,7 @@ static inline thud_body_id add_block(thud_world *world, double x, double y, floa
     return body;
 }
 
+/* A mover with a box (kind 0) or a circle as shape, and a step height of 0.4. */
 static inline thud_mover mover_of(int kind, double x, double y) {
     thud_mover mover = kind ? circle_mover(x, y) : box_mover(x, y);
     mover.step_height = mover.snap_distance = 0.4;

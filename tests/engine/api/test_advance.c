@@ -1,5 +1,5 @@
-/* test_advance.c: a program that steps by the time that has passed sees the same, to the bit,
- * however often it does so: events, forces, and what it does before and after each step. */
+/* test_advance.c: thud_world_advance, with which a program steps by elapsed time: events, forces,
+ * and the callbacks before and after each step give the same bits for any rate of calls. */
 #include "engine_support.h"
 
 #include "hostile_memory.h"
@@ -12,18 +12,21 @@
 
 enum { STEPS = 600, BALLS = 12 };
 
+/* Calls per second, where a step is 1/60 s. */
 static const double RATES[] = {20, 30, 60, 144, 7.3, 1000};
 enum { RATE_COUNT = sizeof RATES / sizeof *RATES };
 
-/* ---- a game: balls that bounce about and never come to rest, a pushed box, a buoy, a gate ---- */
+/* ---- a game: balls that bounce for ever, a pushed box, a buoy, a sensor gate ---- */
 
+/* A game: its world, and what its program has counted. */
 typedef struct game {
     thud_world *world;
     thud_body_id ball[BALLS], box, buoy;
     thud_joint_id tie;
     int before, after;
-    long begins, ends, hits, gates, ties, impulses, quarantined; /* as the program counts them */
-    uint64_t told[2]; /* of the begins and the hits, in their order */
+    /* counted by the program after each call */
+    long begins, ends, hits, gates, ties, impulses, quarantined;
+    uint64_t told[2]; /* hash of the begin events, and of the hits, in their order */
 } game;
 
 static thud_world_def game_def(void) {
@@ -32,6 +35,7 @@ static thud_world_def game_def(void) {
     return def;
 }
 
+/* Creates the game's world and objects; the counters are 0. */
 static void make_game(game *g, thud_world_def def) {
     memset(g, 0, sizeof *g);
     g->world = make_world(def);
@@ -58,10 +62,12 @@ static void make_game(game *g, thud_world_def def) {
     OK(thud_joint_create(g->world, &tie, &g->tie));
 }
 
+/* Adds two numbers to a hash (FNV-1a's step). */
 static void mix(uint64_t *told, uint32_t a, uint32_t b) {
     *told = (*told ^ (((uint64_t)a << 32) | b)) * 1099511628211u;
 }
 
+/* Counts the events of the last call, and adds them to the hashes. */
 static void count_events(game *g) {
     thud_events e = thud_world_events(g->world);
     int ties, impulses;
@@ -90,7 +96,7 @@ static void count_events(game *g) {
     }
 }
 
-/* What depends on where bodies are. */
+/* The callback before each step: forces that depend on positions, and now and then an edit. */
 static void before(thud_world *world, void *context) {
     game *g = context;
     g->before++;
@@ -98,13 +104,14 @@ static void before(thud_world *world, void *context) {
     thud_water water = thud_default_water();
     water.density = 2;
     OK(thud_body_apply_buoyancy(world, g->buoy, &water));
-    if (g->before % 50 == 0) { /* an edit, and a force through one step */
+    if (g->before % 50 == 0) { /* an edit, and a force for one step */
         OK(thud_body_set_velocity(world, g->ball[g->before % BALLS], (thud_vec2){1, 3}, 0));
         OK(thud_body_apply_force(world, g->ball[0], (thud_vec2){3, 1}, 0.5f));
     }
 }
 
-/* A force of `after` is of the next step, the first of the next call too. */
+/* The callback after each step. Its forces act in the next step, which may be the first one of the
+ * next call. */
 static void after(thud_world *world, void *context) {
     game *g = context;
     g->after++;
@@ -113,12 +120,13 @@ static void after(thud_world *world, void *context) {
     }
 }
 
-/* Applied by the program before each picture. */
+/* Forces that the program applies before each call. */
 static void pull(game *g) {
     OK(thud_body_apply_force(g->world, g->box, (thud_vec2){1.1f, 0.7f}, 0.3f));
     OK(thud_body_apply_force(g->world, g->ball[4], (thud_vec2){0.1f, 0.2f}, 0));
 }
 
+/* Plays the game with one call for each step, as the reference. */
 static void play_by_steps(game *g) {
     for (int i = 0; i < STEPS; i++) {
         pull(g);
@@ -129,6 +137,7 @@ static void play_by_steps(game *g) {
     }
 }
 
+/* Plays the game with a call for each frame, at `rate` frames per second. */
 static void play_by_pictures(game *g, double rate) {
     const thud_step_calls calls = {before, after, g};
     double h = game_def().time_step;
@@ -139,6 +148,8 @@ static void play_by_pictures(game *g, double rate) {
     }
 }
 
+/* The game has the same counts of events, the same hashes and the same final state, whether it
+ * makes single steps or calls thud_world_advance_with at any rate. */
 static void the_outcome_is_the_same_at_any_rate(void **state) {
     (void)state;
     for (int quality = 0; quality < QUALITIES; quality++) {
@@ -168,7 +179,7 @@ static void the_outcome_is_the_same_at_any_rate(void **state) {
     }
 }
 
-/* A query, which has edits take effect. */
+/* A query, which applies deferred edits. */
 static void ask(thud_world *world) {
     bool found;
     OK(thud_world_closest(world, (thud_pos){0, 0}, 1, NULL, &found, NULL));
@@ -176,7 +187,8 @@ static void ask(thud_world *world) {
 
 /* ---- forces ---- */
 
-/* What a force gives is force * time / mass, whatever it was in each picture. */
+/* A force gives the velocity force * time / mass, where time is that of its frame, also where the
+ * force differs in each frame. */
 static void a_force_acts_for_the_time_of_its_picture(void **state) {
     (void)state;
     for (int i = 0; i < RATE_COUNT; i++) {
@@ -189,17 +201,19 @@ static void a_force_acts_for_the_time_of_its_picture(void **state) {
             OK(thud_body_apply_force(world, ball, (thud_vec2){(float)force, 0}, 0));
             OK(thud_world_advance(world, 1 / RATES[i], 100, NULL, &alpha));
             given += force / RATES[i];
-            left = 3 * alpha / 60; /* at most: what waits */
+            left = 3 * alpha / 60; /* at most: the force of the time that is not stepped yet */
         }
         near_to((double)state_of(world, ball).velocity.x, given / mass, left / mass + 1e-5);
         thud_world_destroy(world);
     }
 }
 
+/* A force acts on the time that the next call adds, also in the later step in which that time is
+ * made; it acts on no time of further calls. */
 static void a_force_in_one_call_is_gone_in_the_next(void **state) {
     (void)state;
     thud_world_def def = weightless();
-    def.time_step = 1.0 / 64; /* of which sums are exact */
+    def.time_step = 1.0 / 64; /* sums of it are exact */
     thud_world *world = make_world(def);
     thud_body_id ball = add_ball(world, 0, 0, 0.5f);
     double h = def.time_step, mass = (double)state_of(world, ball).mass;
@@ -210,7 +224,8 @@ static void a_force_in_one_call_is_gone_in_the_next(void **state) {
     near_to((double)state_of(world, ball).velocity.x, 2.5 * h / mass, 1e-7);
     OK(thud_world_advance(world, 2 * h, 9, NULL, NULL));
     near_to((double)state_of(world, ball).velocity.x, 2.5 * h / mass, 1e-7);
-    /* Of time that is dropped the force is, too; and of none there is none. */
+    /* A force acts for no longer than its time: neither for time that is dropped (more than the
+     * maximum of steps), nor in a call without time. */
     OK(thud_body_apply_force(world, ball, (thud_vec2){1, 0}, 0));
     OK(thud_world_advance(world, 10 * h, 1, NULL, NULL));
     near_to((double)state_of(world, ball).velocity.x, 3.5 * h / mass, 1e-7);
@@ -221,7 +236,7 @@ static void a_force_in_one_call_is_gone_in_the_next(void **state) {
     thud_world_destroy(world);
 }
 
-/* What a field gave in a picture does not keep a body awake; what was disabled forgets. */
+/* A field's force of a frame keeps no body awake, and a disabled body's force is dropped. */
 static void forces_leave_alone_who_does_not_heed_them(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -246,7 +261,7 @@ static void forces_leave_alone_who_does_not_heed_them(void **state) {
     thud_world_destroy(world);
 }
 
-/* A body in the place of one that was pushed is another body. */
+/* A body that gets the slot of one that was pushed is not pushed. */
 static void forces_are_of_the_body_that_was_pushed(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -255,7 +270,8 @@ static void forces_are_of_the_body_that_was_pushed(void **state) {
     OK(thud_body_apply_force(world, ball, (thud_vec2){9, 0}, 0));
     OK(thud_world_advance(world, 0.5 / 60, 9, NULL, NULL));
     OK(thud_body_destroy(world, ball));
-    OK(thud_world_step(world)); /* The slot is free from here on; the time left over waits. */
+    /* from here on the slot is free, while the rest of the time is not stepped yet */
+    OK(thud_world_step(world));
     thud_body_id other = add_ball(world, 0, 0, 0.5f);
     assert_int_equal(other.index1, ball.index1);
     OK(thud_world_advance(world, 2.0 / 60, 9, NULL, NULL));
@@ -263,13 +279,16 @@ static void forces_are_of_the_body_that_was_pushed(void **state) {
     thud_world_destroy(world);
 }
 
-/* ---- a contact callback's force is of the next step, asked or not ---- */
+/* ---- a force of a contact callback acts in the next step ---- */
 
+/* An epilogue that pushes body b of each contact upward. */
 static void push_up(thud_world *world, const thud_contact *contact, void *context) {
     (void)context;
     OK(thud_body_apply_force(world, contact->body_b, (thud_vec2){0, 40}, 0));
 }
 
+/* Pushes of an epilogue act in the next step alone: four rates of calls, with and without a query
+ * in between, end with the same hash. */
 static void forces_of_listeners_act_in_one_step(void **state) {
     (void)state;
     uint64_t hash[4];
@@ -304,13 +323,13 @@ static void a_call_that_makes_no_step_tells_nothing(void **state) {
     double h = 1.0 / 60;
     OK(thud_world_advance(world, h, 1, NULL, NULL));
     assert_int_equal(thud_world_events(world).begin_count, 1);
-    /* Neither a refused call nor a query is a step. */
+    /* Neither a refused call nor a query changes the events. */
     assert_int_equal(thud_world_advance(world, -1, 1, NULL, NULL), THUD_ERROR_INVALID);
     assert_int_equal(thud_world_events(world).begin_count, 1);
     OK(thud_world_advance(world, 0.5 * h, 1, NULL, NULL));
     assert_int_equal(thud_world_events(world).begin_count, 0);
     assert_int_equal(thud_world_events(world).hit_count, 0);
-    /* A step made alone tells its own. */
+    /* A step of thud_world_step has its own events. */
     OK(thud_body_set_transform(world, ball, (thud_pos){0, 5}, 0));
     OK(thud_world_advance(world, 2.5 * h, 9, NULL, NULL));
     assert_int_equal(thud_world_events(world).end_count, 1);
@@ -319,8 +338,9 @@ static void a_call_that_makes_no_step_tells_nothing(void **state) {
     thud_world_destroy(world);
 }
 
-/* ---- inside the calls ---- */
+/* ---- edits inside of the callbacks of a step ---- */
 
+/* The context of callbacks that edit the world: the last ball made, and a snapshot taken inside. */
 typedef struct guest {
     thud_body_id made;
     void *snapshot;
@@ -328,6 +348,8 @@ typedef struct guest {
     int calls;
 } guest;
 
+/* A callback of a step: it edits the world and takes a snapshot. Stepping, restoring and destroying
+ * the world are refused. */
 static void visit(thud_world *world, void *context) {
     guest *g = context;
     thud_joint_def joint = thud_default_joint_def(THUD_HINGE);
@@ -399,9 +421,10 @@ static void a_restored_world_goes_on_as_it_did(void **state) {
     }
 }
 
-/* ---- short of memory ---- */
+/* ---- failing allocations ---- */
 
-/* The next time more allocations are given, until the call gets through. */
+/* Plays a frame at a time; a call fails at its first allocation, then at its second and so on,
+ * until it succeeds. */
 static void play_short_of_memory(game *g, double rate, int *failures) {
     const thud_step_calls calls = {before, after, g};
     double elapsed = game_def().time_step * 60 / rate;
@@ -418,13 +441,13 @@ static void play_short_of_memory(game *g, double rate, int *failures) {
             made += steps;
             if (steps > 0 || result == THUD_OK) {
                 count_events(g);
-                given = 0; /* what is left waits, and so do its forces */
+                given = 0; /* the rest of the time is kept, and so are its forces */
             }
         }
     }
 }
 
-/* Each call begins with little memory and gets more, in worlds that grow as they run. */
+/* The same game, in worlds whose memory grows, with failing calls and without: it ends the same. */
 static void steps_before_one_that_fails_are_told(void **state) {
     (void)state;
     thud_world_def def = game_def();

@@ -1,9 +1,10 @@
-/* test_buoyancy.c: what floats, and the part of a shape below a line: thud_fields.h. */
+/* test_buoyancy.c: thud_body_apply_buoyancy (thud_fields.h) and thud_shape_below, the area and
+ * centroid of the part of a shape below a line. */
 #include "engine_support.h"
 
 #include <thud/thud_fields.h>
 
-/* As a water def has its line. */
+/* thud_shape_below with the arguments of a water def. */
 static thud_result below(const thud_shape_instance *shape, thud_pos point, thud_vec2 normal,
                          double *area, thud_pos *centroid) {
     return thud_shape_below(shape, point.x, point.y, (double)normal.x, (double)normal.y, area,
@@ -14,7 +15,7 @@ static const double pi = 3.14159265358979323846;
 
 /* ---- area and centroid ---- */
 
-/* Sums over slices across the normal, each as wide as the shape is there. */
+/* Reference: sums over slices parallel to the line, each as wide as the shape is there. */
 static void sum_slices(const thud_shape_instance *shape, double height, double nx, double ny,
                        double *area, thud_pos *centroid) {
     enum { SLICES = 20000 };
@@ -28,7 +29,8 @@ static void sum_slices(const thud_shape_instance *shape, double height, double n
             from = -to;
         } else {
             for (int axis = 0; axis < 2; axis++) {
-                /* |h n + t across| along the axis is at most its half extent. */
+                /* On the slice, |h n + t across| along each axis of the box is at most its half
+                 * extent. */
                 double ax = axis ? -shape->s : shape->c, ay = axis ? shape->c : shape->s;
                 double along = h * (nx * ax + ny * ay), per = -ny * ax + nx * ay;
                 double half = axis ? shape->hy : shape->hx;
@@ -49,6 +51,8 @@ static void sum_slices(const thud_shape_instance *shape, double height, double n
                            shape->y + (sum[0] > 0 ? sum[2] / sum[0] : 0)};
 }
 
+/* Area and centroid of the part below a line, of random shapes and lines, agree with the sums over
+ * slices. */
 static void parts_are_as_slices_sum_them(void **state) {
     (void)state;
     uint64_t seed = 7;
@@ -114,8 +118,9 @@ static void wrong_lines_are_refused(void **state) {
     assert_true(area == 7 && centroid.x == 7 && centroid.y == 7);
 }
 
-/* ---- what floats ---- */
+/* ---- floating bodies ---- */
 
+/* Steps the world with buoyancy on the body. */
 static void float_for(thud_world *world, thud_body_id body, const thud_water *water, int steps) {
     for (int i = 0; i < steps; i++) {
         OK(thud_body_apply_buoyancy(world, body, water));
@@ -123,6 +128,7 @@ static void float_for(thud_world *world, thud_body_id body, const thud_water *wa
     }
 }
 
+/* A box, or a circle where hy is 0, with this density; y = 0 is the water level. */
 static thud_body_id add_floating(thud_world *world, double y, double angle, float hx, float hy,
                                  float density) {
     thud_shape_def def = thud_default_shape_def();
@@ -132,7 +138,8 @@ static thud_body_id add_floating(thud_world *world, double y, double angle, floa
     return body;
 }
 
-/* With sleep it may come to rest sooner, a little off. */
+/* Asserts that the body falls asleep. Sleeping is on for this alone, since a body may fall asleep
+ * before it is quite at its draught. */
 static void falls_asleep(thud_world *world, thud_body_id body, const thud_water *water) {
     OK(thud_world_set_sleeping(world, true));
     float_for(world, body, water, 120);
@@ -170,7 +177,7 @@ static void boxes_and_circles_float_at_their_draught_and_sleep_there(void **stat
     }
 }
 
-/* A tall box lies down; a lead one sinks; the flow takes along. */
+/* A tall box falls on its side, a box of lead sinks, and a flow carries bodies with it. */
 static void tall_boxes_fall_over_and_the_flow_carries(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -187,7 +194,7 @@ static void tall_boxes_fall_over_and_the_flow_carries(void **state) {
     thud_world_destroy(world);
 }
 
-/* Of a body of one shape, and of the water that it has pushed aside. */
+/* Energy of a body of one shape, and of the water that it displaces. */
 static double energy_of(thud_world *world, thud_body_id body, const thud_shape_instance *shape,
                         const thud_water *water) {
     thud_body_state s = state_of(world, body);
@@ -228,7 +235,7 @@ static void what_bobs_never_gains_energy(void **state) {
     }
 }
 
-/* Whatever the time step and the drag, still water takes energy and gives none. */
+/* Drag in still water takes kinetic energy and adds none, at any time step and coefficient. */
 static void drag_only_brakes(void **state) {
     (void)state;
     uint64_t seed = 3;

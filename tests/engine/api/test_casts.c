@@ -1,21 +1,24 @@
-/* test_casts.c: casts hit by hit and many at once, and one shape asked alone, by hand. */
+/* test_casts.c: casts with a callback for each hit, many casts at once, and queries of a single
+ * shape, in scenes whose answers are known by hand. */
 #include "engine_support.h"
 
 #include <thud/thud_casts.h>
 
-/* Six balls of radius 0.4 on the x axis, at 1 to 6, made from the furthest on. */
+/* Six balls of radius 0.4 on the x axis, at 1 to 6, created from the farthest on. */
 typedef struct row {
     thud_world *world;
     thud_body_id body[7];
     thud_shape_id shape[7];
-    int told; /* messages of the log */
+    int told; /* errors in the log */
 } row;
 
+/* The log: counts errors. */
 static void listen(thud_result result, const char *message, void *context) {
     (void)message;
     ((row *)context)->told += result == THUD_ERROR_INVALID;
 }
 
+/* Creates the row, with a log that counts errors in it. */
 static void make_row(row *r, thud_job_system jobs) {
     thud_world_def def = weightless();
     def.job_system = jobs;
@@ -29,6 +32,7 @@ static void make_row(row *r, thud_job_system jobs) {
     }
 }
 
+/* A cast's callback: the answers that it gives, and the balls that it met, by number. */
 typedef struct story {
     row *row;
     int count;
@@ -36,6 +40,7 @@ typedef struct story {
     void (*act)(row *r, int count);
 } story;
 
+/* The cast's callback: notes the ball that was hit, and gives the next answer. */
 static double listener(const thud_ray_hit *hit, void *context) {
     story *s = context;
     double answer = s->answers[s->count];
@@ -46,6 +51,7 @@ static double listener(const thud_ray_hit *hit, void *context) {
     return answer;
 }
 
+/* Casts a ray along the row; returns how many hits the callback was given, in order. */
 static int told(row *r, story *s) {
     s->row = r;
     s->count = 0;
@@ -56,6 +62,8 @@ static int told(row *r, story *s) {
     return s->count;
 }
 
+/* What the callback's answer does: continue, ignore the hit, shorten the ray to a fraction, or end
+ * the cast. NaN is logged and counts as continue. */
 static void a_callback_goes_on_ignores_clips_and_ends(void **state) {
     (void)state;
     row r;
@@ -63,8 +71,10 @@ static void a_callback_goes_on_ignores_clips_and_ends(void **state) {
     const double on = THUD_CAST_ON, skip = THUD_CAST_IGNORE, end = THUD_CAST_END;
     assert_int_equal(told(&r, &(story){.answers = {on, skip, on, 5, skip, on}}), 6);
     assert_int_equal(told(&r, &(story){.answers = {skip, skip, end, on}}), 3);
-    assert_int_equal(told(&r, &(story){.answers = {0.06, on, on}}), 1);  /* the way ends here */
-    assert_int_equal(told(&r, &(story){.answers = {0.161, on, on}}), 2); /* and one close behind */
+    /* the ray ends at the first hit */
+    assert_int_equal(told(&r, &(story){.answers = {0.06, on, on}}), 1);
+    /* the ray ends shortly behind the second ball */
+    assert_int_equal(told(&r, &(story){.answers = {0.161, on, on}}), 2);
     assert_int_equal(told(&r, &(story){.answers = {0.5, 0.3, 0.9, on}}), 3);
     assert_int_equal(r.told, 0);
     assert_int_equal(told(&r, &(story){.answers = {NAN, on, end}}), 3);
@@ -72,6 +82,8 @@ static void a_callback_goes_on_ignores_clips_and_ends(void **state) {
     thud_world_destroy(r.world);
 }
 
+/* What the callback does after its second hit: it destroys ball 4, moves ball 5 away and creates a
+ * new one. The edits are deferred, so a cast inside the callback still meets ball 1 first. */
 static void destroy_next(row *r, int count) {
     thud_ray_hit hit;
     bool any = false;
@@ -85,6 +97,8 @@ static void destroy_next(row *r, int count) {
     assert_true(any && hit.shape.index1 == r->shape[1].index1);
 }
 
+/* The callback destroys and moves balls ahead of the ray: the destroyed one is not reported any
+ * more, the moved one still is in this cast, as the edit is deferred. */
 static void edits_of_a_callback_wait_and_what_it_destroys_is_told_no_more(void **state) {
     (void)state;
     row r;
@@ -93,13 +107,15 @@ static void edits_of_a_callback_wait_and_what_it_destroys_is_told_no_more(void *
     assert_int_equal(told(&r, &s), 5);
     assert_true(s.met[2] == 3 && s.met[3] == 5 && s.met[4] == 6);
     s.act = NULL;
-    assert_int_equal(told(&r, &s), 5); /* 5 is gone, and there is one between 3 and 6 */
+    /* edits are applied by now: ball 5 has moved away, and a new ball is between 3 and 6 */
+    assert_int_equal(told(&r, &s), 5);
     assert_true(s.met[4] == 6);
     thud_world_destroy(r.world);
 }
 
-/* ---- many ---- */
+/* ---- many casts at once ---- */
 
+/* A job system with a single thread, which counts its calls. */
 static void one_after_the_other(thud_task_fn *task, void *argument, int workers, void *context) {
     *(int *)context += 1;
     for (int i = 0; i < workers; i++) {
@@ -107,9 +123,12 @@ static void one_after_the_other(thud_task_fn *task, void *argument, int workers,
     }
 }
 
+/* Many rays, and their hits when they are cast outside of a callback. */
 static thud_ray rays[80];
 static thud_ray_hit outside[80];
 
+/* A cast's callback that casts many rays itself; their hits must equal those outside of a
+ * callback. */
 static double ask_many(const thud_ray_hit *hit, void *context) {
     thud_ray_hit inside[80];
     (void)hit;
@@ -121,6 +140,8 @@ static double ask_many(const thud_ray_hit *hit, void *context) {
     return THUD_CAST_END;
 }
 
+/* The job system is called once for 80 rays, not at all for 63, and not inside a callback, where
+ * the rays are cast in the calling thread. */
 static void the_job_system_is_asked_once_for_many_and_never_inside_a_callback(void **state) {
     (void)state;
     row r;
@@ -142,8 +163,10 @@ static void the_job_system_is_asked_once_for_many_and_never_inside_a_callback(vo
     thud_world_destroy(r.world);
 }
 
-/* ---- wide and crowded ---- */
+/* ---- long rays and crowds ---- */
 
+/* A ray of 2.5e9 length scales, and one through 17,000 shapes: the single hit, the callback and the
+ * list agree. */
 static void long_ways_and_crowds_are_told_as_in_a_list(void **state) {
     (void)state;
     enum { CROWD = 17000, TOLD = 40 };
@@ -179,7 +202,7 @@ static void long_ways_and_crowds_are_told_as_in_a_list(void **state) {
     thud_world_destroy(world);
 }
 
-/* ---- one shape ---- */
+/* ---- queries of a single shape ---- */
 
 static void check_bounds(thud_world *world, thud_shape_id shape, thud_pos low, thud_pos high) {
     thud_pos lower, upper;
@@ -196,6 +219,8 @@ static bool contains(thud_world *world, thud_shape_id shape, double x, double y)
     return inside;
 }
 
+/* Bounds, point containment, ray and closest point of a single shape, near the origin and at 1e7,
+ * also of a sensor and of a disabled body. */
 static void one_shape_has_bounds_points_and_a_surface_wherever_it_stands(void **state) {
     (void)state;
     for (int k = 0; k < 2; k++) {
@@ -203,7 +228,7 @@ static void one_shape_has_bounds_points_and_a_surface_wherever_it_stands(void **
         thud_world *world = make_world(weightless());
         thud_shape_def sensor = thud_default_shape_def();
         sensor.sensor = true;
-        sensor.filter.mask = 0; /* whatever its filter */
+        sensor.filter.mask = 0; /* the query does not use its filter */
         thud_body_id body = add_body(world, THUD_DYNAMIC, x, 2, 0);
         thud_shape_id box = add_shape(world, body, 2, 1, false, &sensor);
         OK(thud_body_set_transform(world, body, (thud_pos){x, 2}, acos(0.6)));
@@ -229,6 +254,8 @@ static void one_shape_has_bounds_points_and_a_surface_wherever_it_stands(void **
     }
 }
 
+/* Bounds of a terrain are those of its line; its ground is solid below the line and ends with it. A
+ * flat terrain has no bounds. */
 static void a_terrain_has_the_bounds_of_its_line_and_is_solid_below(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -254,6 +281,7 @@ static void a_terrain_has_the_bounds_of_its_line_and_is_solid_below(void **state
     thud_world_destroy(world);
 }
 
+/* A cast's callback that creates a shape; it has no bounds before the edit is applied. */
 static double make_and_ask(const thud_ray_hit *hit, void *context) {
     thud_pos lower, upper;
     row *r = context;

@@ -1,6 +1,6 @@
-/* test_casts_worlds.c: casts in random worlds of all kinds, hit by hit and many at once, against
- * every shape asked alone; and filters in every query. The same with every broadphase, far away,
- * and with any number of workers. */
+/* test_casts_worlds.c: casts in random worlds, with a callback for each hit and many at once,
+ * against a query of every single shape; and filters in every query. They give the same with every
+ * broadphase, far from the origin, and with any number of workers. */
 #include "engine_support.h"
 #include "pool.h"
 
@@ -8,6 +8,7 @@
 
 enum { SOLIDS = 90, LINES = 2, SHAPES = SOLIDS + LINES, RAYS = 200 };
 
+/* A random world and what the reference needs of it. */
 typedef struct crowd {
     thud_world *world;
     thud_pos origin;
@@ -17,15 +18,17 @@ typedef struct crowd {
     bool sensor[SHAPES], disabled[SHAPES];
 } crowd;
 
-/* Multiples of 1/1024, which no shift rounds. */
+/* Multiples of 1/1024, which remain exact where the world is shifted. */
 static double grid_in(uint64_t *seed, double low, double high) {
     return floor(random_in(seed, low, high) * 1024) / 1024;
 }
 
+/* A random number from 0 to count - 1. */
 static int below(uint64_t *seed, int count) {
     return (int)random_in(seed, 0, count);
 }
 
+/* A random def for shape i, whose filter and sensor flag are kept for the reference. */
 static thud_shape_def draw_def(crowd *c, int i, uint64_t *seed) {
     static const int32_t groups[] = {0, 0, -3, 3};
     thud_shape_def def = thud_default_shape_def();
@@ -38,6 +41,7 @@ static thud_shape_def draw_def(crowd *c, int i, uint64_t *seed) {
     return def;
 }
 
+/* Adds shape i as a terrain. */
 static void add_line(crowd *c, int i, uint64_t *seed) {
     static const thud_pos points[] = {{-24, 1}, {-13, -3}, {-2, 2}, {5, -1}, {11, 0}, {25, 4}};
     thud_terrain line = {.kind = i % 2 ? THUD_TERRAIN_UNIFORM : THUD_TERRAIN_IRREGULAR,
@@ -50,6 +54,7 @@ static void add_line(crowd *c, int i, uint64_t *seed) {
     OK(thud_shape_create_terrain(c->world, c->body[i], &def, &line, &c->shape[i]));
 }
 
+/* Adds shape i as a random circle or box, some of them disabled. */
 static void add_solid(crowd *c, int i, uint64_t *seed) {
     thud_shape_def def = draw_def(c, i, seed);
     double x = grid_in(seed, -25, 25), y = grid_in(seed, -12, 25);
@@ -81,16 +86,18 @@ static void make_crowd(crowd *c, uint64_t seed, double shift, int broadphase,
     }
 }
 
+/* The index of a shape in the crowd. */
 static int number_of(const crowd *c, thud_shape_id shape) {
     for (int i = 0; i < SHAPES; i++) {
         if (c->shape[i].index1 == shape.index1 && c->shape[i].generation == shape.generation) {
             return i;
         }
     }
-    fail_msg("told of a shape that was never made");
+    fail_msg("a shape was reported that does not exist");
     return -1;
 }
 
+/* Whether shape i passes the filter (reference). */
 static bool passes(const crowd *c, int i, const thud_query_filter *f) {
     if (c->disabled[i] || (c->sensor[i] && !f->sensors) ||
         (f->ignore.index1 == c->body[i].index1 && f->ignore.generation == c->body[i].generation)) {
@@ -102,6 +109,7 @@ static bool passes(const crowd *c, int i, const thud_query_filter *f) {
     return (c->filter[i].category & f->mask) && (c->filter[i].mask & f->category);
 }
 
+/* A random cast: from `at` by (dx, dy), of a ray or of `shape`. */
 typedef struct query {
     thud_pos at;
     double dx, dy;
@@ -125,12 +133,12 @@ static query draw_query(const crowd *c, uint64_t *seed) {
     q.filter.category = below(seed, 2) ? UINT32_MAX : (uint32_t)below(seed, 4);
     q.filter.group = groups[below(seed, 4)];
     if (!q.filter.mask && !q.filter.category) {
-        q.filter.mask = 1; /* what meets nothing is refused: test_log.c */
+        q.filter.mask = 1; /* a filter that passes nothing is refused: test_log.c */
     }
     q.filter.sensors = below(seed, 2);
     int ignored = below(seed, SHAPES);
     q.filter.ignore = below(seed, 2) ? c->body[ignored] : (thud_body_id){0, 0};
-    q.filter.ignore.generation += below(seed, 4) == 0; /* stale: nobody */
+    q.filter.ignore.generation += below(seed, 4) == 0; /* a stale handle: no body is ignored */
     return q;
 }
 
@@ -140,6 +148,7 @@ static bool same_hit(const thud_ray_hit *a, const thud_ray_hit *b) {
            a->normal.x == b->normal.x && a->normal.y == b->normal.y && a->depth == b->depth;
 }
 
+/* Order by fraction, then by slot, for qsort. */
 static int by_order(const void *left, const void *right) {
     const thud_ray_hit *a = left, *b = right;
     if (a->fraction != b->fraction) {
@@ -148,7 +157,7 @@ static int by_order(const void *left, const void *right) {
     return a->shape.index1 < b->shape.index1 ? -1 : 1;
 }
 
-/* Each shape asked alone. */
+/* Reference: the hits of each shape that passes, sorted by fraction, then by slot. */
 static int ask_all(const crowd *c, const query *q, thud_ray_hit *hits) {
     int count = 0;
     for (int i = 0; i < SHAPES; i++) {
@@ -160,15 +169,17 @@ static int ask_all(const crowd *c, const query *q, thud_ray_hit *hits) {
     return count;
 }
 
-/* ---- hit by hit ---- */
+/* ---- callbacks for each hit ---- */
 
+/* What a cast's or an overlap's callback was given, and its answers. */
 typedef struct listener {
     thud_ray_hit hits[SHAPES];
     int count;
-    uint64_t *seed; /* of answers; null: goes on and on */
+    uint64_t *seed; /* of random answers; null: it always continues */
     double answers[SHAPES];
 } listener;
 
+/* A cast's callback: notes the hit and its answer, random or THUD_CAST_ON. */
 static double hear(const thud_ray_hit *hit, void *context) {
     listener *l = context;
     assert_true(l->count < SHAPES);
@@ -191,7 +202,7 @@ static double hear(const thud_ray_hit *hit, void *context) {
     return answer;
 }
 
-/* What a list is told of by the answers that were given. */
+/* Asserts that the callback was given the hits of the sorted list that its answers left. */
 static void check_told(const listener *l, const thud_ray_hit *all, int count) {
     double limit = INFINITY;
     int told = 0;
@@ -204,6 +215,8 @@ static void check_told(const listener *l, const thud_ray_hit *all, int count) {
     assert_int_equal(told, l->count);
 }
 
+/* Asserts that the list of all hits is the reference's, and that the callback is given what its
+ * answers leave of it. */
 static void check_each(const crowd *c, const query *q, uint64_t *answers) {
     thud_ray_hit all[SHAPES], found[SHAPES];
     listener heard = {.seed = answers};
@@ -242,13 +255,14 @@ static void hits_are_told_in_order_until_the_answers_end_the_way(void **state) {
 
 /* ---- filters ---- */
 
+/* An overlap's callback: notes the shape. */
 static bool note(thud_shape_id shape, void *context) {
     listener *l = context;
     l->hits[l->count++].shape = shape;
     return true;
 }
 
-/* Of a cast shape and of an overlap: what passes and is near enough is met, and nothing else. */
+/* Shape casts and overlaps report the shapes that pass the filter and overlap, and no others. */
 static void check_filters(const crowd *c, const query *q) {
     listener swept = {.count = 0}, over = {.count = 0};
     thud_shape_instance disc = {.kind = THUD_CIRCLE, .c = 1, .hx = q->shape.hx};
@@ -300,8 +314,9 @@ static void filters_hold_in_every_query(void **state) {
     }
 }
 
-/* ---- many at once ---- */
+/* ---- many casts at once ---- */
 
+/* Asserts that a hit of many casts at once equals that of the single cast. */
 static void check_one(const crowd *c, const query *q, const thud_ray_hit *got, bool ray) {
     thud_ray_hit one = {.fraction = 1, .point = {q->at.x + q->dx, q->at.y + q->dy}};
     if (ray) {
@@ -312,6 +327,7 @@ static void check_one(const crowd *c, const query *q, const thud_ray_hit *got, b
     assert_true(same_hit(&one, got));
 }
 
+/* Makes many casts at once and asserts that each equals the single cast. */
 static void check_many(const crowd *c, uint64_t seed, int count) {
     static query q[RAYS];
     static thud_ray rays[RAYS];

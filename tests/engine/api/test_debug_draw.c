@@ -1,12 +1,14 @@
-/* test_debug_draw.c: what thud_world_draw hands to its callbacks, counted in small known worlds. */
+/* test_debug_draw.c: what thud_world_draw gives to its callbacks, counted in small worlds whose
+ * drawings are known. */
 #include "engine_support.h"
 
+/* What a drawing called back with, by style. */
 typedef struct seen {
     int circles[THUD_DRAW_STYLE_COUNT], boxes[THUD_DRAW_STYLE_COUNT];
     int lines[THUD_DRAW_STYLE_COUNT], points[THUD_DRAW_STYLE_COUNT];
-    thud_vec2 from[64], to[64]; /* of the lines, whatever their style */
+    thud_vec2 from[64], to[64]; /* ends of the lines of all styles */
     int line_count;
-    float greatest; /* x of any circle's far side */
+    float greatest; /* the greatest x of all circles */
 } seen;
 
 static void on_circle(thud_vec2 center, float radius, float c, float s, thud_draw_style style,
@@ -37,6 +39,7 @@ static void on_point(thud_vec2 p, thud_draw_style style, void *context) {
     ((seen *)context)->points[style]++;
 }
 
+/* All flags; THUD_DRAW_MANIFOLDS is the highest. */
 static const unsigned EVERYTHING = THUD_DRAW_MANIFOLDS * 2 - 1;
 
 static thud_debug_draw drawing_of(unsigned flags, seen *k) {
@@ -68,11 +71,14 @@ static thud_body_id add_moving(thud_world *world, thud_body_id body, float vx, f
     return body;
 }
 
+/* The motion of a ball is drawn as its circles before and after the step and the two tangents
+ * between them; short motions are left out. */
 static void motions_of_a_fast_ball_are_two_circles_and_two_tangents(void **state) {
     (void)state;
     thud_world *world = world_with(NULL);
     add_moving(world, add_ball(world, 0, 0, 0.5f), 60, 0); /* 1 m a step */
-    add_moving(world, add_ball(world, 0, 5, 0.5f), 6, 0);  /* 0.1 m: less than a quarter */
+    /* 0.1 m a step, less than a quarter of its extent: not drawn */
+    add_moving(world, add_ball(world, 0, 5, 0.5f), 6, 0);
     assert_int_equal(draw(world, THUD_DRAW_MOTIONS).circles[THUD_DRAW_MOTION], 0);
     run(world, 1);
     seen k = draw(world, THUD_DRAW_MOTIONS);
@@ -88,6 +94,7 @@ static void motions_of_a_fast_ball_are_two_circles_and_two_tangents(void **state
     thud_world_destroy(world);
 }
 
+/* The corners of a box at (x, 0). */
 static void corners_of(double x, double angle, double hx, double hy, thud_pos out[4]) {
     double c = cos(angle), s = sin(angle);
     for (int i = 0; i < 4; i++) {
@@ -96,7 +103,8 @@ static void corners_of(double x, double angle, double hx, double hy, thud_pos ou
     }
 }
 
-/* Runs from a corner of the start to one of the end, and has all eight on one side. */
+/* Asserts that a line goes from a corner of the first box to one of the second, with all eight
+ * corners on one side. */
 static void is_side_of_hull(thud_vec2 from, thud_vec2 to, const thud_pos corners[8]) {
     double dx = to.x - from.x, dy = to.y - from.y, least = 1, most = -1;
     int ends[2] = {0, 0};
@@ -112,6 +120,8 @@ static void is_side_of_hull(thud_vec2 from, thud_vec2 to, const thud_pos corners
     assert_int_equal(ends[1], 1);
 }
 
+/* The motion of a box is drawn as the boxes before and after the step, joined by sides of their
+ * convex hull. */
 static void motions_of_a_box_are_joined_by_the_sides_of_its_hull(void **state) {
     (void)state;
     const float turns[] = {0, 30, -45, 94.2477f}, sizes[] = {0.2f, 0.6f};
@@ -148,7 +158,7 @@ static void motions_out_of_sight_are_not_drawn(void **state) {
     thud_world_destroy(world);
 }
 
-/* Two above each other, one apart, and one out of sight. */
+/* Adds two balls above each other, one to the right, and one out of the view. */
 static void add_four(thud_world *world) {
     add_ball(world, 0, 0, 0.5f);
     add_ball(world, 0.3, 5, 0.5f);
@@ -156,6 +166,8 @@ static void add_four(thud_world *world) {
     add_ball(world, 50, 0, 0.5f);
 }
 
+/* The sweep broadphase's intervals are drawn at the lower edge of the view: overlapping ones in
+ * different rows, each as wide as its shape's bounds. */
 static void axes_of_a_plane_sweep_are_bars_in_rows_at_the_lower_edge(void **state) {
     (void)state;
     thud_world *world = world_with(&thud_broadphase_sweep);
@@ -174,6 +186,7 @@ static void axes_of_a_plane_sweep_are_bars_in_rows_at_the_lower_edge(void **stat
     thud_world_destroy(world);
 }
 
+/* Intervals of static shapes are drawn above those of awake shapes. */
 static void axes_of_resting_shapes_stand_above_those_of_awake_ones(void **state) {
     (void)state;
     thud_world *world = world_with(&thud_broadphase_sweep);
@@ -203,13 +216,13 @@ static void cells_and_axes_are_drawn_only_of_the_broadphase_that_has_them(void *
     }
 }
 
-/* Far apart cells are hashed, and some get the same number. */
+/* Cells far apart are stored by their hash, and some have the same one. */
 static void cells_of_scattered_shapes_are_drawn_each(void **state) {
     (void)state;
     thud_world *world = world_with(NULL);
     uint64_t seed = 7;
     for (int i = 0; i < 200; i++) {
-        double x = (i % 20 - 10) * 1.9, y = (i / 20 - 5) * 1.9; /* none shares a cell */
+        double x = (i % 20 - 10) * 1.9, y = (i / 20 - 5) * 1.9; /* each in a cell of its own */
         add_ball(world, x + random_in(&seed, 0, 0.1), y, 0.02f);
     }
     run(world, 1);
@@ -218,7 +231,7 @@ static void cells_of_scattered_shapes_are_drawn_each(void **state) {
     thud_world_destroy(world);
 }
 
-/* One pair whose bounds overlap at their corners, one that touches, and one that does neither. */
+/* One pair whose bounds overlap but not its circles, one that touches, and one apart. */
 static void pairs_are_lines_between_centers_and_tell_who_touches(void **state) {
     (void)state;
     thud_world *world = world_with(NULL);
@@ -247,7 +260,7 @@ static void pairs_with_the_ground_go_straight_down_to_it(void **state) {
     thud_shape_def def = thud_default_shape_def();
     thud_body_id ground = add_body(world, THUD_STATIC, 0, -2, 0);
     OK(thud_shape_create_terrain(world, ground, &def, &line, NULL));
-    add_ball(world, 4, -0.5, 0.5f); /* on the line, which is at -1 */
+    add_ball(world, 4, -0.5, 0.5f); /* on the terrain, which is at -1 */
     run(world, 1);
     seen k = draw(world, THUD_DRAW_PAIRS);
     assert_int_equal(k.line_count, 1);

@@ -1,4 +1,5 @@
-/* test_edits.c: changes of bodies and shapes after they were made: thud_edits.h. */
+/* test_edits.c: edits of existing bodies and shapes (thud_edits.h): their effects, snapshots right
+ * after them, and values out of range, at every quality and detection. */
 #include "engine_support.h"
 
 #include <thud/thud_edits.h>
@@ -15,7 +16,7 @@ typedef struct scene {
     thud_shape_id floor_shape, box_shape, ball_shape;
 } scene;
 
-/* A box on a floor, and a ball on the box; asleep where `rest` is. */
+/* A box on a floor, and a ball on the box; asleep where `rest` is set. */
 static scene make_scene(const thud_quality *quality, const thud_detection *detection, bool rest) {
     scene s;
     thud_world_def def = thud_world_def_of(quality);
@@ -45,8 +46,10 @@ static void steps(thud_world *world, int count) {
     }
 }
 
+/* Number of edits in `change`. */
 enum { CHANGES = 17 };
 
+/* Makes edit number `which` of the 17. */
 static void change(const scene *s, int which) {
     thud_world *w = s->world;
     thud_mass mass = {3, 0.5f, {0.05f, 0}};
@@ -106,7 +109,8 @@ static void change(const scene *s, int which) {
     }
 }
 
-/* A snapshot right after the change, and one before it, both end with the same bits. */
+/* After an edit, a world that is restored from a snapshot of just after it, and one restored from
+ * before it and edited again, end with the same bits. */
 static void every_change_goes_with_snapshots(void **state) {
     (void)state;
     for (int c = 0; c < CHANGES * QUALITIES * 4 * 2; c++) {
@@ -135,7 +139,7 @@ static void every_change_goes_with_snapshots(void **state) {
     }
 }
 
-/* What each change does, on the product of qualities, detections, and awake or asleep. */
+/* The effect of each edit, at every quality and detection, awake and asleep. */
 static void each_change_has_its_effect(void **state) {
     (void)state;
     for (int c = 0; c < CHANGES * QUALITIES * 4 * 2; c++) {
@@ -198,6 +202,8 @@ static void filters_begin_and_end_contacts(void **state) {
     thud_world_destroy(s.world);
 }
 
+/* A mass that was set stays when rotation is fixed and freed and when a density changes; null
+ * restores the mass of the shapes. */
 static void given_mass_outlasts_shapes_and_fixing(void **state) {
     (void)state;
     scene s = make_scene(&thud_quality_default, NULL, false);
@@ -247,7 +253,7 @@ static void what_is_out_of_range_changes_nothing(void **state) {
     thud_world_destroy(w);
 }
 
-/* With a joint a body changes between kinematic and dynamic alone, and the joint holds on. */
+/* A body with a joint may change between kinematic and dynamic alone, and its joint stays. */
 static void joints_follow_the_kind(void **state) {
     (void)state;
     for (int c = 0; c < QUALITIES * 4; c++) {

@@ -1,4 +1,5 @@
-/* test_explode.c: explosions: what arrives, what hides from them, who is pushed: thud_fields.h. */
+/* test_explode.c: explosions (thud_fields.h): the impulse by distance, partial cover, and which
+ * bodies are pushed. */
 #include "engine_support.h"
 
 #include <thud/thud_fields.h>
@@ -11,12 +12,15 @@ static thud_explosion blast_at(double x, double y) {
     return blast;
 }
 
+/* Returns how many bodies were pushed. */
 static int explode(thud_world *world, thud_explosion blast) {
     int pushed = -1;
     OK(thud_world_explode(world, &blast, &pushed));
     return pushed;
 }
 
+/* A ball 1 wide is given its width times the impulse; beyond the radius the impulse falls to 0 over
+ * the distance `falloff`. A negative impulse pulls. */
 static void a_ball_gets_its_diameter_and_less_further_out(void **state) {
     (void)state;
     const double distance[] = {0.75, 2.5, 4.9, 5.1};
@@ -41,7 +45,7 @@ static void a_ball_gets_its_diameter_and_less_further_out(void **state) {
     }
 }
 
-/* The velocity of a box at (4, 0) by an explosion at the origin, with something before it. */
+/* A box at (4, 0) after an explosion at the origin, with a wall in between where half_y is > 0. */
 static thud_body_state pushed_behind(thud_body_kind kind, double y, float half_y, thud_cover cover,
                                      int rays) {
     thud_world *world = make_world(weightless());
@@ -58,6 +62,8 @@ static thud_body_state pushed_behind(thud_body_kind kind, double y, float half_y
     return s;
 }
 
+/* A wall between explosion and box covers it by the options `cover` and `rays`: completely, or half
+ * of it. */
 static void cover_is_partial(void **state) {
     (void)state;
     for (int rays = 1; rays <= THUD_EXPLOSION_RAYS_MAX; rays++) {
@@ -72,14 +78,16 @@ static void cover_is_partial(void **state) {
             s = pushed_behind(k, 0, 2, THUD_COVER_NONE, rays);
             near_to((double)s.velocity.x, all, 1e-6);
         }
-        /* The lower half is hidden: what arrives is the upper one's, and turns the box clockwise.
-         */
+        /* The lower half of the box is covered: the impulse acts on the upper half, and turns the
+         * box clockwise. */
         thud_body_state s = pushed_behind(THUD_STATIC, -2.001, 2, THUD_COVER_ALL, rays);
         near_to((double)s.velocity.x, all * (double)((rays + 1) / 2) / (double)rays, 0.03);
         assert_true(rays == 1 || s.angular_velocity < -0.1f);
     }
 }
 
+/* A hill covers the ball behind it. A floor does not cover a ball that stands on it from an
+ * explosion at the height of its surface. */
 static void ground_hides_and_the_edge_of_a_floor_does_not(void **state) {
     (void)state;
     const thud_pos hill[] = {{-20, 0}, {-2, 0}, {0, 3}, {2, 0}, {20, 0}};
@@ -92,7 +100,7 @@ static void ground_hides_and_the_edge_of_a_floor_does_not(void **state) {
     thud_body_id behind = add_ball(world, 4, 0.5, 0.5f), before = add_ball(world, -6, 0.5, 0.5f);
     assert_int_equal(explode(world, blast_at(-4, 0.25)), 1);
     assert_true(state_of(world, behind).velocity.x == 0 && state_of(world, before).velocity.x < 0);
-    /* On the very edge, where a shot has hit the ground. */
+    /* The explosion is exactly on the terrain, as where a shot has hit it. */
     assert_int_equal(explode(world, blast_at(6, 0)), 1);
     assert_true(state_of(world, behind).velocity.x < 0);
     thud_world_destroy(world);
@@ -108,6 +116,8 @@ static void ground_hides_and_the_edge_of_a_floor_does_not(void **state) {
     thud_world_destroy(world);
 }
 
+/* An explosion's filter selects categories and ignores a body; sensors do not cover, and disabled
+ * bodies are not pushed. */
 static void filters_sensors_and_bodies_of_several_shapes(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -126,7 +136,8 @@ static void filters_sensors_and_bodies_of_several_shapes(void **state) {
     blast.filter.mask = 2;
     assert_int_equal(explode(world, blast), 1);
     thud_body_state s = state_of(world, pair);
-    near_to((double)s.velocity.x, 2 * 3 / (double)s.mass, 1e-5); /* neither hides the other */
+    /* shapes of one body do not cover each other */
+    near_to((double)s.velocity.x, 2 * 3 / (double)s.mass, 1e-5);
     assert_true(state_of(world, other).velocity.x == 0);
     blast.filter.mask = UINT32_MAX;
     blast.filter.ignore = pair;
@@ -137,6 +148,8 @@ static void filters_sensors_and_bodies_of_several_shapes(void **state) {
     thud_world_destroy(world);
 }
 
+/* An explosion wakes a sleeping box, and pushes one that contains its centre. One out of reach
+ * pushes nothing; too many rays are refused. */
 static void sleepers_wake_and_what_holds_the_centre_is_pushed(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -156,11 +169,13 @@ static void sleepers_wake_and_what_holds_the_centre_is_pushed(void **state) {
     thud_world_destroy(world);
 }
 
+/* The context of an epilogue that explodes. */
 typedef struct bomb {
     thud_body_id ball;
     int asked;
 } bomb;
 
+/* An epilogue that explodes once; its impulses are deferred to the next step. */
 static void explode_once(thud_world *world, const thud_contact *contact, void *context) {
     bomb *b = context;
     (void)contact;
@@ -171,6 +186,7 @@ static void explode_once(thud_world *world, const thud_contact *contact, void *c
     }
 }
 
+/* An explosion inside an epilogue acts in the next step. */
 static void inside_callbacks_it_acts_through_the_next_step(void **state) {
     (void)state;
     bomb b = {.asked = 0};

@@ -1,7 +1,7 @@
-/* test_failing_steps.c: random worlds of every setting, beside a twin whose memory never fails.
- * Each step has its first allocation failing, then its second, and so on until it gets through:
- * nothing has moved and nothing is told until then, and then bits, events and who is awake are the
- * twin's. */
+/* test_failing_steps.c: random worlds of every setting, each with a twin whose allocations never
+ * fail. In each step the first allocation fails, then the second, and so on, until the step
+ * succeeds. Until then nothing has moved and events are those of the step before; then hash, events
+ * and awake bodies are the twin's. */
 #include "engine_support.h"
 
 #include "hostile_memory.h"
@@ -11,16 +11,19 @@
 
 #include <stdio.h>
 
+/* Bodies at most, and steps of each world. */
 enum { BODIES = 400, STEPS = 110 };
 
+/* A world of a pair. */
 typedef struct side {
     thud_world *world;
     thud_body_id body[BODIES];
     thud_shape_id line;
     int count;
-    int asked; /* by callbacks */
+    int asked; /* calls of callbacks */
 } side;
 
+/* A case; the first three are indices of quality, detection and broadphase. */
 typedef struct setting {
     int quality, detection, broadphase;
     bool sleeping, terrain, sensors, callbacks, tiles, queries, joints;
@@ -33,7 +36,7 @@ static const thud_detection *const detections[] = {NULL, &thud_detection_overlap
 static const thud_broadphase *const broadphases[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
                                                      &thud_broadphase_all};
 
-/* ---- callbacks: edits that wait for the next step. What they are refused is no step's ---- */
+/* ---- callbacks that make deferred edits, with memory that does not fail ---- */
 
 static bool prologue(thud_world *world, const thud_contact *contact,
                      thud_contact_settings *settings, void *context) {
@@ -77,9 +80,9 @@ static void epilogue_all(thud_world *world, const thud_contact *contacts, int co
     }
 }
 
-/* ---- worlds ---- */
+/* ---- random worlds ---- */
 
-/* The last two bodies. Some of them are far apart, and pull the harder. */
+/* Joins the last two bodies. Some are far apart, so that the joint pulls hard. */
 static void tie(side *s, uint64_t *seed) {
     const thud_joint_kind kinds[] = {THUD_HINGE, THUD_DISTANCE, THUD_WELD, THUD_WHEEL};
     thud_joint_def def = thud_default_joint_def(kinds[(int)random_in(seed, 0, 4)]);
@@ -90,10 +93,11 @@ static void tie(side *s, uint64_t *seed) {
     def.frame_b.position = (thud_vec2){(float)random_in(seed, -0.5, 0.5), -0.3f};
     if (s->count > 1 && thud_body_is_valid(s->world, def.body_a)) {
         thud_result made = thud_joint_create(s->world, &def, NULL);
-        assert_true(made == THUD_OK || made == THUD_ERROR_INVALID); /* neither may move */
+        assert_true(made == THUD_OK || made == THUD_ERROR_INVALID); /* neither body can move */
     }
 }
 
+/* Adds a random body, some of them joined to the one before. */
 static void add(side *s, const setting *set, uint64_t *seed) {
     if (s->count == BODIES) {
         return;
@@ -105,7 +109,7 @@ static void add(side *s, const setting *set, uint64_t *seed) {
     def.position = (thud_pos){random_in(seed, -9, 9), random_in(seed, 1, 14)};
     def.velocity = (thud_vec2){(float)random_in(seed, -3, 3), (float)random_in(seed, -9, 1)};
     if (what == 1) {
-        def.velocity.x *= 60; /* fast */
+        def.velocity.x *= 60; /* a fast body */
         def.detection = set->detection ? NULL : detections[(int)random_in(seed, 0, 5)];
     }
     if (def.kind == THUD_KINEMATIC) {
@@ -123,6 +127,7 @@ static void add(side *s, const setting *set, uint64_t *seed) {
     }
 }
 
+/* Creates a world with the setting. */
 static void make(side *s, const setting *set, thud_allocator allocator) {
     thud_world_def def = thud_world_def_of(qualities[set->quality]);
     uint64_t seed = set->seed;
@@ -166,7 +171,8 @@ static void make(side *s, const setting *set, thud_allocator allocator) {
     }
 }
 
-/* Of a step, by a seed: things come in shoals, after quiet times in which others fall asleep. */
+/* The random edits of a step. Every 45 steps many bodies are created at once; in between islands
+ * fall asleep. */
 static void deeds(side *s, const setting *set, uint64_t seed, int step) {
     if (step % 45 == 0) {
         for (int i = 0; i < 25; i++) {
@@ -188,17 +194,20 @@ static void deeds(side *s, const setting *set, uint64_t seed, int step) {
         } else if (what == 3 && set->terrain) {
             OK(thud_shape_dig(s->world, s->line, (thud_pos){random_in(&seed, -9, 9), 0.3}, 1));
         } else {
-            (void)thud_body_set_awake(s->world, body, true); /* some have nothing to wake */
+            /* the result is ignored, as some bodies cannot wake */
+            (void)thud_body_set_awake(s->world, body, true);
         }
     }
 }
 
+/* A query that applies deferred edits; its result is not used. */
 static void ask(side *s) {
     thud_world_cast_ray(s->world, (thud_pos){-10, 1}, 20, 0, NULL, NULL, NULL);
 }
 
-/* ---- comparing ---- */
+/* ---- comparison ---- */
 
+/* Appends events to the text. */
 static void note(char *text, size_t size, const char *what, const thud_contact_event *e,
                  int count) {
     for (int i = 0; i < count; i++) {
@@ -208,7 +217,7 @@ static void note(char *text, size_t size, const char *what, const thud_contact_e
     }
 }
 
-/* All that the last step told, in its order, and who is awake. */
+/* Writes all events of the last step, in their order, to `text`. */
 static const char *told(const side *s, char *text, size_t size) {
     thud_events e = thud_world_events(s->world);
     text[0] = 0;
@@ -225,6 +234,7 @@ static const char *told(const side *s, char *text, size_t size) {
     return text;
 }
 
+/* Writes the statistics and which bodies are awake to `text`. */
 static const char *awake(const side *s, char *text, size_t size) {
     thud_stats stats = thud_world_stats(s->world);
     snprintf(text, size,
@@ -242,6 +252,7 @@ static const char *awake(const side *s, char *text, size_t size) {
     return text;
 }
 
+/* Makes one step with failing allocations; returns how many attempts failed. */
 static long step_with_failures(side *s, const setting *set) {
     static char before[1 << 17], after[1 << 17];
     uint64_t hash = thud_world_hash(s->world), steps = thud_world_stats(s->world).steps;
@@ -252,12 +263,13 @@ static long step_with_failures(side *s, const setting *set) {
         thud_result result = thud_world_step(s->world);
         memory_allowed = -1;
         if (result == THUD_OK) {
-            assert_int_equal(memory_refused, 0); /* nothing is passed over silently */
+            /* a step does not succeed with a refused allocation */
+            assert_int_equal(memory_refused, 0);
             return failures;
         }
         assert_int_equal(result, THUD_ERROR_MEMORY);
         if (set->callbacks && failures == 0) {
-            hash = thud_world_hash(s->world); /* their edits are in effect now */
+            hash = thud_world_hash(s->world); /* deferred edits are applied by now */
         }
         assert_true(thud_world_hash(s->world) == hash && thud_world_stats(s->world).steps == steps);
         assert_string_equal(told(s, after, sizeof after), before);
@@ -267,6 +279,8 @@ static long step_with_failures(side *s, const setting *set) {
     }
 }
 
+/* Runs both worlds with the same edits and compares them after each step; returns how many attempts
+ * failed. */
 static long compare(const setting *set) {
     static char a[1 << 17], b[1 << 17];
     side here, twin;
@@ -333,7 +347,7 @@ static void advance_out_of_memory_tells_how_many_steps_it_made(void **state) {
     double h = def.time_step, alpha = -1;
     int steps = -1;
     add_ball(world, 0, 0, 0.5f);
-    memory_allowed = 0; /* nothing at first: the time is as if never given */
+    memory_allowed = 0; /* fails at once: the time is not kept */
     assert_int_equal(thud_world_advance(world, 2.5 * h, 5, &steps, &alpha), THUD_ERROR_MEMORY);
     assert_int_equal(steps, 0);
     near_to(alpha, 0, 0);
@@ -341,7 +355,7 @@ static void advance_out_of_memory_tells_how_many_steps_it_made(void **state) {
     OK(thud_world_advance(world, 2.5 * h, 5, &steps, &alpha));
     assert_int_equal(steps, 2);
     near_to(alpha, 0.5, 1e-9);
-    /* A pair that comes near in the third step from here asks for room that is not there. */
+    /* A pair that comes near in the third step from here needs an allocation, which fails. */
     thud_body_def fast = thud_default_body_def();
     thud_body_id body;
     fast.kind = THUD_DYNAMIC;
@@ -358,7 +372,7 @@ static void advance_out_of_memory_tells_how_many_steps_it_made(void **state) {
     assert_true(alpha >= 0 && alpha < 1);
     int first = steps;
     OK(thud_world_advance(world, 0, 9, &steps, &alpha));
-    assert_int_equal(first + steps, 6); /* with the half that was left before */
+    assert_int_equal(first + steps, 6); /* with the half step that was left over */
     near_to(alpha, 0, 1e-9);
     thud_world_destroy(world);
 }

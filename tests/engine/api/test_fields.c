@@ -1,4 +1,5 @@
-/* test_fields.c: wind, and the rolling resistance of balls: thud_fields.h. */
+/* test_fields.c: wind and the rolling resistance of balls (thud_fields.h) against formulas and
+ * sums. */
 #include "engine_support.h"
 
 #include <thud/thud_fields.h>
@@ -9,6 +10,8 @@ static double energy(thud_world *world) {
 
 /* ---- wind ---- */
 
+/* The drag of still air on a box and a ball follows the formula: it depends on the length across
+ * the motion, and does not turn the box. */
 static void still_air_brakes_by_what_goes_across(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -19,7 +22,7 @@ static void still_air_brakes_by_what_goes_across(void **state) {
     OK(thud_body_apply_wind(world, box, still, 0.1f, 1.5f, 0));
     OK(thud_body_apply_wind(world, ball, still, 0.1f, 0.5f, 0));
     run(world, 1);
-    /* density / 2 * drag * speed^2 * length * time / mass */
+    /* change of speed: density / 2 * drag * speed^2 * length * time / mass */
     thud_body_state s = state_of(world, box);
     near_to((double)s.velocity.x, 4 - 0.05 * 1.5 * 16 * 2 / 60 / (double)s.mass, 1e-5);
     near_to((double)s.velocity.y, 0, 1e-6);
@@ -29,7 +32,7 @@ static void still_air_brakes_by_what_goes_across(void **state) {
     thud_world_destroy(world);
 }
 
-/* A box that flies and turns: force and torque of drag, by sums over its edges. */
+/* Reference: force and torque of the drag on a box that moves and turns, by sums over its edges. */
 static void drag_over_edges_is_the_integral(void **state) {
     (void)state;
     const double h[2] = {1, 0.4}, v[3] = {1.5, -0.5, 3}, wind[2] = {0.25, 0.5};
@@ -62,10 +65,12 @@ static void drag_over_edges_is_the_integral(void **state) {
     thud_world_destroy(world);
 }
 
+/* A lift coefficient raises a wing without changing its drag; a rotating ball has the lift of its
+ * spin. */
 static void wings_and_spin_lift(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
-    /* Nose up, flying to +x; and a ball with backspin. */
+    /* A wing flies to +x with its nose up, and a ball with backspin. */
     thud_body_id wing = add_body(world, THUD_DYNAMIC, 0, 0, 0.2),
                  ball = add_ball(world, 9, 0, 0.5f);
     add_shape(world, wing, 1, 0.01f, false, NULL);
@@ -117,7 +122,8 @@ static void still_air_never_gives_energy(void **state) {
     }
 }
 
-/* A ball comes to go with the wind, and no step takes it further, however dense the air is. */
+/* A ball is taken along up to the speed of the wind, and no step exceeds it, however dense the air
+ * is. */
 static void wind_takes_along_and_wakes_nobody(void **state) {
     (void)state;
     const float density[] = {0.3f, 1, 1e9f};
@@ -153,6 +159,8 @@ static void wind_takes_along_and_wakes_nobody(void **state) {
 
 /* ---- rolling resistance ---- */
 
+/* Rolling resistance slows a ball by 2/3 of coefficient * g until it stops and sleeps; its velocity
+ * does not change sign. */
 static void balls_roll_to_a_stop(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
@@ -178,6 +186,8 @@ static void balls_roll_to_a_stop(void **state) {
     }
 }
 
+/* The greatest rolling resistance stops a rotating ball without reversing it, and has no effect on
+ * a ball in the air or on a box. */
 static void resistance_never_turns_back_nor_slows_what_flies(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());

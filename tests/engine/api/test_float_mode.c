@@ -1,6 +1,6 @@
-/* test_float_mode.c: the same bits whatever floating-point mode the calling thread is in, and the
- * thread has its own back. Where a processor has no such mode there is nothing to test but the
- * calls. */
+/* test_float_mode.c: results have the same bits in whichever floating-point mode (rounding,
+ * denormals) the calling thread is, and the thread has its own mode afterwards. On a processor
+ * without such a mode only the calls are made. */
 #include "engine_support.h"
 
 #include <thud/thud_mover.h>
@@ -48,9 +48,10 @@ static td_mode mode_now(void) {
     return mode & ~(td_mode)TD_MODE_NOTES;
 }
 
-static td_mode callers; /* of the run under way */
+static td_mode callers; /* the mode of the calling thread, in the current run */
 
-/* The call in the caller's mode, everything around it in the usual one: arguments are values. */
+/* Makes the call in the caller's mode and evaluates everything around it in the usual one, so that
+ * arguments do not depend on the mode. */
 #define IN_MODE(call)                       \
     do {                                    \
         set_mode(callers);                  \
@@ -63,6 +64,7 @@ static td_mode callers; /* of the run under way */
 
 /* ---- steps ---- */
 
+/* Hash of a scene after some steps, each in the caller's mode. */
 static uint64_t hash_of(const char *name, int size, int steps, const thud_world_def *def) {
     scene s;
     thud_world *world;
@@ -109,7 +111,7 @@ static void qualities_end_with_the_same_bits_in_any_mode(void **state) {
     }
 }
 
-/* A thread has the mode of the one that made it. */
+/* A thread begins in the mode of the thread that created it. */
 static void workers_in_any_mode_give_the_same_bits(void **state) {
     (void)state;
     uint64_t hash[MODE_COUNT];
@@ -127,14 +129,16 @@ static void workers_in_any_mode_give_the_same_bits(void **state) {
     }
 }
 
-/* ---- all that a world keeps ---- */
+/* ---- every call that changes a world's state ---- */
 
+/* A world, and the hash of all that its calls returned. */
 typedef struct deeds {
     thud_world *world;
     thud_mover mover;
-    uint64_t seen; /* what the calls answered */
+    uint64_t seen; /* hash of what the calls returned */
 } deeds;
 
+/* Adds a result to the hash. */
 static void see(deeds *d, const void *bytes, size_t size) {
     for (size_t i = 0; i < size; i++) {
         d->seen = (d->seen ^ ((const unsigned char *)bytes)[i]) * 0x100000001b3ull;
@@ -191,9 +195,11 @@ static void make_bodies(deeds *d) {
     }
 }
 
+/* Makes each kind of query, in the caller's mode. */
 static void ask(deeds *d, int step) {
     bool hit;
-    volatile double up = 0.1 * step; /* or the product might be made after the mode is set */
+    /* volatile, since the compiler may otherwise compute the product after the mode is set */
+    volatile double up = 0.1 * step;
     thud_ray_hit ray = {0};
     thud_closest_hit closest = {0};
     IN_MODE(thud_world_cast_ray(d->world, (thud_pos){-15.3, 0.9}, 29.7, up, NULL, &hit, &ray));
@@ -215,6 +221,8 @@ static void ask(deeds *d, int step) {
     see(d, &measure, sizeof measure);
 }
 
+/* Makes every call that changes a world, in the caller's mode; returns the hash of all results and
+ * of the world. */
 static uint64_t do_all(const thud_quality *quality) {
     thud_world_def def = thud_default_world_def();
     def.length_scale = 0.7f;
@@ -254,6 +262,7 @@ static void every_call_does_the_same_in_any_mode(void **state) {
 
 /* ---- callbacks ---- */
 
+/* A prologue: *context is whether it is called in the world's own mode. */
 static bool prologue_notes_mode(thud_world *world, const thud_contact *contact,
                                 thud_contact_settings *settings, void *context) {
     (void)world;

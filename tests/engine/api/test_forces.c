@@ -1,5 +1,5 @@
-/* test_forces.c: forces, targets, points of bodies, and single values: thud_forces.h, thud_reads.h,
- * thud_version.h. */
+/* test_forces.c: forces, targets of bodies, points of bodies, and functions that read a single
+ * value (thud_forces.h, thud_reads.h, thud_version.h). */
 #include "engine_support.h"
 
 #include <thud/thud_forces.h>
@@ -16,6 +16,8 @@ static void near(double a, double b, double tolerance) {
     assert_true(fabs(a - b) <= tolerance);
 }
 
+/* A force off the centre of mass accelerates and rotates by its lever arm, for one step; impulses
+ * act at once. */
 static void forces_turn_by_their_arm_for_one_step(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
@@ -68,6 +70,8 @@ static void sleeping_bodies_wake_and_disabled_ones_forget_forces(void **state) {
     thud_world_destroy(world);
 }
 
+/* A kinematic body with a target is at its place and angle after one step, with and without
+ * damping. */
 static void targets_are_reached_in_one_step(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES * 2; q++) {
@@ -98,12 +102,14 @@ static void targets_are_reached_in_one_step(void **state) {
 
 /* ---- inside callbacks ---- */
 
+/* The context of a callback that pushes, once. */
 typedef struct pusher {
     thud_body_id box, lift;
     int asked;
     bool ready;
 } pusher;
 
+/* Makes each kind of push, once. */
 static void push_all(thud_world *world, pusher *p) {
     if (p->ready && p->asked++ == 0) {
         thud_pos at = get(world, p->box).center;
@@ -127,6 +133,8 @@ static void push_after(thud_world *world, const thud_contact *contact, void *con
     push_all(world, context);
 }
 
+/* Impulses, forces and targets set inside a callback have no effect in that step and act in the
+ * next. */
 static void pushes_inside_callbacks_act_through_the_next_step(void **state) {
     (void)state;
     for (int i = 0; i < QUALITIES * 2; i++) {
@@ -163,6 +171,8 @@ static void pushes_inside_callbacks_act_through_the_next_step(void **state) {
     }
 }
 
+/* A local point and vector are transformed to the world and back, and a point's velocity includes
+ * the rotation. */
 static void points_go_there_and_back(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -209,6 +219,8 @@ static void too_much_is_refused_and_changes_nothing(void **state) {
     thud_world_destroy(world);
 }
 
+/* Functions that read a single value return what thud_body_get and the other reads of all values
+ * do. */
 static void single_values_are_those_of_the_whole(void **state) {
     (void)state;
     thud_world_def def = weightless();

@@ -1,5 +1,5 @@
-/* test_lists.c: lists of what there is in a world, call by call: asleep, disabled, inside
- * callbacks, into arrays that are too small, and refused. */
+/* test_lists.c: lists of a world's bodies, shapes, overlaps and pairs: asleep, disabled, inside
+ * callbacks, with too small arrays, and refused calls. */
 #include "lists_support.h"
 #include "resolution_support.h"
 
@@ -23,6 +23,8 @@ static void empty_world_lists_nothing(void **state) {
     thud_world_destroy(world);
 }
 
+/* A body leaves the list of awake bodies when it sleeps or is disabled, and returns when it wakes;
+ * the list of all bodies keeps it. */
 static void sleepers_leave_the_awake_and_come_back(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
@@ -30,7 +32,7 @@ static void sleepers_leave_the_awake_and_come_back(void **state) {
         thud_body_id floor = add_floor(world, NULL),
                      lift = add_body(world, THUD_KINEMATIC, 9, 9, 0);
         thud_body_id box = add_kind(world, 2, 0, 0.5, NULL);
-        assert_true(is_among_awake(world, box)); /* before its first step */
+        assert_true(is_among_awake(world, box)); /* also before its first step */
         assert_false(is_among_awake(world, floor));
         run(world, 150);
         assert_false(is_among_awake(world, box));
@@ -49,6 +51,7 @@ static void sleepers_leave_the_awake_and_come_back(void **state) {
 
 /* ---- inside callbacks ---- */
 
+/* What the prologue made and read. */
 typedef struct inside {
     thud_body_id floor, ball, made;
     thud_shape_id sensor, late;
@@ -57,6 +60,8 @@ typedef struct inside {
     thud_pair pair;
 } inside;
 
+/* A prologue that edits and asks for lists once: edits of new bodies are seen at once, the others
+ * are deferred. */
 static bool ask_inside(thud_world *world, const thud_contact *contact,
                        thud_contact_settings *settings, void *context) {
     inside *in = context;
@@ -66,7 +71,7 @@ static bool ask_inside(thud_world *world, const thud_contact *contact,
         in->late = add_shape(world, in->made, 0.5f, 0, false, NULL);
         assert_true(is_among_bodies(world, in->made) && is_among_awake(world, in->made));
         assert_true(is_among_shapes(world, in->late));
-        in->sensed = sensed_by(world, in->sensor); /* of the step before */
+        in->sensed = sensed_by(world, in->sensor); /* overlaps of the step before */
         OK(thud_body_set_transform(world, in->floor, (thud_pos){0, -1.25}, 0));
         OK(thud_pair_get(world, contact->shape_a, contact->shape_b, &in->pair));
         assert_int_equal(look(&in->w, world), 1);
@@ -78,6 +83,8 @@ static bool ask_inside(thud_world *world, const thud_contact *contact,
     return true;
 }
 
+/* Inside a callback, lists and pairs are of the step in progress: new bodies are listed, overlaps
+ * of sensors are those of the last step. */
 static void callbacks_read_the_step_under_way(void **state) {
     (void)state;
     inside in = {0};
@@ -92,11 +99,12 @@ static void callbacks_read_the_step_under_way(void **state) {
     run(world, 1);
     assert_true(in.asked > 0);
     assert_int_equal(in.sensed, 0);
-    assert_int_equal(sensed_by(world, in.sensor), 1); /* two static ones are nothing */
+    /* two static shapes do not overlap as sensors */
+    assert_int_equal(sensed_by(world, in.sensor), 1);
     assert_true(same_body(in.pair.a.body, in.floor) && same_body(in.pair.b.body, in.ball));
     assert_int_equal(in.pair.b.body_data, 7);
     look(&in.w, world);
-    assert_false(told(&in.w, in.floor)); /* that edit waits */
+    assert_false(told(&in.w, in.floor)); /* the edit is deferred */
     run(world, 1);
     look(&in.w, world);
     assert_true(told(&in.w, in.floor));
@@ -105,6 +113,8 @@ static void callbacks_read_the_step_under_way(void **state) {
 
 /* ---- sensors ---- */
 
+/* thud_sensor_overlaps lists the shapes in the order of their slots, while bodies sleep as well;
+ * destroyed and disabled ones are left out at once. */
 static void sensor_lists_by_slot_what_it_overlaps_now(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -126,12 +136,12 @@ static void sensor_lists_by_slot_what_it_overlaps_now(void **state) {
     def.sensor = true;
     thud_body_id carrier = add_body(world, THUD_KINEMATIC, 0, 0, 0);
     sensor = add_shape(world, carrier, 2, 1, true, &def);
-    assert_int_equal(sensed_by(world, sensor), 0); /* no step has looked */
+    assert_int_equal(sensed_by(world, sensor), 0); /* no step has been made since it was created */
     for (int asleep = 0; asleep < 2; asleep++) {
         run(world, asleep ? 200 : 1);
         assert_int_equal(state_of(world, bodies[0]).awake, !asleep);
         OK(thud_sensor_overlaps(world, sensor, list, 8, &count));
-        assert_int_equal(count, 7); /* all segments of the line are one shape */
+        assert_int_equal(count, 7); /* all segments of the terrain are one shape */
         for (int i = 0; i < 6; i++) {
             assert_true(same_shape(list[i], balls[i]));
         }
@@ -159,7 +169,7 @@ static void sensor_lists_by_slot_what_it_overlaps_now(void **state) {
     thud_world_destroy(world);
 }
 
-/* A box lies over five of its segments, and a ball over two. */
+/* A terrain as a sensor: a box lies over five of its segments, and a ball over two. */
 static void line_that_senses_lists_each_shape_once(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -193,6 +203,8 @@ static bool side_is(thud_pair_side side, thud_body_id body, uint64_t body_data,
            side.shape_data == shape_data;
 }
 
+/* thud_pair_get tells the bodies and user data of an event's shapes; for a shape that was destroyed
+ * it tells nothing, also where its slot is used again. */
 static void pair_tells_whose_shapes_met_and_what_is_gone(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -226,7 +238,8 @@ static void pair_tells_whose_shapes_met_and_what_is_gone(void **state) {
     def.sensor = true;
     add_shape(world, add_body(world, THUD_DYNAMIC, 0, 9, 0), 0.5f, 0, false, &def);
     OK(thud_pair_get(world, e.end[0].shape_a, e.end[0].shape_b, &pair));
-    assert_true(side_is(pair.a, floor, 1, 11)); /* and the new shape is no stand-in */
+    /* the new shape in the slot is not taken for the destroyed one */
+    assert_true(side_is(pair.a, floor, 1, 11));
     assert_true(side_is(pair.b, (thud_body_id){0, 0}, 0, 0));
     thud_shape_id young = {0};
     OK(thud_world_shape_at(world, (int)e.end[0].shape_b.index1 - 1, &young));

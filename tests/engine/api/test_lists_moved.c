@@ -1,9 +1,11 @@
-/* test_lists_moved.c: whom a world tells as moved: after steps and edits, asleep and quarantined,
- * in the slot of another, without room, and after a restore. */
+/* test_lists_moved.c: which bodies thud_world_moved_bodies lists as moved: after steps and edits,
+ * asleep and quarantined, where a slot is reused, with too small arrays, and after a restore. */
 #include "lists_support.h"
 #include "resolution_support.h"
 #include "snapshot_support.h"
 
+/* A body is listed as moved exactly where its pose differs from that when it was last listed; a new
+ * body is. */
 static void moved_are_those_whose_pose_is_another(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
@@ -29,17 +31,17 @@ static void moved_are_those_whose_pose_is_another(void **state) {
             thud_body_state now = state_of(world, box);
             bool moved = now.position.x != before.position.x ||
                          now.position.y != before.position.y || now.angle != before.angle;
-            assert_int_equal(told(&w, box), moved); /* in the step before its sleep, too */
+            assert_int_equal(told(&w, box), moved); /* also in the last step before it sleeps */
             assert_int_equal(w.count, moved);
             before = now;
         }
         assert_false(before.awake);
         OK(thud_body_set_awake(world, box, true));
-        assert_int_equal(look(&w, world), 0); /* waking is no motion */
+        assert_int_equal(look(&w, world), 0); /* waking does not move it */
         OK(thud_body_set_transform(world, floor, (thud_pos){0, -2}, 0));
         assert_int_equal(look(&w, world), 1);
         OK(thud_body_set_transform(world, floor, (thud_pos){0, -2}, 0));
-        assert_int_equal(look(&w, world), 0); /* it is where it was */
+        assert_int_equal(look(&w, world), 0); /* set to where it is */
         OK(thud_body_set_enabled(world, box, false));
         run(world, 5);
         assert_int_equal(look(&w, world), 0);
@@ -47,6 +49,7 @@ static void moved_are_those_whose_pose_is_another(void **state) {
     }
 }
 
+/* A body that only rotates is listed as moved. */
 static void body_that_turns_in_its_place_is_told(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -77,7 +80,7 @@ static void quarantined_body_is_listed_and_moves_no_more(void **state) {
     OK(thud_body_set_velocity(world, wild, (thud_vec2){1, 0}, 0));
     run(world, 1);
     assert_int_equal(look(&w, world), 2);
-    for (int i = 0; i < 2; i++) { /* more than a float can hold */
+    for (int i = 0; i < 2; i++) { /* twice, so that the sum overflows float */
         OK(thud_body_apply_force(world, wild, (thud_vec2){3e38f, 3e38f}, 3e38f));
     }
     run(world, 1);
@@ -89,6 +92,7 @@ static void quarantined_body_is_listed_and_moves_no_more(void **state) {
     thud_world_destroy(world);
 }
 
+/* A body in the slot of a destroyed one is listed as moved, though its pose is the same. */
 static void slot_of_another_is_told_as_moved(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -106,7 +110,7 @@ static void slot_of_another_is_told_as_moved(void **state) {
     assert_true(told(&w, young));
     OK(thud_world_body_at(world, (int)young.index1 - 1, &got));
     assert_true(same_body(got, young));
-    OK(thud_body_destroy(world, young)); /* and nobody asks before its slot is used again */
+    OK(thud_body_destroy(world, young)); /* and no call comes before its slot is used again */
     run(world, 1);
     thud_body_id third = add_ball(world, 0, 0, 0.5f);
     assert_int_equal(third.index1, old.index1);
@@ -115,6 +119,8 @@ static void slot_of_another_is_told_as_moved(void **state) {
     thud_world_destroy(world);
 }
 
+/* Moved bodies for which the list has no room are listed by later calls. Bodies whose slots are
+ * beyond the caller's array of seen poses are not listed. */
 static void moved_without_room_are_told_later_and_beyond_the_seen_never(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -142,6 +148,8 @@ static void moved_without_room_are_told_later_and_beyond_the_seen_never(void **s
     thud_world_destroy(world);
 }
 
+/* After a restore, the bodies listed as moved are those that are elsewhere than when they were last
+ * listed; the other lists are those of the snapshot's time. */
 static void restore_tells_who_is_elsewhere(void **state) {
     (void)state;
     yard y = make_yard(NULL);
@@ -165,7 +173,7 @@ static void restore_tells_who_is_elsewhere(void **state) {
     run(y.world, 60);
     look(&w, y.world);
     back_to(y.world, kept);
-    assert_int_equal(look(&w, y.world), 14); /* but the ground's and the sensor's */
+    assert_int_equal(look(&w, y.world), 14); /* all bodies but the ground's and the sensor's */
     assert_true(told(&w, y.box));
     OK(thud_world_awake_bodies(y.world, NULL, 0, &awake[1]));
     OK(thud_world_shapes(y.world, NULL, 0, &shapes[1]));

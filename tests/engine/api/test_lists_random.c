@@ -1,32 +1,35 @@
-/* test_lists_random.c: random worlds whose bodies and shapes come, go, jump, sleep and are switched
- * off, and which are restored. After every edit and step each list is what a naive one is, kept by
- * the test from what it created and destroyed, from thud_body_get, and from the events. */
+/* test_lists_random.c: random worlds whose bodies and shapes are created, destroyed, moved, put to
+ * sleep, disabled and restored. After every edit and step each list equals a reference that the
+ * test keeps: from what it created and destroyed, from thud_body_get, and from sensor events. */
 #include "every_choice.h"
 #include "lists_support.h"
 #include "snapshot_support.h"
 
+/* MOST: slots of the reference and length of every list. */
 enum { BODIES = 24, SHAPES = 4 * BODIES, MOST = 512, ROUNDS = 8, EDITS = 400 };
 
-/* By slot, since a slot has one body or shape at a time; index1 is 0 where there is none. */
+/* The reference, by slots, as a slot holds one body or shape at a time; index1 is 0 where it holds
+ * none. */
 typedef struct model {
     thud_body_id body[MOST];
     thud_shape_id shape[MOST];
     thud_body_id owner[MOST];
     bool sensor[MOST];
     int bodies, shapes;
-    bool open[MOST][MOST]; /* shape slots: the sensor of the first one sees the second */
+    bool open[MOST][MOST]; /* by shape slots: the sensor of the first sees the second */
 } model;
 
+/* A random world with its reference (`now`), and that of the last snapshot (`kept`). */
 typedef struct chaos {
     thud_world *world;
     uint64_t seed;
     model now, kept;
     saved snapshot;
-    thud_body_seen seen[MOST]; /* the engine's */
-    bool known[MOST];          /* and the test's: */
+    thud_body_seen seen[MOST]; /* state of thud_world_moved_bodies */
+    bool known[MOST];          /* the test's own record of the same */
     thud_body_id last[MOST];
     thud_body_state was[MOST];
-    int sensed; /* overlaps, in all rounds and comparisons */
+    int sensed; /* overlaps, over all rounds and comparisons */
     int asleep;
 } chaos;
 
@@ -34,9 +37,9 @@ static int pick(chaos *c, int count) {
     return (int)random_in(&c->seed, 0, (double)count);
 }
 
-/* ---- what is done ---- */
+/* ---- edits ---- */
 
-/* A slot with a body, or -1. */
+/* A random slot with a body, or -1. */
 static int some_body(chaos *c) {
     int slots = 0, slot = -1;
     for (int i = 0; i < MOST; i++) {
@@ -80,6 +83,7 @@ static void add_some_body(chaos *c) {
     }
 }
 
+/* Removes the shape of a slot from the reference. */
 static void forget_shape(chaos *c, int slot) {
     c->now.shape[slot].index1 = 0;
     c->now.shapes--;
@@ -107,6 +111,7 @@ static void destroy_some_shape(chaos *c) {
     }
 }
 
+/* Makes a step, and updates the sensor overlaps of the reference by its events. */
 static void step(chaos *c) {
     OK(thud_world_step(c->world));
     thud_events e = thud_world_events(c->world);
@@ -115,10 +120,11 @@ static void step(chaos *c) {
         const thud_contact_event *at =
             ends ? &e.sensor_end[i] : &e.sensor_begin[i - e.sensor_end_count];
         bool *open = &c->now.open[at->shape_a.index1 - 1][at->shape_b.index1 - 1];
-        *open = !*open; /* a pair in both lists is as it was */
+        *open = !*open; /* a pair in both lists is as it was before the step */
     }
 }
 
+/* Restores the last snapshot, or takes a new one, with the reference as of then. */
 static void restore(chaos *c) {
     if (c->snapshot.bytes && pick(c, 2)) {
         back_to(c->world, c->snapshot);
@@ -130,6 +136,7 @@ static void restore(chaos *c) {
     }
 }
 
+/* Makes a random edit of an existing body. */
 static void edit(chaos *c, thud_body_id body) {
     switch (pick(c, 5)) {
     case 0:
@@ -156,6 +163,7 @@ static void edit(chaos *c, thud_body_id body) {
     }
 }
 
+/* Makes one random action: creating, destroying, editing, stepping or restoring. */
 static void act(chaos *c) {
     int what = pick(c, 20), slot = some_body(c);
     if (what < 2 || slot < 0) {
@@ -177,10 +185,10 @@ static void act(chaos *c) {
     }
 }
 
-/* ---- what is compared ---- */
+/* ---- comparison ---- */
 
-/* The first `capacity` of a list are those of another, which has `wanted`; the rest is untouched.
- */
+/* Asserts that the first `capacity` entries of a list are those of the reference with `wanted`
+ * entries, and the rest is 0. */
 static void compare(const uint64_t *list, int count, int capacity, const uint64_t *naive,
                     int wanted) {
     assert_int_equal(count, wanted);
@@ -197,6 +205,7 @@ static uint64_t bits_of_shape(thud_shape_id id) {
     return (uint64_t)id.generation << 32 | id.index1;
 }
 
+/* The capacity of the array for a list: mostly enough, else too small. */
 static int pick_capacity(chaos *c) {
     return pick(c, 3) ? MOST : pick(c, 12);
 }
@@ -204,6 +213,7 @@ static int pick_capacity(chaos *c) {
 typedef thud_result list_bodies_fn(const thud_world *world, thud_body_id *out, int capacity,
                                    int *count);
 
+/* Asserts that a list of bodies has the reference's entries. */
 static void bodies_are(chaos *c, list_bodies_fn *ask, const uint64_t *naive, int wanted) {
     thud_body_id list[MOST] = {0};
     uint64_t bits[MOST];
@@ -215,6 +225,7 @@ static void bodies_are(chaos *c, list_bodies_fn *ask, const uint64_t *naive, int
     compare(bits, count, capacity, naive, wanted);
 }
 
+/* Compares the lists of all bodies, of awake bodies, and the body of each slot. */
 static void compare_bodies(chaos *c) {
     uint64_t all[MOST], awake[MOST];
     int count = 0, woken = 0, slots;
@@ -238,6 +249,7 @@ static void compare_bodies(chaos *c) {
     bodies_are(c, thud_world_awake_bodies, awake, woken);
 }
 
+/* Asserts that a list of shapes has the reference's entries. */
 static void shapes_are(thud_result result, const thud_shape_id *list, int count, int capacity,
                        const uint64_t *naive, int wanted) {
     uint64_t bits[MOST];
@@ -248,6 +260,7 @@ static void shapes_are(thud_result result, const thud_shape_id *list, int count,
     compare(bits, count, capacity, naive, wanted);
 }
 
+/* Compares the list of shapes that a sensor overlaps. */
 static void compare_sensed(chaos *c, int sensor) {
     uint64_t naive[MOST];
     int wanted = 0, count, capacity = pick_capacity(c);
@@ -265,6 +278,7 @@ static void compare_sensed(chaos *c, int sensor) {
     c->sensed += wanted;
 }
 
+/* Compares the list of all shapes, the shape of each slot, and the overlaps of each sensor. */
 static void compare_shapes(chaos *c) {
     uint64_t all[MOST];
     thud_shape_id list[MOST] = {0};
@@ -288,7 +302,7 @@ static void compare_shapes(chaos *c) {
     shapes_are(result, list, count, capacity, all, wanted);
 }
 
-/* A slot's body is elsewhere than it was when it was last told. */
+/* Whether the body in a slot is another one, or elsewhere, than when it was last listed. */
 static bool moves(const chaos *c, int slot) {
     thud_body_state now = state_of(c->world, c->now.body[slot]);
     const thud_body_state *was = &c->was[slot];
@@ -297,6 +311,7 @@ static bool moves(const chaos *c, int slot) {
            now.angle != was->angle;
 }
 
+/* Compares the list of moved bodies. */
 static void compare_moved(chaos *c) {
     thud_body_id list[MOST] = {0};
     uint64_t bits[MOST], naive[MOST];

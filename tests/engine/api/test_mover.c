@@ -1,5 +1,5 @@
-/* test_mover.c: what a character does on slopes, steps, platforms and walls, and never inside
- * them. */
+/* test_mover.c: the character mover on slopes, steps, platforms, walls and one-way platforms: it
+ * climbs, rides and stops as its settings say. */
 #include "mover_support.h"
 
 static void slope_of_30_degrees_is_walked_up_and_down_and_60_is_a_wall(void **state) {
@@ -11,7 +11,7 @@ static void slope_of_30_degrees_is_walked_up_and_down_and_60_is_a_wall(void **st
         assert_true(mover.on_ground);
         assert_true(mover.shape.x > 8);
         near_to(mover.shape.y, 8 * tan(0.5236) + 0.5 + mover.skin, 1e-3);
-        /* It never leaves the ground on its way down, where each step falls by 0.05. */
+        /* It stays on the ground on its way down, where each move descends by 0.05. */
         thud_vec2 velocity = {0, 0};
         for (int i = 0; i < 180; i++) {
             go(gentle, &mover, &velocity, -5);
@@ -49,7 +49,8 @@ static void step_of_0_3_is_climbed_and_one_of_0_6_is_not(void **state) {
     }
 }
 
-/* Stands on a platform that moves so, and tells how far it came from its place on it. */
+/* The mover stands on a platform with this velocity and spin; asserts that it stays at its place on
+ * it. */
 static void ride_platform(int kind, thud_vec2 platform, float spin) {
     thud_world *world = make_world(weightless());
     thud_body_id body = add_body(world, THUD_KINEMATIC, 0, 0, 0);
@@ -57,7 +58,7 @@ static void ride_platform(int kind, thud_vec2 platform, float spin) {
     OK(thud_body_set_velocity(world, body, platform, spin));
     thud_mover mover = mover_of(kind, 0.5, 0.8);
     thud_vec2 velocity = {0, 0};
-    for (int i = 0; i < 60; i++) { /* settles */
+    for (int i = 0; i < 60; i++) { /* until it stands */
         go(world, &mover, &velocity, 0);
     }
     assert_true(mover.on_ground);
@@ -78,6 +79,7 @@ static void ride_platform(int kind, thud_vec2 platform, float spin) {
     thud_world_destroy(world);
 }
 
+/* Platforms that move up, down and sideways, and one that rotates slowly, carry the mover. */
 static void platform_is_ridden_up_down_and_sideways_without_sinking_or_hopping(void **state) {
     (void)state;
     for (int kind = 0; kind < 2; kind++) {
@@ -89,6 +91,7 @@ static void platform_is_ridden_up_down_and_sideways_without_sinking_or_hopping(v
     }
 }
 
+/* A mover that flies into a wall loses the velocity along the wall's normal, and keeps the rest. */
 static void wall_takes_only_the_normal_part_of_a_flight(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -106,6 +109,8 @@ static void wall_takes_only_the_normal_part_of_a_flight(void **state) {
     thud_world_destroy(world);
 }
 
+/* A mover without an up direction, as in a game seen from above, slides along a wall at an angle
+ * and is never on the ground. */
 static void mover_seen_from_above_slides_along_slanting_walls_and_has_no_ground(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -117,7 +122,7 @@ static void mover_seen_from_above_slides_along_slanting_walls_and_has_no_ground(
         OK(thud_mover_move(world, &mover, (thud_vec2){3, -4}, DT, &report));
         assert_false(mover.on_ground);
     }
-    /* What is left is the part along the wall. */
+    /* The velocity that is left is the part along the wall. */
     double along = 3 * cos(0.4) - 4 * sin(0.4);
     near_to((double)report.velocity.x, along * cos(0.4), 1e-5);
     near_to((double)report.velocity.y, along * sin(0.4), 1e-5);
@@ -151,6 +156,8 @@ static void slope_too_steep_to_stand_on_is_slid_down(void **state) {
     thud_world_destroy(world);
 }
 
+/* A mover that jumps against a slope too steep to stand on rises no higher than the jump itself,
+ * and lands on the ground. */
 static void jump_against_a_steep_slope_gains_no_height(void **state) {
     (void)state;
     thud_world *world = world_with_slope(tan(1.0472));
@@ -168,6 +175,8 @@ static void jump_against_a_steep_slope_gains_no_height(void **state) {
     thud_world_destroy(world);
 }
 
+/* With thud_mover_passes_one_way the mover rises through a platform and stands on it, and `drop`
+ * lets it fall through. */
 static void one_way_platform_is_passed_from_below_and_carries_from_above(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -193,7 +202,7 @@ static void one_way_platform_is_passed_from_below_and_carries_from_above(void **
     go_on(world, &mover, 0, 60);
     assert_true(mover.on_ground);
     near_to(mover.shape.y, 0.5 + mover.skin, 1e-4);
-    mover.pass = NULL; /* now it is a ceiling */
+    mover.pass = NULL; /* without `pass` it is a ceiling */
     velocity = (thud_vec2){0, 9.5f};
     for (int i = 0; i < 90; i++) {
         go(world, &mover, &velocity, 0);
@@ -218,7 +227,7 @@ static void scripted_walk_ends_at_the_same_bits_on_every_machine(void **state) {
         thud_vec2 velocity = {i % 100 < 80 ? 6 : -4, i % 50 < 10 ? 7 : -5};
         OK(thud_mover_move(world, &mover, velocity, 0.015625, NULL));
     }
-    /* tests/web/package/query.test.mjs has the same walk and the same end. */
+    /* tests/web/package/query.test.mjs makes the same walk, with the same end. */
     assert_true(mover.shape.x == WALK_END_X && mover.shape.y == WALK_END_Y);
     thud_world_destroy(world);
 }

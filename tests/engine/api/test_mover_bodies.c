@@ -1,10 +1,11 @@
-/* test_mover_bodies.c: what a character does to bodies and they to it, and that it never is inside
- * anything. */
+/* test_mover_bodies.c: the character mover and bodies: it pushes them, its own body pushes them,
+ * moving walls push it out, and it never overlaps a shape of a level. */
 #include "mover_support.h"
 
 #include "build_thud.h"
 #include "level.h"
 
+/* The mover pushes a crate by at most push_force * time, and not at all with a push_force of 0. */
 static void dynamic_body_is_pushed_by_a_bounded_impulse_if_asked(void **state) {
     (void)state;
     double speed[3];
@@ -19,10 +20,13 @@ static void dynamic_body_is_pushed_by_a_bounded_impulse_if_asked(void **state) {
         thud_world_destroy(world);
     }
     near_to(speed[0], 0, 1e-9);
-    assert_true(speed[1] > 0.1 && speed[1] <= 6 * DT * 10 + 1e-6); /* force * time / mass of 1 */
-    assert_true(speed[2] > 2.5 && speed[2] < 3.001); /* 3 where it is pushed; it turns as well */
+    /* force * time / mass, which is 1 kg */
+    assert_true(speed[1] > 0.1 && speed[1] <= 6 * DT * 10 + 1e-6);
+    /* 3 m/s at the point that is pushed; the body turns as well */
+    assert_true(speed[2] > 2.5 && speed[2] < 3.001);
 }
 
+/* A kinematic body follows the mover exactly, and pushes a ball away. */
 static void kinematic_body_follows_and_dynamic_bodies_meet_it(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -45,6 +49,8 @@ static void kinematic_body_follows_and_dynamic_bodies_meet_it(void **state) {
     thud_world_destroy(world);
 }
 
+/* A moving wall pushes the mover out. Between that wall and a fixed one it has no free place, and
+ * report.depth tells how deep it overlaps. */
 static void mover_pressed_by_a_moving_wall_is_pushed_out_and_told_where_it_cannot_be(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -84,7 +90,7 @@ static void random_moves_in_a_level_never_enter_anything(void **state) {
     level_report problems;
     thud_world *world;
     assert_true(level_read_file("assets/levels/platform.tmj", false, &s, &problems));
-    /* Only what stands still: what falls may fall onto the mover. */
+    /* Only static bodies, since falling ones may fall onto the mover. */
     for (int i = 0; i < s.body_count; i++) {
         if (s.bodies[i].kind == SCENE_DYNAMIC) {
             s.bodies[i].kind = SCENE_STATIC;
@@ -122,6 +128,7 @@ static void random_moves_in_a_level_never_enter_anything(void **state) {
     scene_free(&s);
 }
 
+/* With a time of 1e-39 s the velocity of the mover's body is bounded and finite. */
 static void body_follows_in_the_shortest_of_times_by_a_speed_that_is_a_number(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());

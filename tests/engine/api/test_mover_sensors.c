@@ -1,5 +1,5 @@
-/* test_mover_sensors.c: a character and sensors: it collects what it goes through, and is stopped
- * by none of it. */
+/* test_mover_sensors.c: the character mover and sensors: the sensors on its way are reported, once
+ * and in order, and none stops it. */
 #include "engine_support.h"
 
 #include <thud/thud_mover.h>
@@ -26,7 +26,7 @@ static bool is_listed(const thud_mover_report *report, thud_shape_id sensor) {
     return count == 1;
 }
 
-/* The coins see the kinematic body that follows the mover. */
+/* The coins, which are sensors, see the kinematic body that follows the mover. */
 static void hero_s_body_collects_coins(void **state) {
     (void)state;
     enum { COINS = 6 };
@@ -62,7 +62,7 @@ static void hero_s_body_collects_coins(void **state) {
     thud_world_destroy(world);
 }
 
-/* Steps, slopes and walls, with sensors all over them or without. */
+/* A way with steps, slopes and walls, with or without sensors everywhere. */
 static thud_world *make_way(bool sensors) {
     thud_world *world = make_world(weightless());
     thud_shape_def def = thud_default_shape_def();
@@ -101,7 +101,7 @@ static void sensors_stop_no_mover_whatever_its_filter(void **state) {
             assert_memory_equal(&report.velocity, &its.velocity, sizeof its.velocity);
             velocity = report.velocity;
         }
-        near_to(one.shape.x, 23.2 - one.skin, 1e-3); /* at the wall */
+        near_to(one.shape.x, 23.2 - one.skin, 1e-3); /* stopped by the wall */
     }
     thud_world_destroy(clear);
     thud_world_destroy(full);
@@ -124,7 +124,8 @@ static void mover_reports_the_sensors_on_its_way_once_and_in_order(void **state)
     thud_mover_report report;
     mover.body = add_body(world, THUD_KINEMATIC, 0, 0, 0);
     def.filter.category = 1;
-    add_shape(world, mover.body, 1, 0, false, &def); /* its own reports nothing to it */
+    /* a sensor of the mover's own body is not reported to it */
+    add_shape(world, mover.body, 1, 0, false, &def);
     mover.filter.sensors = true;
     mover.filter.mask = 1;
     OK(thud_mover_move(world, &mover, (thud_vec2){20, 0}, 1, &report));
@@ -134,7 +135,7 @@ static void mover_reports_the_sensors_on_its_way_once_and_in_order(void **state)
         assert_memory_equal(&report.sensors[i], &gates[i], sizeof gates[i]);
     }
     assert_false(is_listed(&report, other));
-    /* Where it stands counts, though it does not move. */
+    /* A mover that does not move reports the sensors in which it stands. */
     OK(thud_mover_move(world, &mover, (thud_vec2){0, 0}, DT, &report));
     assert_int_equal(report.sensor_count, 0);
     mover.shape.x = 3;
@@ -145,7 +146,7 @@ static void mover_reports_the_sensors_on_its_way_once_and_in_order(void **state)
     thud_world_destroy(world);
 }
 
-/* A climb that is tried and given up has not been made. */
+/* Sensors on a climb that the mover tried and gave up are not reported. */
 static void sensor_above_a_step_too_high_is_not_reported(void **state) {
     (void)state;
     for (int high = 0; high < 2; high++) {
@@ -169,7 +170,7 @@ static void sensor_above_a_step_too_high_is_not_reported(void **state) {
     }
 }
 
-/* More of them than a move looks at. */
+/* More sensors than a move can report must not hide a wall. */
 static void crowd_of_sensors_hides_no_wall(void **state) {
     (void)state;
     for (int wants = 0; wants < 2; wants++) {

@@ -1,12 +1,13 @@
-/* test_mover_worlds.c: movers of every kind thrown about in random worlds of all kinds that stand
- * still: none is ever inside anything, nor further along than its speed, a step and a fall allow.
+/* test_mover_worlds.c: movers of every kind make random moves in random static worlds: none ever
+ * overlaps a shape, nor moves farther than its speed, a step and a fall allow.
  *
- * A case is one move; there are 20,000, or as many as THUD_CASES says. */
+ * A case is one move; there are 20,000, or as many as THUD_CASES of the environment says. */
 #include "engine_support.h"
 #include "geometry_random.h"
 
 #include <thud/thud_mover.h>
 
+/* MOVES of each mover in a world; TRIES to find a free place for it. */
 enum { SOLIDS = 60, POINTS = 40, MOVES = 500, TRIES = 2000 };
 
 #define DT (1.0 / 60)
@@ -17,6 +18,7 @@ static bool count_one(thud_shape_id shape, void *context) {
     return true;
 }
 
+/* Whether the shape overlaps anything in the world. */
 static bool is_inside(thud_world *world, const thud_shape_instance *shape) {
     int count = 0;
     OK(thud_world_overlap_shape(world, (thud_pos){0, 0}, shape, NULL, count_one, &count));
@@ -51,7 +53,8 @@ static thud_world *make_random_world(source *r) {
     return world;
 }
 
-/* False if there is hardly a free place. */
+/* Puts the mover at a random place where it overlaps nothing; false if there was none in TRIES
+ * tries. */
 static bool find_place(thud_world *world, source *r, thud_mover *mover) {
     for (int i = 0; i < TRIES; i++) {
         mover->shape.x = draw(r, -15, 15);
@@ -98,7 +101,7 @@ static void random_moves_in_random_worlds_never_enter_anything(void **state) {
     assert_true(on_ground > cases / 5 && on_ground < cases);
 }
 
-/* Edits that wait take effect with what is asked first: a move that is refused must not be that. */
+/* The first query applies deferred edits: a move that is refused must not. */
 static void move_out_of_the_world_is_refused_before_anything_is_done(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());

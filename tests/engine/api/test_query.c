@@ -1,4 +1,4 @@
-/* test_query.c: rays, overlaps, poses, time keeping. */
+/* test_query.c: ray casts, overlaps, interpolated poses, and stepping by elapsed time. */
 #include "engine_support.h"
 
 static void ray_finds_the_first_shape_of_many(void **state) {
@@ -64,12 +64,14 @@ static void ray_meets_the_ground_and_heeds_filters(void **state) {
     thud_world_destroy(world);
 }
 
+/* An overlap's callback: notes up to three shapes in an array behind their count, then stops. */
 static bool gather(thud_shape_id shape, void *context) {
     int *count = context;
     count[++*count] = (int)shape.index1;
     return *count < 3;
 }
 
+/* An overlap reports shapes in the order of their slots until the callback returns false. */
 static void overlap_tells_in_order_of_slots_until_told_to_stop(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -127,6 +129,7 @@ static void advance_runs_whole_steps_and_keeps_the_rest(void **state) {
     thud_world_destroy(world);
 }
 
+/* A box that sleeps on a terrain is lifted with it by thud_shape_set_heights. */
 static void raised_ground_lifts_what_rests_on_it(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());

@@ -1,5 +1,5 @@
-/* test_query_casts.c: rays, casts, overlaps and closest points where the answer is known by
- * hand, and what each of them refuses. */
+/* test_query_casts.c: rays, casts, overlaps and closest points where the answer is known by hand,
+ * and what each of them refuses. */
 #include "engine_support.h"
 
 #include "hostile_memory.h"
@@ -19,6 +19,7 @@ static thud_shape_id add_still(thud_world *world, double x, double y, float hx, 
     return add_shape(world, add_body(world, THUD_STATIC, x, y, angle), hx, hy, false, NULL);
 }
 
+/* Asserts the fields of a hit. */
 static void is_hit(const thud_ray_hit *hit, thud_shape_id shape, double fraction, double x,
                    double y, double nx, double ny) {
     assert_int_equal(hit->shape.index1, shape.index1);
@@ -53,6 +54,7 @@ static void ray_through_all_lists_the_nearest_first(void **state) {
     thud_world_destroy(world);
 }
 
+/* Hits at the same fraction are in the order of their shapes' slots. */
 static void equal_fractions_are_told_in_the_order_of_slots(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -81,7 +83,8 @@ static void circle_cast_meets_faces_corners_and_circles(void **state) {
     OK(thud_world_cast_circle(world, (thud_pos){0.5, 5}, 0.5, 0, -10, NULL, &hit, &found));
     assert_true(hit);
     is_hit(&found, box, 0.35, 0.5, 1, 0, 1);
-    /* Past the corner at (1, 1), by 0.3: touches where the centre is at height 1.4. */
+    /* The circle passes the corner (1, 1) by 0.3 and touches it where its centre is at height
+     * 1.4. */
     OK(thud_world_cast_circle(world, (thud_pos){1.3, 5}, 0.5, 0, -10, NULL, &hit, &found));
     assert_true(hit);
     is_hit(&found, box, 0.36, 1, 1, 0.6, 0.8);
@@ -100,17 +103,17 @@ static void box_cast_meets_corners_slopes_and_turned_boxes(void **state) {
     thud_shape_id ground = add_ground(world, 0, 0, &slope);
     bool hit;
     thud_ray_hit found;
-    /* The lower right corner meets the slope. */
+    /* The lower right corner of the box meets the slope. */
     OK(thud_world_cast_box(world, (thud_pos){0, 4}, 0.5, 0.5, 0, 0, -8, NULL, &hit, &found));
     assert_true(hit);
     is_hit(&found, ground, 3.125 / 8, 0.5, 0.375, -0.6, 0.8);
-    /* Turned along the slope, its whole face does. */
+    /* Rotated to the slope, the whole face of the box meets it. */
     double angle = atan(0.75);
     OK(thud_world_cast_box(world, (thud_pos){0, 4}, 2, 0.5, angle, 0, -8, NULL, &hit, &found));
     assert_true(hit);
     near_to(found.fraction, (4 - 0.5 / 0.8) / 8, 1e-8);
     near_to((double)found.normal.y, 0.8, 1e-6);
-    /* On its tip: a square turned by an eighth falls on an upright box. */
+    /* A square, rotated by 45 degrees, falls with its tip on an upright box. */
     thud_shape_id box = add_still(world, -10, 10, 1, 1, 0);
     thud_pos above = {-10.5, 20};
     OK(thud_world_cast_box(world, above, 1, 1, atan(1), 0, -10, NULL, &hit, &found));
@@ -139,7 +142,7 @@ static void cast_that_starts_in_a_shape_hits_at_zero_by_the_shortest_way_out(voi
     assert_true(hit);
     is_hit(&found, ground, 0, 40, -10, 0, 1);
     near_to(found.depth, 0.25, 1e-9);
-    /* A ray from inside goes on to what is outside. */
+    /* A ray that starts inside a shape continues to shapes outside. */
     OK(thud_world_cast_ray(world, (thud_pos){0, 0}, 0, -20, NULL, &hit, &found));
     assert_true(hit);
     is_hit(&found, ground, 0.5, 0, -10, 0, 1);
@@ -166,6 +169,7 @@ static void long_slanting_way_among_many_misses_none(void **state) {
     thud_world_destroy(world);
 }
 
+/* An overlap's callback: notes the shape in an array behind its count. */
 static bool gather(thud_shape_id shape, void *context) {
     int *count = context;
     count[++*count] = (int)shape.index1;
@@ -182,7 +186,7 @@ static void overlap_of_each_kind_finds_what_really_overlaps(void **state) {
     OK(thud_world_overlap_circle(world, (thud_pos){1.5, 0}, 0.6, NULL, gather, circle));
     assert_true(circle[0] == 2 && circle[1] == (int)a.index1 && circle[2] == (int)b.index1);
     OK(thud_world_overlap_circle(world, (thud_pos){1.4, 1.4}, 0.5, NULL, gather, apart));
-    assert_int_equal(apart[0], 0); /* past the corner, though within its bounds */
+    assert_int_equal(apart[0], 0); /* beyond the corner, though within the box's bounds */
     OK(thud_world_overlap_aabb(world, (thud_pos){0.5, -4}, (thud_pos){1.5, 0}, NULL, gather, box));
     assert_true(box[0] == 2 && box[1] == (int)a.index1 && box[2] == (int)ground.index1);
     OK(thud_world_overlap_obb(world, (thud_pos){2.2, 1.7}, 1, 0.1, atan(-1), NULL, gather, turned));
@@ -224,6 +228,7 @@ static void closest_measures_from_outside_and_from_inside(void **state) {
     thud_world_destroy(world);
 }
 
+/* Queries use filters and sensors, and apply edits that no step has applied yet. */
 static void queries_heed_filters_sensors_and_edits_not_stepped_yet(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());

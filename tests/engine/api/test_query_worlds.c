@@ -1,25 +1,24 @@
-/* test_query_worlds.c: queries of random worlds of all kinds against every shape asked one by
- * one, with the geometry that needs no world; and the same answers, bit for bit, with every
- * broadphase.
+/* test_query_worlds.c: queries of random worlds against the geometry functions, which need no
+ * world, applied to every single shape; and the same answers, bit for bit, with every broadphase.
  *
- * A case is one query of one world. A shape that comes within GRAZE of being met, or of not
- * being met, may be told either way: the world keeps places to 2^-32 and rotations in single
- * precision. */
+ * A case is one query of one world. Where a result changes within the distance GRAZE, either answer
+ * is accepted: the world keeps positions to 2^-32 and rotations in single precision. */
 #include "engine_support.h"
 #include "geometry_random.h"
 
 enum { SHAPES = 60, QUERIES = 100, BROADPHASES = 3, ROOM = 2 * SHAPES };
 
+/* In metres. Chosen, above those errors for the worlds' extent of 60. */
 #define GRAZE 2e-5
 
-/* The same shapes in three worlds, and once more without any. */
+/* The same shapes in three worlds, one for each broadphase, and in arrays for the reference. */
 typedef struct worlds {
     thud_world *world[BROADPHASES];
-    thud_pos origin; /* of what follows */
+    thud_pos origin; /* of all positions below */
     int count;
     thud_shape_id ids[SHAPES];
     thud_shape_instance placed[SHAPES];
-    thud_terrain terrain[SHAPES]; /* of kind THUD_TERRAIN, whose origin `placed` has */
+    thud_terrain terrain[SHAPES]; /* of kind THUD_TERRAIN, whose origin is that of `placed` */
     thud_pos points[SHAPES][6];
     thud_filter filter[SHAPES];
     bool sensor[SHAPES];
@@ -40,6 +39,7 @@ static thud_terrain draw_terrain(source *r, thud_pos *points) {
     return t;
 }
 
+/* Adds the same terrain to the three worlds. */
 static void add_terrain(worlds *w, source *r, const thud_shape_def *def) {
     int n = w->count++;
     thud_pos at = {(float)draw(r, -10, 10), (float)draw(r, -30, -10)};
@@ -52,6 +52,7 @@ static void add_terrain(worlds *w, source *r, const thud_shape_def *def) {
     }
 }
 
+/* Adds the same circle or box to the three worlds. */
 static void add_solid(worlds *w, source *r, const thud_shape_def *def) {
     int n = w->count++;
     thud_shape_instance shape = draw_shape(r);
@@ -71,7 +72,7 @@ static void add_solid(worlds *w, source *r, const thud_shape_def *def) {
     }
 }
 
-/* Shapes may lie in each other without being pushed apart. */
+/* A prologue with which overlapping shapes are not pushed apart. */
 static bool ignore(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
                    void *context) {
     (void)settings;
@@ -114,12 +115,14 @@ static void drop_worlds(worlds *w) {
     }
 }
 
-/* ---- one shape, without a world ---- */
+/* ---- reference: one shape, without a world ---- */
 
+/* Whether shape i passes the filter (reference). */
 static bool passes(const worlds *w, int i, const thud_query_filter *filter) {
     return (filter->sensors || !w->sensor[i]) && (w->filter[i].category & filter->mask);
 }
 
+/* The shape with its extents enlarged by `by`. */
 static thud_shape_instance grown(const thud_shape_instance *shape, double by) {
     thud_shape_instance p = *shape;
     p.hx = fmax(p.hx + by, 1e-9);
@@ -127,14 +130,15 @@ static thud_shape_instance grown(const thud_shape_instance *shape, double by) {
     return p;
 }
 
+/* A random query at (x, y), which moves by (dx, dy) where it is a cast. */
 typedef struct query {
-    thud_shape_instance shape; /* about (0, 0), in the worlds' frame; of a ray or point not read */
+    thud_shape_instance shape; /* about (0, 0), in the worlds' frame; not used by rays and points */
     bool pointlike;
     double x, y, dx, dy;
     thud_query_filter filter;
 } query;
 
-/* Whether shape i, grown by so much, is met, and at which fraction at the latest and earliest. */
+/* Whether shape i, enlarged by `by`, is hit; *fraction is when. */
 static bool meets(const worlds *w, int i, const query *q, double by, double *fraction) {
     double x = q->x, y = q->y;
     bool hit = false;
@@ -164,6 +168,7 @@ static bool meets(const worlds *w, int i, const query *q, double by, double *fra
     return hit;
 }
 
+/* Distance of shape i from another one, by the geometry functions (reference). */
 static double distance_to(const worlds *w, int i, const thud_shape_instance *shape) {
     thud_closest c;
     thud_shape_instance other = *shape;
@@ -183,7 +188,7 @@ static int index_of(const worlds *w, thud_shape_id id) {
             return i;
         }
     }
-    fail_msg("told of a shape that was never made");
+    fail_msg("a shape was reported that does not exist");
     return -1;
 }
 
@@ -233,8 +238,8 @@ static bool same_hit(const thud_ray_hit *a, const thud_ray_hit *b) {
            a->normal.y == b->normal.y;
 }
 
-/* The point lies on the surface of the shape, and where the query's shape then stands it
- * touches. */
+/* Asserts that the hit's point is on the surface of the shape, and that the query's shape touches
+ * it at that fraction. */
 static void check_hit(const worlds *w, const query *q, const thud_ray_hit *hit) {
     thud_shape_instance point = {.kind = THUD_CIRCLE, .c = 1, .hx = 1e-9};
     int i = index_of(w, hit->shape);
@@ -253,6 +258,8 @@ static void check_hit(const worlds *w, const query *q, const thud_ray_hit *hit) 
     }
 }
 
+/* Checks a cast that lists all hits against the reference, and the first hit and the other
+ * broadphases against the list. */
 static void check_cast(const worlds *w, const query *q) {
     thud_ray_hit hits[ROOM], others[ROOM], first;
     int count = cast_all(w, 0, q, hits, ROOM);
@@ -266,7 +273,7 @@ static void check_cast(const worlds *w, const query *q) {
         assert_true(k == 0 || hits[k - 1].fraction < hits[k].fraction ||
                     (hits[k - 1].fraction == hits[k].fraction &&
                      hits[k - 1].shape.index1 < hits[k].shape.index1));
-        /* A ray may start in the grown shape. */
+        /* A ray may start inside of the enlarged shape. */
         assert_true(meets(w, i, q, GRAZE, &fraction) || q->pointlike);
         check_hit(w, q, &hits[k]);
     }
@@ -300,6 +307,7 @@ static bool append(thud_shape_id shape, void *context) {
     return true;
 }
 
+/* Checks an overlap against the distances of all shapes, with each broadphase. */
 static void check_overlap(const worlds *w, const query *q) {
     list found[BROADPHASES] = {0};
     thud_shape_instance there = q->shape;
@@ -322,6 +330,7 @@ static void check_overlap(const worlds *w, const query *q) {
     assert_int_equal(next, found[0].count);
 }
 
+/* Checks the closest shape to a point against the distances of all shapes, with each broadphase. */
 static void check_closest(const worlds *w, source *r, const query *q) {
     double most = draw_below(r, 2) ? draw(r, 0, 5) : draw(r, 0, 200), least = 1e300;
     thud_shape_instance point = {.kind = THUD_CIRCLE, .x = q->x, .y = q->y, .c = 1, .hx = 1e-9};
@@ -347,7 +356,7 @@ static void check_closest(const worlds *w, source *r, const query *q) {
     }
 }
 
-/* As many as THUD_CASES says. */
+/* The number of cases: THUD_CASES of the environment, else the usual one. */
 static long cases_wanted(long usual) {
     const char *wanted = getenv("THUD_CASES");
     return wanted ? strtol(wanted, NULL, 10) : usual;
@@ -363,7 +372,8 @@ static void queries_of_random_worlds_agree_with_every_shape_asked_one_by_one(voi
             make_worlds(&w, &r);
         } else if (k % QUERIES == QUERIES / 2) {
             for (int b = 0; b < BROADPHASES; b++) {
-                /* Nothing moves, but sleeping, bounds and populations have been through a step. */
+                /* Nothing moves, but a step has updated sleeping, bounds and the broadphase's
+                 * populations. */
                 run(w.world[b], 1);
             }
         }

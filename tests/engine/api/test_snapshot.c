@@ -1,4 +1,5 @@
-/* test_snapshot.c: worlds that are put back go the same way again, to the bit. */
+/* test_snapshot.c: worlds that are restored from a snapshot repeat the same steps exactly, in every
+ * scene and with every setting. */
 #include "snapshot_support.h"
 
 #include "build_thud.h"
@@ -7,8 +8,10 @@
 #include <thud/thud_joint.h>
 #include <thud/thud_rules.h>
 
+/* Steps before and after a snapshot; greatest size of a scene. */
 enum { BEFORE = 60, AFTER = 70, SIZE_MOST = 200 };
 
+/* A world of a scene, at most of size SIZE_MOST. *scale is the scene's length scale. */
 static thud_world *scene_world(const scene_info *info, const thud_world_def *def, float *scale) {
     scene s;
     thud_world *world;
@@ -20,7 +23,8 @@ static thud_world *scene_world(const scene_info *info, const thud_world_def *def
     return world;
 }
 
-/* Back in the same world, in a fresh one without anything, and in one that went on elsewhere. */
+/* A scene's snapshot is restored into the same world, into an empty one, and into one that has run
+ * on; each repeats the steps. */
 static void restored_anywhere(const scene_info *info, const thud_world_def *settings,
                               const thud_listeners *listeners, int before, int after,
                               const char *what) {
@@ -57,8 +61,8 @@ static void every_scene_restored_goes_the_same_way(void **state) {
     }
 }
 
-/* As unlike the scenes as can be: vast; thin, damped and belted bodies, kinematic ones and some at
- * rest; a setting that the next step will find, or not. */
+/* A world that differs from the scenes as much as possible: large; thin, damped and belted bodies,
+ * kinematic ones and sleeping ones; and a setting that may be pending for the next step. */
 static thud_world *wild_world(thud_world_def def, int steps) {
     def.sleeping = steps % 2 == 0;
     def.gravity = (thud_vec2){1, -3};
@@ -90,7 +94,8 @@ static thud_world *wild_world(thud_world_def def, int steps) {
     return world;
 }
 
-/* Nothing of the world that gives way is left. */
+/* Two very different worlds are restored from each other's snapshots; nothing of the former
+ * contents remains. */
 static void unlike_worlds_restored_from_each_other_go_the_same_ways(void **state) {
     (void)state;
     const thud_broadphase *const broadphases[] = {&thud_broadphase_grid, &thud_broadphase_sweep};
@@ -122,7 +127,7 @@ static bool veto(thud_world *world, const thud_contact *contact, thud_contact_se
     return contact->shape_b.index1 % 7 != 0;
 }
 
-/* Edits from inside a callback wait for the next step, also across a snapshot. */
+/* An epilogue whose edits are deferred to the next step, also across a snapshot. */
 static void push(thud_world *world, const thud_contact *contact, void *context) {
     (void)context;
     if (contact->shape_b.index1 % 5 == 0) {
@@ -176,7 +181,8 @@ static void sleeping_island_restored_sleeps_and_wakes_as_before(void **state) {
     free(snapshot.bytes);
 }
 
-/* From each step on a few more, in worlds that were elsewhere a moment ago. */
+/* Snapshots of each step until sleep are restored into worlds with other contents, and three steps
+ * each are repeated. */
 static void every_step_on_the_way_to_sleep_is_restored(void **state) {
     (void)state;
     enum { STEPS = 500, MORE = 3 };
@@ -209,7 +215,7 @@ static void every_step_on_the_way_to_sleep_is_restored(void **state) {
     thud_world_destroy(y.world);
 }
 
-/* One edit of each kind. */
+/* Makes one edit of each kind. */
 static void edit(const yard *y) {
     OK(thud_shape_dig(y->world, y->ground, (thud_pos){5, 0.5}, 1.5));
     OK(thud_body_destroy(y->world, y->heap[3]));
@@ -222,10 +228,11 @@ static void edit(const yard *y) {
     add_ball(y->world, 1, 14, 0.4f);
 }
 
+/* Snapshots with edits that are not applied yet are restored with them. */
 static void edits_that_wait_for_the_step_are_restored(void **state) {
     (void)state;
     yard y = make_yard(NULL);
-    saved fresh = save(y.world); /* nothing has been applied yet */
+    saved fresh = save(y.world); /* a snapshot before any edit is applied */
     trail all = walk(y.world, 100);
     edit(&y);
     saved edited = save(y.world);
@@ -241,6 +248,8 @@ static void edits_that_wait_for_the_step_are_restored(void **state) {
     free(edited.bytes);
 }
 
+/* A velocity set just before a snapshot is not part of the energy change that the next step
+ * reports, in the restored world as in the first. */
 static void velocity_set_just_before_is_no_gain_of_energy(void **state) {
     (void)state;
     yard y = make_yard(NULL);
@@ -254,6 +263,7 @@ static void velocity_set_just_before_is_no_gain_of_energy(void **state) {
     free(snapshot.bytes);
 }
 
+/* Every setting with a setter is restored; worlds of all qualities. */
 static void settings_with_a_setter_are_restored(void **state) {
     (void)state;
     thud_quality odd = {.name = "odd",
@@ -290,6 +300,8 @@ static void settings_with_a_setter_are_restored(void **state) {
     }
 }
 
+/* After a restore, handles of the snapshot are valid, later ones are not, and new bodies get the
+ * handles that they had the first time. */
 static void handles_are_those_of_the_snapshot(void **state) {
     (void)state;
     yard y = make_yard(NULL);
@@ -327,6 +339,7 @@ static void handles_are_those_of_the_snapshot(void **state) {
     free(snapshot.bytes);
 }
 
+/* A snapshot is restored where terrains were destroyed, created or dug since. */
 static void lines_that_came_went_or_grew_are_restored(void **state) {
     (void)state;
     yard y = make_yard(NULL);
@@ -357,6 +370,7 @@ static void lines_that_came_went_or_grew_are_restored(void **state) {
     free(snapshot.bytes);
 }
 
+/* The time that thud_world_advance has left over is restored. */
 static void poses_and_time_left_over_are_restored(void **state) {
     (void)state;
     yard y = make_yard(NULL);

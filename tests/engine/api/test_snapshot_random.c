@@ -1,8 +1,8 @@
-/* test_snapshot_random.c: a random game, taken back and played again from any of its snapshots, is
- * the same. */
+/* test_snapshot_random.c: a random game that is restored from any of its snapshots and played again
+ * is the same. */
 #include "snapshot_support.h"
 
-/* What a player might do in step `time`: the same each time. */
+/* The input of a player in step `time`; the same each time that it is played. */
 static void play(const yard *y, int time) {
     uint64_t seed = 88172645463325252u + (uint64_t)time * 977;
     for (int i = 0; i < 8; i++) {

@@ -1,5 +1,5 @@
-/* test_snapshot_refused.c: what is no snapshot for this world is refused and told, and whatever
- * goes wrong, the world goes on as if nobody had asked. */
+/* test_snapshot_refused.c: snapshots that are damaged, forged or of another kind of world are
+ * refused with a message in the log, and the world continues as if nothing had been called. */
 #include "refused_snapshot.h"
 
 #include "hostile_memory.h"
@@ -11,7 +11,7 @@ static double no_clock(void *context) {
     return 0;
 }
 
-/* A yard 30 steps on, a snapshot of it, and the way that it would have gone from there. */
+/* A yard after 30 steps, a snapshot of it, and its digests in the 20 steps after. */
 typedef struct ready {
     yard y;
     saved snapshot;
@@ -76,7 +76,8 @@ static void cut_or_lengthened_snapshot_is_refused(void **state) {
     thud_world_def def = telling();
     ready r = make_ready(&def);
     for (size_t size = 0; size < r.snapshot.size; size += size < 2000 ? 1 : 97) {
-        char *part = malloc(size + 1); /* so that a sanitizer sees a read beyond it */
+        /* a block of its own, so that a sanitizer detects a read beyond its end */
+        char *part = malloc(size + 1);
         memcpy(part, r.snapshot.bytes, size);
         assert_int_equal(thud_world_restore(r.y.world, part, size), THUD_ERROR_INVALID);
         free(part);
@@ -110,7 +111,7 @@ static void snapshot_of_another_scale_or_broadphase_is_refused(void **state) {
     end(&r);
 }
 
-/* Each of them decides what the steps to come do. */
+/* Each of these settings decides what later steps do, so it has to agree. */
 static void snapshot_of_a_world_of_other_settings_is_refused(void **state) {
     (void)state;
     enum { KINDS = 10 };
@@ -137,7 +138,7 @@ static void snapshot_of_a_world_of_other_settings_is_refused(void **state) {
     end(&r);
 }
 
-/* Numbers of the head that somebody changed, and made the checksum right again. */
+/* A snapshot head with changed counts and a valid checksum. */
 static void forged_counts_are_refused_or_do_no_harm(void **state) {
     (void)state;
     thud_world_def def = telling();
@@ -192,11 +193,13 @@ static void null_and_small_buffer_are_refused(void **state) {
     end(&r);
 }
 
+/* The context of a prologue that tries snapshot calls. */
 typedef struct inside {
     saved snapshot;
     int asked;
 } inside;
 
+/* A prologue in which snapshot calls are refused. */
 static bool ask(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
                 void *context) {
     (void)contact;
@@ -228,7 +231,8 @@ static void callback_is_refused(void **state) {
     free(i.snapshot.bytes);
 }
 
-/* A world that holds little, or one that had a line in the place where the snapshot has its own. */
+/* A world with little in it, or one with a terrain in the slot in which the snapshot has its
+ * own. */
 static thud_world *small_world(const thud_world_def *def, bool had_line) {
     if (!had_line) {
         thud_world *world = make_world(*def);

@@ -1,10 +1,12 @@
-/* test_workers.c: a step shared by several threads, or by calls that only pretend to be threads. */
+/* test_workers.c: steps that several threads share, or that a job system runs as one call after
+ * another, give the same bits. */
 #include "engine_support.h"
 
 #include "build_thud.h"
 #include "pool.h"
 #include "scenes.h"
 
+/* The hash of a scene's world after some steps. */
 static uint64_t hash_after(const char *name, int size, int steps, thud_job_system job_system) {
     scene s;
     assert_true(scenes_fill(scenes_find(name), size, &s));
@@ -19,7 +21,7 @@ static uint64_t hash_after(const char *name, int size, int steps, thud_job_syste
     return hash;
 }
 
-/* A job system that has but one thread: one call after the other. */
+/* A job system with a single thread: it calls the task for each worker in turn. */
 static void one_after_the_other(thud_task_fn *task, void *argument, int workers, void *context) {
     *(int *)context += 1;
     for (int i = 0; i < workers; i++) {
@@ -60,6 +62,7 @@ static void workers_one_after_the_other_give_the_same_bits(void **state) {
     assert_true(calls >= 40);
 }
 
+/* A world with little work does not call the job system. */
 static void small_worlds_ask_nobody(void **state) {
     (void)state;
     int calls = 0;

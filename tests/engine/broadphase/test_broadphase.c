@@ -1,11 +1,13 @@
-/* test_broadphase.c: contacts exist exactly for the pairs of fat bounds that overlap, whatever the
- * world does, and every broadphase makes the same ones in the same order. */
+/* test_broadphase.c: while a random world is edited and runs, contacts exist exactly for the pairs
+ * of shapes whose fat bounds overlap, and every broadphase makes the same ones in the same order.
+ * The reference is the test of all pairs. */
 #include "engine_support.h"
 #include "every_choice.h"
 
 #include "contact/contact.h"
 #include "state/world.h"
 
+/* A random world that is edited while it runs. */
 typedef struct chaos {
     thud_world *world;
     thud_body_id bodies[400];
@@ -18,7 +20,7 @@ static void add_random(chaos *c) {
     bool fixed = random_in(&c->seed, 0, 1) < 0.2;
     double x = random_in(&c->seed, -c->width, c->width);
     double y = random_in(&c->seed, -c->width, c->width);
-    /* As many small ones as large ones: the logarithm is uniform. */
+    /* The logarithm of sizes is uniform, so small ones are as frequent as large ones. */
     float size = (float)(c->small * pow(c->large / c->small, random_in(&c->seed, 0, 1)));
     thud_body_id id = add_body(c->world, fixed ? THUD_STATIC : THUD_DYNAMIC, x, y, 0);
     int kind = (int)random_in(&c->seed, 0, 3);
@@ -45,13 +47,14 @@ static bool has_contact(const thud_world *w, int a, int b) {
     return false;
 }
 
-/* What the broadphase of the last step went by. */
+/* The bounds that the broadphase used in the last step. */
 static const td_bounds *bounds_seen(const thud_world *w, int shape) {
     return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_at(&w->was, shape) : td_fat_at(w, shape);
 }
 
-/* After the broadphase of a step bounds may have grown again, so the check runs the broadphase's
- * own input: bounds as they were when pairs were last made. */
+/* Asserts that contacts and overlapping bounds are the same pairs. Bounds may have grown after the
+ * broadphase of the step, so those from when pairs were last made are used. `crowd`: pairs may
+ * still be missing. */
 static void check(const thud_world *w, bool crowd) {
     int pairs = 0, missing = 0;
     for (int a = 0; a < w->shapes.count; a++) {
@@ -62,13 +65,15 @@ static void check(const thud_world *w, bool crowd) {
                 continue;
             }
             const td_bounds *of_a = bounds_seen(w, a), *of_b = bounds_seen(w, b);
-            /* Bounds wrap around far away: only near ones count. */
+            /* Fixed-point bounds wrap around at great distances, so only near pairs are
+             * compared. */
             const td_position *p = &td_shape_proxy_at(w, a)->center,
                               *q = &td_shape_proxy_at(w, b)->center;
             double most = 1e5 * TD_FIXED_ONE;
             bool near_by = fabs((double)(p->x - q->x)) < most && fabs((double)(p->y - q->y)) < most;
             bool overlap = near_by && td_bounds_overlap(of_a, of_b);
-            /* Inside a crowd a pair may wait, but one of its shapes is then looked at again. */
+            /* Inside a crowd a pair may be deferred; then one of its shapes is marked for the next
+             * step. */
             if (crowd && overlap && !has_contact(w, a, b) &&
                 (*td_marks_at(w, a) | *td_marks_at(w, b)) & TD_MARK_WOKEN) {
                 missing++;
@@ -82,7 +87,7 @@ static void check(const thud_world *w, bool crowd) {
     assert_int_equal(pairs - missing, w->constraints.live);
 }
 
-/* Every contact with its place in the world's list, which tells when it was made. */
+/* Hash of all contacts with their indices, which depend on when each was made. */
 static uint64_t list_hash(const thud_world *w, uint64_t hash) {
     for (int i = 0; i < w->constraints.count; i++) {
         const td_contact *contact = td_contact_at(w, i);
@@ -94,7 +99,7 @@ static uint64_t list_hash(const thud_world *w, uint64_t hash) {
     return hash;
 }
 
-/* Returns a hash of the contacts after each step. */
+/* Runs steps with random edits and checks each; returns a hash of the contacts after each step. */
 static uint64_t live_through(chaos *c, int steps) {
     int most = 0;
     uint64_t hash = 0xcbf29ce484222325u;
@@ -124,7 +129,8 @@ static uint64_t live_through(chaos *c, int steps) {
     return hash;
 }
 
-/* The same life with each broadphase: they make the same contacts at the same time. */
+/* Runs the same edits with each broadphase and asserts that the contacts are the same at the same
+ * time. */
 static void live_with_each(chaos begin, thud_world_def def, bool floor, int steps) {
     uint64_t hash[3];
     for (int k = 0; k < 3; k++) {
@@ -171,8 +177,8 @@ static void contacts_are_the_overlapping_bounds_while_islands_sleep_and_wake(voi
     live_with_each(begin, thud_default_world_def(), true, 200);
 }
 
-/* Six hundred circles in one place have 180,000 pairs; the world works on a bounded number of them
- * at a time, and has every pair that is left once they have come apart. */
+/* Six hundred circles in one place have 180,000 pairs. The world keeps a bounded number of contacts
+ * at a time, and has every overlapping pair once the circles have come apart. */
 static void crowd_in_one_place_has_bounded_contacts_and_comes_apart(void **state) {
     (void)state;
     enum { CIRCLES = 600 };

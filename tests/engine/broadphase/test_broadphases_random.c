@@ -1,6 +1,6 @@
-/* test_broadphases_random.c: random worlds live the same life with each broadphase, whichever way
- * of detection, while lines are made, moved and dug under awake bodies: the same contacts in the
- * same order, the same events and questions in the same order, the same bits. */
+/* test_broadphases_random.c: random worlds with the same edits give the same results with each
+ * broadphase, under every detection, while terrains are made, moved and dug under awake bodies: the
+ * same contacts, events and callbacks in the same order, and the same bits of bodies. */
 #include "engine_support.h"
 #include "every_choice.h"
 #include "share.h"
@@ -8,14 +8,15 @@
 
 enum { BODIES = 70, STEPS = 90 };
 
+/* A random world and what was recorded of it. */
 typedef struct life {
     thud_world *world;
     thud_body_id bodies[BODIES], ground;
     thud_shape_id line;
     uint64_t seed;
-    uint64_t told; /* hash of what callbacks were told */
+    uint64_t told; /* hash of the arguments of callbacks */
     int lines_made, lines_moved, asked, events;
-    uint64_t hash[STEPS][4]; /* contacts, events, callbacks, bodies */
+    uint64_t hash[STEPS][4]; /* hashes after each step: contacts, events, callbacks, bodies */
 } life;
 
 static void mix(uint64_t *hash, const void *data, size_t bytes) {
@@ -32,8 +33,9 @@ static int pick(life *l, int count) {
     return (int)random_in(&l->seed, 0, (double)count);
 }
 
-/* ---- what callbacks are told ---- */
+/* ---- arguments of callbacks ---- */
 
+/* A prologue: hashes its arguments, and vetoes a fifth of the contacts. */
 static bool ask(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
                 void *context) {
     life *l = context;
@@ -46,6 +48,7 @@ static bool ask(thud_world *world, const thud_contact *contact, thud_contact_set
     return (contact->shape_a.index1 + contact->shape_b.index1) % 5 != 0;
 }
 
+/* An epilogue: hashes its arguments. */
 static void tell(thud_world *world, const thud_contact *contact, void *context) {
     life *l = context;
     (void)world;
@@ -54,7 +57,7 @@ static void tell(thud_world *world, const thud_contact *contact, void *context) 
     mix(&l->told, &contact->normal_impulse, sizeof contact->normal_impulse);
 }
 
-/* ---- a world that changes ---- */
+/* ---- edits ---- */
 
 static void add_random(life *l, int i) {
     thud_body_kind kind = pick(l, 7) ? THUD_DYNAMIC : (thud_body_kind)pick(l, 2);
@@ -76,7 +79,7 @@ static void add_random(life *l, int i) {
     }
 }
 
-/* Two layers on the ground and a wall at its end, made in no order at all. */
+/* Adds two layers of ground tiles and a wall at their end, in a scrambled order. */
 static void add_tiles(life *l) {
     for (int i = 0; i < 64; i++) {
         int at = i * 29 % 64;
@@ -102,6 +105,7 @@ static void add_line(life *l) {
     l->lines_made++;
 }
 
+/* Makes a random edit of the terrain: a new one, a move, digging or raising. */
 static void edit_line(life *l) {
     switch (pick(l, 4)) {
     case 0:
@@ -123,6 +127,7 @@ static void edit_line(life *l) {
     }
 }
 
+/* Makes a random edit of a body. */
 static void edit(life *l) {
     int i = pick(l, BODIES);
     switch (pick(l, 3)) {
@@ -141,8 +146,9 @@ static void edit(life *l) {
     }
 }
 
-/* ---- what it was like ---- */
+/* ---- records ---- */
 
+/* Adds the events of a list, and their number, to the hash. */
 static void mix_pairs(uint64_t *hash, const thud_contact_event *e, int count) {
     for (int i = 0; i < count; i++) {
         mix_int(hash, e[i].shape_a.index1);
@@ -151,6 +157,7 @@ static void mix_pairs(uint64_t *hash, const thud_contact_event *e, int count) {
     mix_int(hash, (uint32_t)count);
 }
 
+/* Adds the state after a step to the four hashes. */
 static void note(life *l, uint64_t hash[4]) {
     const thud_world *w = l->world;
     for (int i = 0; i < w->constraints.count; i++) {
@@ -181,6 +188,7 @@ static void note(life *l, uint64_t hash[4]) {
     }
 }
 
+/* Runs the world of a seed, and records each step. */
 static life *live(const thud_broadphase *broadphase, const thud_detection *detection,
                   uint64_t seed) {
     life *l = calloc(1, sizeof *l);

@@ -1,12 +1,15 @@
-/* test_crowds.c: what stands in a crowd is found: at once where its pairs are few for the world,
- * else within a number of steps that grows with the crowd. Pairs that cannot act hold no places. */
+/* test_crowds.c: many shapes in one place (a crowd): every pair is found, at once where the pairs
+ * are few for the world, else within a number of steps that grows with the crowd (thud_detection.h
+ * states it). Pairs that cannot act take up no room for contacts. */
 #include "engine_support.h"
 #include "every_choice.h"
 #include "share.h"
 #include "snapshot_support.h"
 
+/* Bodies of a crowd at most. */
 enum { MOST = 1000 };
 
+/* A crowd; counts of sensor overlaps that are open, and of contacts that began. */
 typedef struct crowd {
     thud_world *world;
     thud_body_id bodies[MOST];
@@ -14,7 +17,7 @@ typedef struct crowd {
     int sensed, met;
 } crowd;
 
-/* Circles in one spot that meet each other only where `def` says so. */
+/* Adds circles in one spot with the shape def `def`, whose filter decides whether they collide. */
 static void fill(crowd *c, int count, const thud_shape_def *def) {
     for (int i = 0; i < count; i++) {
         thud_body_id id = add_body(c->world, THUD_DYNAMIC, random_in(&c->seed, -0.05, 0.05),
@@ -24,6 +27,7 @@ static void fill(crowd *c, int count, const thud_shape_def *def) {
     }
 }
 
+/* Steps the world, and counts sensor overlaps and contacts that began. */
 static void step(crowd *c) {
     run(c->world, 1);
     thud_events e = thud_world_events(c->world);
@@ -31,6 +35,7 @@ static void step(crowd *c) {
     c->met += e.begin_count;
 }
 
+/* A prologue that vetoes every contact. */
 static bool let_through(thud_world *world, const thud_contact *contact,
                         thud_contact_settings *settings, void *context) {
     (void)world;
@@ -40,6 +45,8 @@ static bool let_through(thud_world *world, const thud_contact *contact,
     return false;
 }
 
+/* A crowd whose circles do not collide with each other, by their group or by their category and
+ * mask. */
 static crowd mates(int count, const thud_broadphase *broadphase, bool by_group) {
     thud_world_def def = weightless();
     thud_shape_def shape = thud_default_shape_def();
@@ -73,7 +80,7 @@ static void sensor_in_a_crowd_of_mates_reports_all(void **state) {
     }
 }
 
-/* It comes later, from outside, and goes right through. */
+/* The ball is created later, outside of the crowd, and flies through it. */
 static void body_flown_through_a_crowd_of_mates_meets_all(void **state) {
     (void)state;
     for (int k = 0; k < 6; k++) {
@@ -90,7 +97,7 @@ static void body_flown_through_a_crowd_of_mates_meets_all(void **state) {
     }
 }
 
-/* A thousand have half a million pairs: too many to look at in one step. */
+/* A thousand shapes have half a million pairs, too many to test in one step. */
 static void sensor_in_a_great_crowd_reports_all_within_steps_that_are_stated(void **state) {
     (void)state;
     for (int k = 0; k < 3; k++) {
@@ -101,7 +108,8 @@ static void sensor_in_a_great_crowd_reports_all_within_steps_that_are_stated(voi
             step(&c);
         }
         assert_int_equal(c.sensed, 1000);
-        /* ... and another one that comes when all stand still; and the two sensors each other. */
+        /* A second sensor, created when nothing moves, finds all circles, and the sensors find each
+         * other. */
         add_sensor(&c, THUD_KINEMATIC);
         for (steps = 0; steps < 1000 / 64 + 1 && c.sensed < 2002; steps++) {
             step(&c);
@@ -111,8 +119,8 @@ static void sensor_in_a_great_crowd_reports_all_within_steps_that_are_stated(voi
     }
 }
 
-/* They let each other through, and so never come apart; also where they sleep in between, which is
- * the case that a share of them has. */
+/* The circles' contacts are vetoed, so the crowd stays. In the fourth case its bodies also sleep in
+ * between; a build that runs a share of the cases runs that one. */
 static void crowd_that_stays_gets_all_pairs_within_steps_that_are_stated(void **state) {
     (void)state;
     enum { COUNT = 220, ALL = COUNT * (COUNT - 1) / 2 };
@@ -124,7 +132,7 @@ static void crowd_that_stays_gets_all_pairs_within_steps_that_are_stated(void **
         set_listeners(c.world, let_through, NULL, NULL);
         fill(&c, COUNT, NULL);
         step(&c);
-        assert_true(thud_world_stats(c.world).pairs < 64 * COUNT); /* not all at once */
+        assert_true(thud_world_stats(c.world).pairs < 64 * COUNT); /* not all pairs in one step */
         int steps = 1;
         for (; steps < 4 * COUNT && thud_world_stats(c.world).pairs < ALL; steps++) {
             step(&c);
@@ -137,11 +145,13 @@ static void crowd_that_stays_gets_all_pairs_within_steps_that_are_stated(void **
     }
 }
 
-/* The square is as wide as to have somewhat too many pairs for its circles. Two steps later they
- * are few enough, when more than half are still missing: those may not come all at once, which
- * would be 60 a circle. A world that is restored then goes on alike. */
+/* The square is so wide that there are somewhat too many pairs for the number of circles. Two steps
+ * later the pairs fit, while more than half of them have no contact yet; making them all at once
+ * would be 60 a circle, more than there is room for. A world that is restored continues with the
+ * same bits. */
 static void crowd_that_comes_apart_gets_no_more_pairs_than_there_are_places(void **state) {
     (void)state;
+    /* Circles; room for pairs, for each of them; steps; and steps until the snapshot. */
     enum { COUNT = 2000, PLACES = 32, STEPS = 12, KEPT = 3 };
     for (int k = 0; k < 3; k++) {
         thud_world_def def = weightless();

@@ -1,5 +1,7 @@
-/* test_distances.c: the graph of constraints with one sort that is no contact: rods are solved soft
- * and directly, coloured, put to sleep, disabled, destroyed, drawn and restored as contacts are. */
+/* test_distances.c: rods (distance joints) in the graph of constraints, as the simplest constraint
+ * that is not a contact: they are solved by the soft and the direct solver, coloured, put to sleep,
+ * disabled, destroyed, drawn and restored as contacts are; and ropes that are reeled in against
+ * static shapes yield. */
 #include "joint_support.h"
 
 #include "state/world.h"
@@ -25,6 +27,7 @@ static double stretch_of(thud_world *world, thud_joint_id rod) {
 
 static const thud_vec2 middle = {0, 0};
 
+/* The greatest gap of any rod in `steps` steps, in metres. */
 static double stretch_after(thud_world *world, const thud_joint_id *rods, int count, int steps) {
     double worst = 0;
     for (int i = 0; i < steps; i++) {
@@ -38,6 +41,8 @@ static double stretch_after(thud_world *world, const thud_joint_id *rods, int co
 
 /* ---- solved ---- */
 
+/* A pendulum of length 2 falls from level for 300 steps. Returns the rod's greatest gap; *least is
+ * the lowest height of its bob. */
 static double swing(const thud_quality *quality, double *least) {
     thud_world *world = world_at(quality);
     thud_body_id hook = add_body(world, THUD_STATIC, 0, 10, 0);
@@ -63,8 +68,9 @@ static void pendulum_keeps_its_length_and_passes_its_lowest_place(void **state) 
     }
 }
 
-/* A rod that holds a thousand times its own neighbours' mass sags where it is solved softly, and
- * not where its island is solved at once. */
+/* A chain of 10 links of rods with a weight of about a thousand links at its end: returns the
+ * greatest gap in its fifth second. The soft solver lets the rods open, the direct solver does not.
+ * *direct is the number of bodies solved directly. */
 static double chain(const thud_quality *quality, int *direct) {
     enum { LINKS = 10 };
     thud_world *world = world_at(quality);
@@ -100,7 +106,7 @@ static void chain_with_a_weight_a_thousand_times_heavier_is_held_directly(void *
     assert_int_equal(direct, 11);
 }
 
-/* What hangs off a lever turns the lever: the row's arms count. */
+/* A rod that is attached off a body's centre turns the body: its row uses the lever arm. */
 static void rod_at_the_end_of_a_plank_turns_it(void **state) {
     (void)state;
     for (int i = 0; i < QUALITIES; i++) {
@@ -131,11 +137,11 @@ static void rods_and_contacts_share_an_island_in_the_direct_solver(void **state)
     thud_world_destroy(world);
 }
 
-/* ---- the graph ---- */
+/* ---- in the graph of constraints ---- */
 
 enum { ACROSS = 12, UP = 5 };
 
-/* A net of circles that hangs from its upper edge and falls onto boxes. */
+/* A net of circles tied by rods, held at the two ends of its upper edge, which falls onto boxes. */
 static thud_world *net(thud_world_def def) {
     thud_world *world = make_world(def);
     thud_body_id knots[UP][ACROSS];
@@ -159,6 +165,7 @@ static thud_world *net(thud_world_def def) {
     return world;
 }
 
+/* The world's hash after that many steps of the net. */
 static uint64_t net_after(thud_world_def def, int steps) {
     thud_world *world = net(def);
     run(world, steps);
@@ -183,7 +190,7 @@ static void net_ends_in_the_same_bits_with_any_workers_and_width(void **state) {
     }
 }
 
-/* Eight lanes are solved at once, so that none of them may share a body with another. */
+/* The eight lanes of a block are solved at once, so no two of them may share a moving body. */
 static void rods_of_one_block_share_no_moving_body(void **state) {
     (void)state;
     thud_world *world = net(thud_default_world_def());
@@ -227,6 +234,7 @@ static void bodies_that_a_rod_ties_fall_asleep_and_wake_together(void **state) {
     thud_world_destroy(world);
 }
 
+/* A rod does not act while one of its bodies is disabled. */
 static void rod_to_a_disabled_body_lets_go_until_it_is_enabled(void **state) {
     (void)state;
     thud_world *world = world_at(&thud_quality_default);
@@ -265,6 +273,7 @@ static void body_that_is_destroyed_takes_its_rods_away(void **state) {
     thud_world_destroy(world);
 }
 
+/* Destroying a rod wakes the body that hung on it. */
 static void rod_that_is_destroyed_lets_go_of_sleepers(void **state) {
     (void)state;
     thud_world *world = make_world(def_of(&thud_quality_default));
@@ -280,7 +289,7 @@ static void rod_that_is_destroyed_lets_go_of_sleepers(void **state) {
     thud_world_destroy(world);
 }
 
-/* ---- told of ---- */
+/* ---- snapshots, drawing, errors, wrong input ---- */
 
 static void restored_net_goes_on_to_the_same_bits(void **state) {
     (void)state;
@@ -334,7 +343,8 @@ static void colours_of_rods_are_drawn(void **state) {
     thud_world_destroy(world);
 }
 
-/* A rod overlaps nothing; what it misses is a speed. */
+/* A rod has no penetration; its error is the velocity by which it misses its target, the
+ * residual. */
 static void error_report_has_the_speed_that_a_rod_misses(void **state) {
     (void)state;
     thud_world *world = world_at(&thud_quality_draft);
@@ -370,10 +380,11 @@ static void wrong_rods_are_refused(void **state) {
     thud_world_destroy(world);
 }
 
-/* A ball or a box on a floor, at the end of a rope or a rod to a hook far below, which is reeled
- * in: the floor wins, and the joint stays open, as the error report says. Where bodies move on from
- * one collision to the next a ball rests on the floor all the time. Elsewhere the contact is soft:
- * it is pressed in by less than half of the radius, and then by a tenth of it. */
+/* A ball or a box lies on a floor, joined by a rope or a rod to a hook far below, and the joint is
+ * shortened at 0.3, 3 or 30 m/s. The contact with the floor holds, and the joint stays open by the
+ * gap that the error report states. Under `bisect` and `swept` a ball rests on the floor in every
+ * step. Under the others contacts are soft: the ball overlaps the floor by less than half of its
+ * radius at first, and by a tenth of it at the end. */
 static void floor_bears_what_is_reeled_in(void **state) {
     (void)state;
     const thud_detection *const detections[] = {&thud_detection_bisect, &thud_detection_swept,
@@ -408,7 +419,8 @@ static void floor_bears_what_is_reeled_in(void **state) {
             if (meets && !box) {
                 near_to(height, 0.3, 2e-3);
             }
-            assert_true(height > 0.15); /* through the floor in 2 to 120 steps, before */
+            /* without yielding it was through the floor after 2 to 120 steps */
+            assert_true(height > 0.15);
         }
         if (!box) {
             near_to(thud_world_error(world).joint_gap_max, 4 + height - (double)length, 1e-3);
@@ -418,9 +430,10 @@ static void floor_bears_what_is_reeled_in(void **state) {
     }
 }
 
-/* A ball before a wall, below a loose box, at the end of a rope to a hook beyond the wall. The rope
- * is reeled in at 3 a second, but is never shorter than the way to the hook by more than 0.1. As
- * the ball has come up to the height of the hook, the rope only presses it against the wall. */
+/* A rope leads from a ball before a wall to a hook beyond the wall, and is reeled in at 3 m/s, but
+ * never shorter than the distance to the hook by more than 0.1 m. A loose box lies on the ball.
+ * Once the ball is at the hook's height, the rope only presses it against the wall. Returns the
+ * greatest speed of ball and box in m/s. */
 static double speed_of_reeled_in(const thud_world_def *def) {
     thud_world *world = make_world(*def);
     thud_body_id hook = add_body(world, THUD_STATIC, 12, 4, 0);
@@ -449,8 +462,9 @@ static double speed_of_reeled_in(const thud_world_def *def) {
     return worst;
 }
 
-/* Where rope and wall are nearly at right angles, the ball has to move much faster than the rope.
- * At 25 length scales a second it is stopped by what it moves towards at any detection. */
+/* Where rope and wall are nearly at right angles, the ball moves much faster than the rope is
+ * reeled in. From 25 length scales per second on, every detection stops a body at the shapes that
+ * it moves towards. */
 static void rope_that_is_much_too_short_throws_nothing(void **state) {
     (void)state;
     for (int i = 0; i < 2 * 4 * QUALITIES; i++) {

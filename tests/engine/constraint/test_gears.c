@@ -1,4 +1,5 @@
-/* test_gears.c: gears, filters, and joints that break. */
+/* test_gears.c: gear joints (their ratio, momentum, life time and input), filter joints, which
+ * switch collisions of two bodies off, and joints that break at a force or a torque. */
 #include "joint_support.h"
 #include "snapshot_support.h"
 
@@ -8,12 +9,14 @@ static const thud_vec2 middle = {0, 0};
 
 /* ---- gears ---- */
 
+/* Two wheels on axles, coupled by a gear. */
 typedef struct train {
     thud_world *world;
     thud_body_id wall, wheel[2];
     thud_joint_id axle[2], gear;
 } train;
 
+/* Two wheels of radius 1 and 0.5 on axles, with a gear of this ratio. */
 static train make_train(const thud_quality *quality, double ratio) {
     train t = {.world = world_at(quality)};
     t.wall = add_body(t.world, THUD_STATIC, 0, 0, 0);
@@ -30,8 +33,8 @@ static train make_train(const thud_quality *quality, double ratio) {
     return t;
 }
 
-/* The momentum that a motor gives the first wheel is shared: I1 w1 + I2 w2 / r stays, with w2 = -w1
- * / r. */
+/* The angular momentum given to the first wheel is shared: I1 w1 + I2 w2 / r is conserved, and w2 =
+ * -w1 / r. */
 static void gears_turn_together_over_many_turns(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
@@ -52,7 +55,8 @@ static void gears_turn_together_over_many_turns(void **state) {
     }
 }
 
-/* Two weights on ropes over pulleys: l1 + r l2 stays, and the heavier one falls as Atwood says. */
+/* Two weights on ropes over pulleys: l1 + r l2 is conserved, and the acceleration is that of
+ * Atwood's machine. */
 static void gear_of_distances_is_a_pulley(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
@@ -80,6 +84,8 @@ static void gear_of_distances_is_a_pulley(void **state) {
     }
 }
 
+/* A gear does not act while one of its joints is disabled, and is destroyed with it; no constraint
+ * is left. */
 static void gear_lets_go_with_a_joint_and_goes_with_it(void **state) {
     (void)state;
     train t = make_train(&thud_quality_default, 1);
@@ -103,6 +109,7 @@ static void gear_lets_go_with_a_joint_and_goes_with_it(void **state) {
     thud_world_destroy(t.world);
 }
 
+/* The def of a gear is read back, and lists contain it until one of its joints is destroyed. */
 static void gear_is_read_as_it_was_made_and_listed_while_it_is_there(void **state) {
     (void)state;
     train t = make_train(&thud_quality_default, -2.5);
@@ -177,7 +184,7 @@ static void filtered_bodies_fall_through_each_other(void **state) {
     thud_joint_id list[2];
     assert_int_equal(thud_body_joints(world, upper, list, 2), 1);
     assert_int_equal(list[0].index1, filter.index1);
-    /* One that wakes leaves the other one asleep: a filter ties nothing. */
+    /* Waking one body leaves the other asleep: a filter joint does not join islands. */
     OK(thud_body_set_velocity(world, upper, (thud_vec2){0, 3}, 0));
     run(world, 10);
     assert_true(state_of(world, upper).awake);
@@ -193,7 +200,7 @@ static void filtered_bodies_fall_through_each_other(void **state) {
 
 /* ---- breaking ---- */
 
-/* A rope of two balls: the weight of both hangs on the upper joint. */
+/* Two balls hang in a row from a hook: the upper joint carries the weight of both. */
 static void joint_breaks_where_it_bears_too_much(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {

@@ -1,11 +1,14 @@
-/* test_joint_drives.c: springs, motors and limits of joints: where a spring rests, how far limits
- * reach, what each pushes, and that none pushes harder than it may. */
+/* test_joint_drives.c: limits, springs and motors of joints: where a spring comes to rest, the
+ * range of limits, the force that each reports, and that none exceeds its maximum force. */
 #include "joint_support.h"
 
 static const thud_vec2 middle = {0, 0};
 
-/* ---- a spring's rest ---- */
+/* ---- where a spring comes to rest ---- */
 
+/* The distance at which a spring from a hook to a ball rests, in metres. `swapped`: the ball is
+ * body a. `target` may be null: the default. `later` is set as the joint's length afterwards where
+ * it is > 0. */
 static double rests_at(const thud_quality *quality, bool swapped, const float *target,
                        float later) {
     thud_world_def def = weightless();
@@ -24,7 +27,7 @@ static double rests_at(const thud_quality *quality, bool swapped, const float *t
         run(world, 10);
         OK(thud_joint_set_length(world, id, later));
     }
-    /* Another like it goes on as it does. */
+    /* Setting the drive that was read changes nothing. */
     thud_joint_def copy;
     OK(thud_joint_get_def(world, id, &copy));
     assert_true(copy.drive[THUD_ALONG].target == spring.drive[THUD_ALONG].target);
@@ -48,6 +51,8 @@ static void spring_of_a_distance_rests_at_its_length(void **state) {
     }
 }
 
+/* The infinite default target, which means the joint's length, is valid for a distance joint alone;
+ * its other wrong targets are refused. */
 static void only_a_distance_has_a_length_for_a_target(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -72,6 +77,7 @@ static void only_a_distance_has_a_length_for_a_target(void **state) {
 
 /* ---- limits ---- */
 
+/* Limits and targets of angles may be +-pi in float, and no more. */
 static void limits_and_targets_reach_pi(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -90,10 +96,10 @@ static void limits_and_targets_reach_pi(void **state) {
     thud_world_destroy(world);
 }
 
-/* ---- what each pushes ---- */
+/* ---- forces of limit, spring and motor ---- */
 
-/* A ball of 1 on a vertical slider, on its lower limit: a brake carries a quarter of its weight, a
- * spring half of it, and the limit the rest. */
+/* A ball of 1 kg on a vertical slider lies on its lower limit: a motor as a brake carries a quarter
+ * of its weight, a spring half of it, and the limit the rest. */
 static void limit_spring_and_motor_are_told_apart(void **state) {
     (void)state;
     const double frequency = 2, omega = 2 * PI * frequency;
@@ -102,11 +108,11 @@ static void limit_spring_and_motor_are_told_apart(void **state) {
         thud_world *world = world_at(qualities[i / 2]);
         thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
         thud_body_id ball = add_body(world, THUD_DYNAMIC, 0, 0, 0);
-        add_shape(world, ball, 0.5f, 0.5f, false, NULL); /* of mass 1 */
+        add_shape(world, ball, 0.5f, 0.5f, false, NULL); /* mass: 1 kg */
         thud_joint_def def =
             between(THUD_SLIDER, swapped ? ball : hook, swapped ? hook : ball, middle, middle);
         def.frame_a.angle = def.frame_b.angle = PI / 2;
-        double up = swapped ? -1 : 1; /* seen from the ball the hook goes up as it falls */
+        double up = swapped ? -1 : 1; /* seen from the ball, the hook rises as the ball falls */
         def.drive[THUD_ALONG] = (thud_drive){.limited = true,
                                              .lower = swapped ? -1 : 0,
                                              .upper = swapped ? 0 : 1,
@@ -133,11 +139,11 @@ static void limit_spring_and_motor_are_told_apart(void **state) {
     }
 }
 
-/* ---- caps ---- */
+/* ---- maximum forces ---- */
 
-/* The greatest force of the springs or the motors of a target, in parts of what it may be, which
- * draws a box near the top of a pyramid of 78; *direct: the steps in which that was solved
- * directly. */
+/* A target joint pulls a box near the top of a pyramid of 78 boxes towards `to`. Returns the
+ * greatest force of its springs or of its motors, as a share of their maximum; *direct is the
+ * number of steps in which the island was solved directly. */
 static double worst_pull(const thud_quality *quality, thud_vec2 to, bool motors, int *direct) {
     enum { ROWS = 12, PULLED = 8, STEPS = 90 };
     const float most = 200;
@@ -175,6 +181,7 @@ static double worst_pull(const thud_quality *quality, thud_vec2 to, bool motors,
     return worst;
 }
 
+/* At every quality a target joint pulls with its maximum force and no more, in a pile of boxes. */
 static void springs_and_motors_keep_their_caps_in_a_pile(void **state) {
     (void)state;
     const thud_vec2 to[] = {{60, 0.5f}, {6, 60}, {60, 60}};
@@ -184,32 +191,35 @@ static void springs_and_motors_keep_their_caps_in_a_pile(void **state) {
         assert_true(motor > 0.99 && motor < 1.0001);
         for (size_t k = 0; k < sizeof to / sizeof *to; k++) {
             double spring = worst_pull(qualities[i], to[k], false, &direct);
-            assert_true(spring > 0.99 && spring < 1.0001); /* 5.7 at exact without the bound */
+            /* 5.7 at exact where the solver does not bound it */
+            assert_true(spring > 0.99 && spring < 1.0001);
         }
         assert_true(direct > 0 || i < 2);
     }
 }
 
-/* ---- one cap of both directions ---- */
+/* ---- one maximum force for both directions of a target ---- */
 
 static const thud_detection *const detections[] = {&thud_detection_overlap,
                                                    &thud_detection_continuous,
                                                    &thud_detection_bisect, &thud_detection_swept};
 enum { DETECTIONS = sizeof detections / sizeof *detections };
 
-/* What keeps the box that a target pulls at from following: nothing, two walls in whose corner it
- * stands, or a weld to one of them. */
+/* What keeps the pulled box from following: nothing, a corner of two walls, or a weld to the
+ * post. */
 typedef enum holding { FREE, CORNER, WELDED, HOLDINGS } holding;
 
+/* A case: how a target joint pulls a box. */
 typedef struct pull {
     const thud_quality *quality;
     const thud_detection *detection;
     holding by;
     bool motors;    /* else springs */
-    bool kinematic; /* the post; else static */
+    bool kinematic; /* whether the post is kinematic; else it is static */
     float most[2];
 } pull;
 
+/* A case's world. */
 typedef struct pulled {
     thud_world *world;
     thud_body_id box;
@@ -217,6 +227,7 @@ typedef struct pulled {
     pull how;
 } pulled;
 
+/* Sets both directions of the joint to pull in this direction, in radians. */
 static void aim(const pulled *p, double angle) {
     for (int k = THUD_ALONG; k <= THUD_ACROSS; k++) {
         double part = k == THUD_ALONG ? cos(angle) : sin(angle);
@@ -230,6 +241,7 @@ static void aim(const pulled *p, double angle) {
     }
 }
 
+/* Creates a case's world, with the box pulled in the direction of `angle`. */
 static pulled begin_pull(pull how, double angle) {
     thud_world_def def = weightless();
     def.quality = how.quality;
@@ -238,7 +250,7 @@ static pulled begin_pull(pull how, double angle) {
     thud_body_id post = add_body(p.world, how.kinematic ? THUD_KINEMATIC : THUD_STATIC, 0, 0, 0);
     thud_shape_def smooth = thud_default_shape_def();
     smooth.friction = 0;
-    p.box = add_body(p.world, THUD_DYNAMIC, 0, 0, 0); /* of mass 1 */
+    p.box = add_body(p.world, THUD_DYNAMIC, 0, 0, 0); /* mass: 1 kg */
     add_shape(p.world, p.box, 0.5f, 0.5f, false, &smooth);
     if (how.by == CORNER) {
         add_shape(p.world, add_body(p.world, THUD_STATIC, 1.5, 0, 0), 1, 3, false, &smooth);
@@ -251,7 +263,7 @@ static pulled begin_pull(pull how, double angle) {
     return p;
 }
 
-/* On the box. */
+/* The force of the joint on the box in N. */
 static thud_vec2 force_now(const pulled *p) {
     thud_joint_state now = joint_of(p->world, p->target);
     thud_vec2 force = {0, 0};
@@ -266,6 +278,7 @@ static double length_of(thud_vec2 v) {
     return hypot((double)v.x, (double)v.y);
 }
 
+/* Case i of all combinations. */
 static pull pull_number(int i) {
     return (pull){.kinematic = i % 2,
                   .motors = i / 2 % 2,
@@ -289,7 +302,8 @@ static void target_pulls_with_its_cap_in_any_direction(void **state) {
                 worst = fmax(worst, length_of(force_now(&p)));
             }
             thud_vec2 force = force_now(&p), v = state_of(p.world, p.box).velocity;
-            assert_true(worst < 1.0001 * 50); /* 1.41 times where each direction has its own */
+            /* 1.41 times 50 where each direction has a maximum of its own */
+            assert_true(worst < 1.0001 * 50);
             assert_true(length_of(force) > 0.99 * 50);
             near_to(force.x, 50 * cos(angle), 0.02 * 50);
             near_to(force.y, 50 * sin(angle), 0.02 * 50);
@@ -299,7 +313,8 @@ static void target_pulls_with_its_cap_in_any_direction(void **state) {
     }
 }
 
-/* The weaker direction keeps its own cap, and the force of both is that of the stronger one. */
+/* A direction with a lower maximum keeps to that; the total force is bounded by the greater
+ * maximum. */
 static void weaker_direction_of_a_target_keeps_its_own_cap(void **state) {
     (void)state;
     for (int i = 0; i < PULLS; i++) {
@@ -319,7 +334,7 @@ static void weaker_direction_of_a_target_keeps_its_own_cap(void **state) {
     }
 }
 
-/* Once the other one no more acts. */
+/* A direction has the whole maximum once the other one has no drive any more. */
 static void direction_that_is_left_alone_has_its_whole_cap(void **state) {
     (void)state;
     for (int i = 0; i < PULLS; i++) {
@@ -336,7 +351,8 @@ static void direction_that_is_left_alone_has_its_whole_cap(void **state) {
     }
 }
 
-/* Its direction goes round by 5 degrees a step, through each axis, and its force with it. */
+/* The target's direction turns by 5 degrees a step, through each axis; the force follows it and
+ * keeps its magnitude. */
 static void force_of_a_target_turns_with_its_direction(void **state) {
     (void)state;
     enum { STEPS = 72, FIRST = 10 };
@@ -362,8 +378,9 @@ static void force_of_a_target_turns_with_its_direction(void **state) {
     }
 }
 
-/* A motor of speed 0 in both directions is friction with the ground seen from above: it holds what
- * is pushed by less than its force, whichever way, and what it slows down goes straight on. */
+/* A motor with target speed 0 in both directions acts as friction with a ground seen from above: it
+ * holds a body against a smaller force in any direction, and slows a moving body without turning
+ * its path. */
 static void motor_of_both_directions_is_friction(void **state) {
     (void)state;
     for (int i = 0; i < 2 * QUALITIES; i++) {
@@ -374,7 +391,7 @@ static void motor_of_both_directions_is_friction(void **state) {
             def.gravity = (thud_vec2){(float)(push * cos(angle)), (float)(push * sin(angle))};
             thud_world *world = make_world(def);
             thud_body_id ground = add_body(world, THUD_STATIC, 0, 0, 0);
-            thud_body_id box = add_box(world, 0, 0, 0.5f, 0.5f); /* of mass 1 */
+            thud_body_id box = add_box(world, 0, 0, 0.5f, 0.5f); /* mass: 1 kg */
             thud_joint_def rub = between(THUD_TARGET, ground, box, middle, middle);
             rub.drive[THUD_ALONG].motor_force = rub.drive[THUD_ACROSS].motor_force = 10;
             make(world, rub);

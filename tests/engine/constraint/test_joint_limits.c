@@ -1,9 +1,11 @@
-/* test_joint_limits.c: limits are not passed, however fast they are come upon. */
+/* test_joint_limits.c: limits of joints are not exceeded, at every quality and detection: bodies
+ * reach them at high speed, land on them, and load them with a mass ratio of 10,000. */
 #include "every_choice.h"
 #include "joint_support.h"
 
 static const thud_vec2 middle = {0, 0};
 
+/* A world of one of the 4 qualities times 4 detections. */
 static thud_world *limits_world(int choice, float gravity) {
     thud_world_def def = def_of(qualities[choice / 4]);
     def.detection = detections[choice % 4];
@@ -12,6 +14,7 @@ static thud_world *limits_world(int choice, float gravity) {
     return make_world(def);
 }
 
+/* Creates the joint with limits of -most and most in this direction. */
 static thud_joint_id limited(thud_world *world, thud_joint_def def, thud_direction direction,
                              float most) {
     def.drive[direction].limited = true;
@@ -20,7 +23,7 @@ static thud_joint_id limited(thud_world *world, thud_joint_def def, thud_directi
     return make(world, def);
 }
 
-/* By how much it is furthest beyond, in `steps`. */
+/* By how much the joint's value exceeds its limit at worst in that many steps. */
 static double beyond(thud_world *world, thud_joint_id joint, thud_direction direction, double most,
                      int steps) {
     double worst = 0;
@@ -31,7 +34,8 @@ static double beyond(thud_world *world, thud_joint_id joint, thud_direction dire
     return worst;
 }
 
-/* From the middle it is at the upper limit within a step, which the lower one was as near to. */
+/* The body starts between both limits and reaches the upper one within a step: the step must not
+ * act on the lower one, which was equally near. */
 static void slider_stops_at_a_limit_that_it_reaches_within_a_step(void **state) {
     (void)state;
     for (int i = 0; i < 4 * QUALITIES; i++) {
@@ -60,7 +64,7 @@ static void hinge_stops_at_its_limit(void **state) {
     }
 }
 
-/* A car lands at 10 m/s on suspensions of 0.1 either way. */
+/* A car lands at 10 m/s on suspensions with limits of 0.1 m either way. */
 static void suspension_takes_a_landing(void **state) {
     (void)state;
     for (int i = 0; i < 4 * QUALITIES; i++) {
@@ -88,7 +92,8 @@ static void suspension_takes_a_landing(void **state) {
     }
 }
 
-/* What hangs on it is 10,000 times as heavy; a setting of contacts has no say in it. */
+/* The load that hangs on the limit is 10,000 times as heavy as the body. push_speed, a setting of
+ * contacts, has no effect. */
 static void limit_bears_a_heavy_load(void **state) {
     (void)state;
     const double most[] = {5, 0.01, 1e-4, 1e-4};

@@ -1,12 +1,13 @@
-/* test_joints.c: each kind of joint against a formula, at every quality. */
+/* test_joints.c: each kind of joint against a formula, at every quality: periods, energy, forces,
+ * sag, limits and motors. */
 #include "joint_support.h"
 
 static const thud_vec2 middle = {0, 0};
 
 /* ---- hinges ---- */
 
-/* A box of 1 by 0.2 that hangs by its end: T = 2 pi sqrt(I / (m g l)), for a swing of a twentieth
- * of a radian longer by a 6,400th. */
+/* A bar of 1 by 0.2 that hangs by its end has the period T = 2 pi sqrt(I / (m g l)); an amplitude
+ * of 0.05 rad lengthens it by 1/6400. */
 static void hinged_bar_swings_as_its_formula_says(void **state) {
     (void)state;
     double wanted = 2 * PI * sqrt((1.0 / 12 * (1 + 0.04) + 0.25) / (G * 0.5));
@@ -34,7 +35,8 @@ static void hinged_bar_swings_as_its_formula_says(void **state) {
     }
 }
 
-/* From level, for a minute: where it is solved directly nothing is lost. */
+/* A pendulum falls from level and swings for a minute. `most` is the relative error of its energy:
+ * rounding alone where islands are solved directly. */
 static void pendulum_keeps_its_energy(void **state) {
     (void)state;
     const double most[QUALITIES] = {0.2, 0.02, 1e-5, 1e-5};
@@ -54,8 +56,9 @@ static void pendulum_keeps_its_energy(void **state) {
     }
 }
 
-/* From level, thirty links of 0.5 m with a thousand times a link's mass at the end: ten seconds of
- * swinging, in which light links whirl between heavy ones. */
+/* A chain of thirty links of 0.5 m, with a weight of a thousand links at its end, falls from level
+ * and swings for ten seconds. Bounds are the greatest gap in metres and the relative change of
+ * energy. */
 static void chain_with_a_weight_swings_without_stretching(void **state) {
     (void)state;
     const double gap[QUALITIES] = {0, 0.03, 5e-4, 5e-4}, energy[QUALITIES] = {0, 0.05, 0.01, 0.01};
@@ -90,6 +93,7 @@ static void chain_with_a_weight_swings_without_stretching(void **state) {
     }
 }
 
+/* The default quality without its direct solver. */
 static thud_quality soft_alone(void) {
     thud_quality soft = thud_quality_default;
     soft.islands = NULL;
@@ -97,7 +101,7 @@ static thud_quality soft_alone(void) {
     return soft;
 }
 
-/* Solved softly it gives way a little, and comes to rest. */
+/* Solved by the soft solver, a hanging chain has a small gap, and comes to rest. */
 static void hung_chain_hangs_still(void **state) {
     (void)state;
     thud_quality soft = soft_alone();
@@ -124,7 +128,8 @@ static void hung_chain_hangs_still(void **state) {
     }
 }
 
-/* Its gap is what it pulls with, also where push_speed would not close that in a substep. */
+/* The gap of a soft joint grows with its load, also where push_speed is too low to close it within
+ * a substep. */
 static void soft_joint_gives_way_to_a_heavy_load_by_little(void **state) {
     (void)state;
     thud_quality soft = soft_alone();
@@ -182,7 +187,8 @@ static void hinge_stops_at_its_limits_and_turns_by_its_motor(void **state) {
 
 /* ---- welds ---- */
 
-/* The force of a weld at rest carries the weight, and its torque the lever. */
+/* A horizontal beam of ten boxes, welded to a wall: the reported force is the weight, and the
+ * torque weight times lever arm. */
 static void welded_beam_carries_itself(void **state) {
     (void)state;
     for (int i = 1; i < QUALITIES; i++) {
@@ -250,7 +256,8 @@ static void slider_stays_on_its_line_and_stops_at_its_limit(void **state) {
     }
 }
 
-/* A frame that floats without weight, and slides and turns: momentum stays. */
+/* A frame and a slide without gravity, sliding and turning: linear and angular momentum are
+ * conserved. */
 static void slider_of_two_free_bodies_keeps_momentum(void **state) {
     (void)state;
     for (int i = 0; i < QUALITIES; i++) {
@@ -271,7 +278,7 @@ static void slider_of_two_free_bodies_keeps_momentum(void **state) {
     }
 }
 
-/* A cart of two wheels on springs: it sags by m g / k, and its motors drive it. */
+/* A cart on two sprung wheels sags by m g / k, and its motors drive it. */
 static void cart_sags_on_its_springs_and_drives(void **state) {
     (void)state;
     for (int i = 0; i < QUALITIES; i++) {
@@ -322,7 +329,7 @@ static void rope_is_slack_until_it_is_taut(void **state) {
     }
 }
 
-/* An undamped spring of 2 Hz about its rest: T = 0.5 s. */
+/* An undamped spring of 2 Hz swings about its rest length with the period 0.5 s. */
 static void spring_swings_at_its_frequency(void **state) {
     (void)state;
     for (int i = 0; i < QUALITIES; i++) {
@@ -352,8 +359,9 @@ static void spring_swings_at_its_frequency(void **state) {
     }
 }
 
-/* Where a body of mass 1 is after some seconds that falls from (1, 0) with a spring of 4 Hz to the
- * origin, critically damped, whose force is cut to a length of 5: in small steps. */
+/* Reference for the next test by Euler steps of 1e-4 s: the place of a body of mass 1 that falls
+ * from (1, 0), pulled to the origin by a critically damped spring of 4 Hz with a maximum force of 5
+ * N. */
 static thud_pos dragged_to(double seconds) {
     const double omega = 2 * PI * 4, h = 1e-4;
     double x = 1, y = 0, vx = 0, vy = 0;
@@ -368,6 +376,8 @@ static thud_pos dragged_to(double seconds) {
     return (thud_pos){x, y};
 }
 
+/* A target drags a box to it with a strong spring; with a weak one, whose force is below the
+ * weight, the box falls as the reference does. */
 static void target_drags_with_no_more_than_its_force(void **state) {
     (void)state;
     thud_pos falls = dragged_to(2);
@@ -389,7 +399,8 @@ static void target_drags_with_no_more_than_its_force(void **state) {
                 near_to(y, -G / (64 * PI * PI), 3e-3);
                 near_to(state_of(world, box).position.x, 0, 1e-3);
             } else {
-                near_to(y, falls.y, 0.1); /* -10 where each direction has its own cap */
+                /* -10 where each direction has a maximum force of its own */
+                near_to(y, falls.y, 0.1);
                 near_to(state_of(world, box).position.x, falls.x, 0.05);
             }
             thud_world_destroy(world);

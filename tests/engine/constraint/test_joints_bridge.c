@@ -1,20 +1,21 @@
-/* test_joints_bridge.c: what lies on bodies that joints hold stays there, also where their island
- * is too dear to be solved directly, and joints are solved by themselves. */
+/* test_joints_bridge.c: boxes on a bridge of hinged planks stay on it, also where the island
+ * exceeds the direct solver's budget and its joints alone are solved directly. */
 #include "joint_support.h"
 
 #include <thud/thud_detection.h>
 
 enum { PLANKS = 50, BOXES = 20, STEPS = 300 };
 
-/* Planks of 1 by 0.25 in an arc between two points that are `SLACK` nearer than they are long;
- * boxes of 0.5 lie 0.02 above every other one or two, `ratio` times as heavy as a plank. */
+/* Adds planks of 1 by 0.25 in an arc between two points whose distance is shorter than the planks
+ * by the share `SLACK`. Boxes of edge 0.5 begin 0.02 above evenly spread planks and are `ratio`
+ * times as heavy as a plank. */
 #define SLACK 0.01
 
 static void add_bridge(thud_world *world, float ratio, thud_body_id *boxes) {
     thud_body_id ground = add_body(world, THUD_STATIC, 0, 0, 0), before = ground;
     double slope = sqrt(6 * SLACK), x = 0, y = 0;
     thud_shape_def heavy = thud_default_shape_def();
-    heavy.density = ratio; /* a plank has 0.25, as a box of density 1 */
+    heavy.density = ratio; /* a box of density 1 has mass 0.25, as a plank */
     for (int i = 0, box = 0; i < PLANKS; i++) {
         double angle = slope * (2 * (i + 0.5) / PLANKS - 1), c = cos(angle), s = sin(angle);
         thud_body_id plank = add_body(world, THUD_DYNAMIC, x + 0.5 * c, y + 0.5 * s, angle);
@@ -35,6 +36,7 @@ static void add_bridge(thud_world *world, float ratio, thud_body_id *boxes) {
                         (thud_vec2){(float)x, (float)y}));
 }
 
+/* How many boxes are still on the bridge after STEPS steps. */
 static int boxes_kept(const thud_world_def *def, float ratio) {
     thud_world *world = make_world(*def);
     thud_body_id boxes[BOXES];

@@ -1,5 +1,7 @@
-/* test_joints_crowd.c: many bodies that joints tie, beside each other and on top of each other:
- * none gives way because others are dear, none stands still, and a finer quality is no worse. */
+/* test_joints_crowd.c: many jointed bodies in one world: an island keeps its accuracy where another
+ * one exhausts the direct solver's budget, an island without a solution is tried only now and then,
+ * cars drive at every quality, and in a heap of ragdolls a finer quality is not worse than a
+ * coarser one. */
 #include "joint_wheel.h"
 
 #include "engine.h"
@@ -12,11 +14,12 @@ static const thud_detection *const detections[] = {&thud_detection_overlap,
                                                    &thud_detection_bisect, &thud_detection_swept};
 enum { DETECTIONS = 4 };
 
-/* ---- beside something dear ---- */
+/* ---- beside an island that exhausts the budget ---- */
 
 enum { CHAINS = 12, LINKS = 6, SWING_STEPS = 30 };
 
-/* Chains that swing from level, far from the wheel; the last link is ten times as heavy. */
+/* Adds chains that swing from level, far from the wheel; the last link is ten times as heavy as the
+ * others. */
 static void add_chains(thud_world *world, thud_joint_id *joints) {
     thud_shape_def alone = thud_default_shape_def();
     alone.filter.mask = 0;
@@ -43,6 +46,7 @@ static double worst_gap(const thud_world *world, const thud_joint_id *joints, in
     return worst;
 }
 
+/* At high and exact the chains' gaps stay below 1e-6 m beside the wheel. */
 static void chains_hold_beside_a_wheel_that_takes_all_effort(void **state) {
     (void)state;
     for (int q = 2; q < QUALITIES; q++) {
@@ -60,10 +64,10 @@ static void chains_hold_beside_a_wheel_that_takes_all_effort(void **state) {
     }
 }
 
-/* ---- what is jammed ---- */
+/* ---- islands without a solution ---- */
 
-/* A ball of radius 0.5 in a slot of 0.8, and a bar hinged to it: walls want it pushed out both ways
- * at once, which no velocity does. */
+/* A ball of radius 0.5 in a slot 0.8 wide, with a bar hinged to it. The two walls push it in
+ * opposite directions, which no velocity satisfies, so that the direct solver fails. */
 static thud_world *jam(const thud_world_def *def) {
     thud_world *world = make_world(*def);
     for (int side = -1; side <= 1; side += 2) {
@@ -76,7 +80,8 @@ static thud_world *jam(const thud_world_def *def) {
     return world;
 }
 
-/* Steps of `count` in which a matrix was factored in vain. */
+/* Of the next `count` steps, those in which a matrix was factored and the soft solution was used
+ * all the same. */
 static int vain_steps(thud_world *world, int count) {
     int vain = 0;
     for (int i = 0; i < count; i++) {
@@ -87,6 +92,8 @@ static int vain_steps(thud_world *world, int count) {
     return vain;
 }
 
+/* In 240 steps the island without a solution is tried at most 24 times, also where its bodies could
+ * sleep. */
 static void what_is_jammed_is_tried_now_and_then(void **state) {
     (void)state;
     for (int q = 1; q < QUALITIES; q++) {
@@ -106,7 +113,7 @@ static void what_is_jammed_is_tried_now_and_then(void **state) {
 
 enum { CARS = 3, CAR_BODIES = 3 };
 
-/* The way of the car that came least far, from standing. */
+/* The shortest distance that a car drives from standstill, in metres. */
 static double least_way(engine_settings settings) {
     scene s;
     scene_init(&s);
@@ -128,6 +135,7 @@ static double least_way(engine_settings settings) {
     return least;
 }
 
+/* Every car drives at least 6 m in 3 s, at every quality and detection. */
 static void cars_drive_over_waves_of_the_ground(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
@@ -140,18 +148,21 @@ static void cars_drive_over_waves_of_the_ground(void **state) {
     }
 }
 
-/* ---- a heap ---- */
+/* ---- a heap of ragdolls ---- */
 
 enum { DOLLS = 50, FALL_STEPS = 240, REST_STEPS = 30 };
 
-/* Where fifty ragdolls fall on each other it is chance which limbs are caught; by so much a measure
- * of a finer quality may be above that of the next coarser one. It is 0.3 to 0.75 of it. */
+/* How limbs of fifty ragdolls are caught depends on chance, so a measure of a finer quality may be
+ * up to this factor above that of the next coarser one. Chosen; measured are factors of 0.3 to
+ * 0.75. */
 #define CHANCE 1.2
 
+/* Indices of the measures of a heap; see fall(). */
 enum { GAP, WIDEST, BEYOND, STUCK, OVERLAP, MEASURES };
 
-/* The mean gap of all joints, and means over steps of the widest, of what is furthest past a limit,
- * in rad, and of the deepest overlap; and what is furthest past a limit once all have fallen. */
+/* Measures of the heap: the mean gap of all joints; means over steps of the widest gap, of the
+ * greatest excess over a limit in rad, and of the deepest overlap; and the greatest excess over a
+ * limit after the fall. */
 static void fall(const thud_quality *quality, double measures[MEASURES]) {
     scene s;
     scene_init(&s);

@@ -1,5 +1,6 @@
-/* test_joints_edits.c: what joints meet: shapes that touch, edits, snapshots, input that is wrong;
- * and random linkages of all kinds. */
+/* test_joints_edits.c: joints together with the rest of a world: collisions of joined bodies, edits
+ * of joints and bodies, snapshots, wrong input, redundant locks, drawing; and random linkages of
+ * all kinds of joints. */
 #include "driven.h"
 #include "joint_support.h"
 #include "snapshot_support.h"
@@ -8,8 +9,10 @@
 
 static const thud_vec2 middle = {0, 0};
 
-/* ---- the graph ---- */
+/* ---- collisions and edits ---- */
 
+/* A joint switches the collision of its bodies off, with an end event, and destroying it switches
+ * it on again, unless collide_connected is set. */
 static void joined_bodies_do_not_meet_unless_they_shall(void **state) {
     (void)state;
     for (int meets = 0; meets < 2; meets++) {
@@ -37,6 +40,7 @@ static void joined_bodies_do_not_meet_unless_they_shall(void **state) {
     }
 }
 
+/* A disabled joint does not act, and closes again when it is enabled. */
 static void joint_lets_go_while_it_is_disabled(void **state) {
     (void)state;
     thud_world *world = world_at(&thud_quality_default);
@@ -55,8 +59,8 @@ static void joint_lets_go_while_it_is_disabled(void **state) {
     thud_world_destroy(world);
 }
 
-/* One edit after another, of each that a joint is to follow: its length, either frame, its drive,
- * and the centre of mass of its body. */
+/* Makes edit number `which` of those that a joint has to follow: its length, either frame, its
+ * drive, or its body's centre of mass. */
 static void edit(thud_world *world, thud_body_id body, thud_joint_id joint, int which) {
     thud_drive spring = {.frequency = 5, .damping = 1, .target = 1, .spring_force = 1e6f};
     thud_shape_def shape = thud_default_shape_def();
@@ -76,6 +80,7 @@ static void edit(thud_world *world, thud_body_id body, thud_joint_id joint, int 
     }
 }
 
+/* The joint stays closed after each edit, with its body awake or asleep. */
 static void joints_follow_every_edit_awake_and_asleep(void **state) {
     (void)state;
     for (int i = 0; i < 10; i++) {
@@ -105,7 +110,7 @@ static void joints_follow_every_edit_awake_and_asleep(void **state) {
 
 /* ---- everything at once ---- */
 
-/* Random trees and loops of all kinds, over a floor. */
+/* Random trees and loops of all kinds of joints above a floor. */
 static thud_world *linkage(thud_world_def def, uint64_t seed) {
     enum { BODIES = 14 };
     thud_world *world = make_world(def);
@@ -144,6 +149,7 @@ static thud_world *linkage(thud_world_def def, uint64_t seed) {
     return world;
 }
 
+/* Asserts that no body is quarantined and the kinetic energy is bounded. */
 static void check_finite(const thud_world *world) {
     assert_int_equal(thud_world_events(world).quarantined_count, 0);
     thud_measure m = thud_world_measure(world);
@@ -178,7 +184,7 @@ static void random_linkages_stay_finite_and_restore_to_the_same_bits(void **stat
     }
 }
 
-/* With either body first, as a static one is kept first. */
+/* With either body as body a: where body b is static, the engine keeps the two swapped. */
 static void def_of_a_joint_is_read_as_it_was_set(void **state) {
     (void)state;
     thud_world *world = world_at(&thud_quality_default);
@@ -218,7 +224,7 @@ static void def_of_a_joint_is_read_as_it_was_set(void **state) {
     thud_world_destroy(world);
 }
 
-/* Of an impulse it makes a force without end. */
+/* A load is an impulse divided by the time step, which would overflow here. */
 static void load_is_finite_after_a_time_step_next_to_nothing(void **state) {
     (void)state;
     thud_world *world = world_at(&thud_quality_default);
@@ -233,7 +239,7 @@ static void load_is_finite_after_a_time_step_next_to_nothing(void **state) {
     thud_world_destroy(world);
 }
 
-/* Whatever was made and destroyed since. */
+/* Handles after a restore do not depend on what was made and destroyed in between. */
 static void joints_made_after_going_back_have_the_handles_of_the_first_time(void **state) {
     (void)state;
     thud_world *world = world_at(&thud_quality_default);
@@ -284,8 +290,8 @@ static void wrong_joints_are_refused(void **state) {
 
 /* ---- loops ---- */
 
-/* A node in the middle of four bars to walls: ends are off by what single precision makes of them,
- * which is no reason to pull. */
+/* A node is joined by four bars to walls. More directions are locked than it has, and lengths in
+ * single precision fit only to rounding: no joint may report a force from that. */
 static void loop_with_more_locks_than_it_needs_is_not_strained(void **state) {
     (void)state;
     static const double ends[][2] = {{-2, 0}, {2, 0}, {-2, -2.1}, {2.3, -1.7}};
@@ -362,7 +368,8 @@ static void joints_are_drawn_with_their_places_limits_and_forces(void **state) {
     assert_int_equal(d.lines[THUD_DRAW_JOINT_LIMIT], 2);
     assert_int_equal(d.lines[THUD_DRAW_JOINT_FORCE], 1);
     near_to(d.length[THUD_DRAW_JOINT], 2, 1e-3);
-    near_to(d.length[THUD_DRAW_JOINT_FORCE], 0.5 * 10, 1e-2); /* its weight, for a second */
+    /* the length drawn for its weight: the impulse of one second */
+    near_to(d.length[THUD_DRAW_JOINT_FORCE], 0.5 * 10, 1e-2);
     assert_int_equal(d.lines[THUD_DRAW_STATIC], 0);
     draw.flags = THUD_DRAW_SHAPES;
     drawn without = d;

@@ -1,4 +1,6 @@
-/* test_joints_energy.c: what swings and spins keeps its energy, whatever else its joints have. */
+/* test_joints_energy.c: at high and exact, whose substeps are of second order, spinning and
+ * swinging mechanisms keep their energy, also where their joints have limits and motors that do not
+ * act. */
 #include "joint_support.h"
 
 #include <thud/thud_detection.h>
@@ -10,14 +12,15 @@ static thud_world *calm_world(const thud_quality *quality, float gravity) {
     thud_world_def def = def_of(quality);
     def.gravity = (thud_vec2){0, gravity};
     def.sleeping = false;
-    def.detection = &thud_detection_overlap; /* swept paths are straight */
+    /* `swept` bounds paths that are straight, and would change the motion */
+    def.detection = &thud_detection_overlap;
     return make_world(def);
 }
 
-/* Three balls in a row, on rods or hinges, turn about the middle one. */
+/* Three balls in a row, joined by rods or hinges, turn about the middle one. */
 static void what_spins_goes_on_spinning(void **state) {
     (void)state;
-    const double rates[] = {5, 40, 300}; /* the last one 5 rad a step */
+    const double rates[] = {5, 40, 300}; /* rad/s; the last one is 5 rad a step */
     for (int i = 0; i < 2 * 2 * 3; i++) {
         bool rods = i % 2;
         double rate = rates[i / 4];
@@ -44,7 +47,7 @@ static void what_spins_goes_on_spinning(void **state) {
     }
 }
 
-/* Limits that are never reached, and a motor without a force to speak of, take none. */
+/* Limits that are not reached, and a motor with a negligible maximum force, take no energy. */
 static void limits_and_idle_motors_take_no_energy(void **state) {
     (void)state;
     for (int i = 0; i < 4; i++) {

@@ -1,5 +1,6 @@
-/* test_joints_held.c: bodies that detection stops on their way take along what joints tie to them.
- */
+/* test_joints_held.c: where a detection stops a body within its step, the bodies that joints tie to
+ * it are held with it: joints stay closed and no energy comes in. Motors that press a body against
+ * a wall stall. */
 #include "joint_support.h"
 
 #include <thud/thud_detection.h>
@@ -8,8 +9,8 @@ static const thud_vec2 middle = {0, 0};
 static const thud_detection *const detections[] = {&thud_detection_continuous,
                                                    &thud_detection_bisect, &thud_detection_swept};
 
-/* Three balls on rods fly at a wall, at 150 m/s: in the
- * step in which the first ball of a row stops, two metres of the motion are left. */
+/* Rows of balls on rods fly at a wall at 150 m/s: in the step in which the first ball of a row
+ * stops, 2 m of its motion are left. */
 static void joints_stay_closed_where_a_body_is_stopped(void **state) {
     (void)state;
     for (int i = 0; i < 3 * QUALITIES; i++) {
@@ -37,7 +38,8 @@ static void joints_stay_closed_where_a_body_is_stopped(void **state) {
         }
         assert_int_equal(held, 3);
         near_to(thud_world_error(world).joint_gap_max, 0, 1e-4);
-        /* The balls hit each other as they whirl; between that the rods are closed again. */
+        /* Collisions of the whirling balls open the rods for some steps; in between they are
+         * closed. */
         run(world, 60);
         double least = 1;
         for (int step = 0; step < 10; step++) {
@@ -49,7 +51,7 @@ static void joints_stay_closed_where_a_body_is_stopped(void **state) {
     }
 }
 
-/* What only a spring ties goes on alone. */
+/* A body that only a spring ties to the held one is not held. */
 static void springs_hold_nobody_back(void **state) {
     (void)state;
     thud_world_def def = def_of(&thud_quality_default);
@@ -73,9 +75,9 @@ static void springs_hold_nobody_back(void **state) {
     thud_world_destroy(world);
 }
 
-/* What is held stops as its linkage does, and gravity gives it nothing while it is held: boxes on
- * rods around a hub fall onto the floor, and no step gains what is worth telling beside the 500 J
- * of the fall. */
+/* Held bodies stop together, and gravity adds no velocity while they are held: boxes on rods around
+ * a hub fall onto the floor, and the gains of all steps together are below 2 J, beside 500 J of the
+ * fall. */
 static void energy_does_not_rise_where_a_linkage_is_stopped(void **state) {
     (void)state;
     for (int i = QUALITIES; i < 3 * QUALITIES; i++) {
@@ -96,15 +98,16 @@ static void energy_does_not_rise_where_a_linkage_is_stopped(void **state) {
             run(world, 1);
             gained += fmax(thud_world_error(world).energy_change, 0);
         }
-        assert_true(gained < 2); /* 0.03 to 1.3; 14 to 17 where all went on falling */
+        /* measured 0.03 to 1.3; 14 to 17 where all bodies continued to fall */
+        assert_true(gained < 2);
         thud_world_destroy(world);
     }
 }
 
-/* Contacts of what joints tie are the solver's: boxes of 40 kg fall on a bridge of twenty planks
- * and stay there, and its hinges open no further than impacts of such a mass open them. At default
- * the bridge is too dear to be solved directly with such boxes, which tear it under any detection:
- * its hinges open by 4 to 7, and no box stays. */
+/* Contacts of jointed bodies are left to the solver: boxes of 40 kg fall on a bridge of twenty
+ * planks and stay on it, and its hinges open no further than such impacts open them. Default is
+ * left out: there the bridge with such boxes exceeds the direct solver's budget and tears under any
+ * detection; its hinges open by 4 to 7 m, and no box stays. */
 static void load_tears_no_bridge_under_detection_on_the_way(void **state) {
     (void)state;
     for (int i = QUALITIES; i < 3 * QUALITIES; i++) {
@@ -133,14 +136,16 @@ static void load_tears_no_bridge_under_detection_on_the_way(void **state) {
             worst = fmax(worst, thud_world_error(world).joint_gap_max);
             assert_in_range(thud_world_stats(world).held_bodies, 0, 30);
         }
-        assert_true(worst < 0.25); /* 0.039 to 0.161; 0.5 to 1.0 where contacts were impacts */
+        /* measured 0.039 to 0.161; 0.5 to 1.0 where detection treated contacts as impacts */
+        assert_true(worst < 0.25);
         thud_world_destroy(world);
     }
 }
 
-/* Two balls, tied to each other, reach a wall at 0.8 and at 0.4 of the step: each is counted once,
- * and loses 0.6 of the step, although `continuous` holds both at the first and again at the second.
- * (`bisect` does not see what is behind the wall by the end.) */
+/* Two balls, tied to each other, reach a wall at 0.8 and at 0.4 of the step. Each is counted as
+ * held once, and 0.6 of its step is lost, although `continuous` holds both at the first impact and
+ * again at the second. (`bisect` does not see bodies that are beyond the wall at the end of the
+ * step.) */
 static void body_is_counted_once_however_often_it_is_held(void **state) {
     (void)state;
     for (int i = 0; i < 2 * QUALITIES; i++) {
@@ -162,12 +167,13 @@ static void body_is_counted_once_however_often_it_is_held(void **state) {
     }
 }
 
+/* Balls in a row. */
 enum { LINKS = 120 };
 
-/* Two rows of balls, hinged to each other, fly at a wall that the first ball of each row reaches in
- * this very step, while one at the row's other end, or the loner made last, is no number any more.
- * What it was tied to is held without it, and whoever got its awake slot is held with its own row.
- */
+/* Two rows of hinged balls fly at a wall, which the first ball of each row reaches in the step in
+ * which a ball at the other end of a row, or a single ball created last, becomes NaN and is
+ * quarantined. Its row is held without it, and the body that moved to its awake slot is held with
+ * its own row. */
 static void body_that_is_no_number_leaves_the_others_that_are_held(void **state) {
     (void)state;
     for (int i = 0; i < 3 * QUALITIES * 3; i++) {
@@ -194,7 +200,7 @@ static void body_that_is_no_number_leaves_the_others_that_are_held(void **state)
             }
         }
         thud_body_id doomed = i / QUALITIES / 3 == 2 ? loner : row[0][LINKS - 1];
-        for (int twice = 0; twice < 2; twice++) { /* more than a float can hold */
+        for (int twice = 0; twice < 2; twice++) { /* twice, so that the sum overflows float */
             OK(thud_body_apply_force(world, doomed, (thud_vec2){3e38f, 3e38f}, 0));
         }
         run(world, 1);
@@ -213,7 +219,7 @@ static void body_that_is_no_number_leaves_the_others_that_are_held(void **state)
 
 enum { BARS = 6 };
 
-/* Five light bars that swing from a hook, and a sixth that hangs from the last one by a spring. */
+/* Five light bars that swing from a hook, and a sixth that hangs from the fifth by a spring. */
 static thud_world *swinging(const thud_quality *quality, const thud_detection *detection,
                             thud_body_id bar[BARS]) {
     thud_world_def def = def_of(quality);
@@ -237,7 +243,8 @@ static thud_world *swinging(const thud_quality *quality, const thud_detection *d
     return world;
 }
 
-/* What joints give may be less than a sixteenth of gravity, and is not to be taken for nothing. */
+/* Where no body is stopped, detections give the same motion as `overlap`. The velocity that joints
+ * add in a step may be less than a sixteenth of that of gravity, and must not be neglected. */
 static void detections_that_stop_nobody_leave_what_swings_alone(void **state) {
     (void)state;
     for (int i = 0; i < 3 * QUALITIES; i++) {
@@ -259,11 +266,9 @@ static void detections_that_stop_nobody_leave_what_swings_alone(void **state) {
     }
 }
 
-/* An arm of length 2 is hinged at its end to a hook, and turned by a motor without a greatest force
- * into a block that it meets at 0.17 rad. The motor stalls: the hinge stays closed, and the arm
- * outside of the block. Under `overlap` the tip, which goes 0.3 a step, may be in it for some
- * steps.
- */
+/* An arm of length 2 is hinged at its end, and a motor without a maximum force turns it into a
+ * block, which it meets at 0.17 rad. The motor stalls: the hinge stays closed and the arm outside
+ * of the block. Under `overlap` the tip, which moves 0.3 a step, may be inside for some steps. */
 static void motor_stalls_at_a_wall_and_its_hinge_stays_closed(void **state) {
     (void)state;
     for (int i = 0; i < 2 * 4 * QUALITIES; i++) {
@@ -285,7 +290,8 @@ static void motor_stalls_at_a_wall_and_its_hinge_stays_closed(void **state) {
             widest = fmax(widest, joint_of(world, id).gap);
             assert_true(state_of(world, arm).angle < (detection < 3 ? 0.22 : 0.34));
         }
-        assert_true(widest < 0.1); /* of the motor's start at draft; before 0.2 to 2.5 */
+        /* reached at draft as the motor starts; 0.2 to 2.5 without yielding */
+        assert_true(widest < 0.1);
         assert_true(joint_of(world, id).gap < 2e-3);
         assert_true(state_of(world, arm).angle < 0.18);
         thud_world_destroy(world);

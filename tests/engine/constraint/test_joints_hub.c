@@ -1,13 +1,13 @@
-/* test_joints_hub.c: joints whose matrices or loops are dear take no more than their part of a
- * step.
- */
+/* test_joints_hub.c: an island of joints with many loops, which is expensive to factor, costs no
+ * step more than a bounded multiple of draft's time. */
 #include "joint_wheel.h"
 
 #include <time.h>
 
 enum { STEPS = 30 };
 
-/* Processor time of the dearest step, but for the first, which makes everything. */
+/* Processor time in seconds of the slowest step, without the first, which creates constraints and
+ * reserves memory. */
 static double worst_step(const thud_quality *quality) {
     thud_world *world = world_at(quality);
     double worst = 0;
@@ -22,8 +22,8 @@ static double worst_step(const thud_quality *quality) {
     return worst;
 }
 
-/* Against the dearest of draft's, since machines differ: some 60 times here, and 4,000 where
- * nothing bounds what Newton steps take. */
+/* The bound is relative to the slowest step of draft, since machines differ: measured some 60 times
+ * that, and 4,000 times where the Newton iterations are not bounded. */
 static void no_step_takes_long(void **state) {
     (void)state;
     double draft = worst_step(&thud_quality_draft);

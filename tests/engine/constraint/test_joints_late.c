@@ -1,9 +1,10 @@
-/* test_joints_late.c: joints that would give way are solved directly in that very step. */
+/* test_joints_late.c: an island of joints whose soft solution is found to be bad after the solver
+ * is solved directly in the same step, so that its joints open in no step. */
 #include "joint_support.h"
 
 static const thud_vec2 middle = {0, 0};
 
-/* A block of a hundred times their mass, on two bars that are hinged to the ground, passes by at
+/* A block of a hundred times the mass of its two bars, which are hinged to the ground, passes x at
  * 3 m/s. */
 static thud_body_id add_swing(thud_world *world, thud_body_id ground, double x) {
     thud_body_id block = add_body(world, THUD_DYNAMIC, x, 1, 0);
@@ -20,6 +21,7 @@ static thud_body_id add_swing(thud_world *world, thud_body_id ground, double x) 
     return block;
 }
 
+/* The loaded mechanism starts to move in the first step; no step has a gap above 1e-4 m. */
 static void what_sets_off_under_load_is_whole_from_its_first_step(void **state) {
     (void)state;
     thud_world *world = world_at(&thud_quality_default);
@@ -32,7 +34,8 @@ static void what_sets_off_under_load_is_whole_from_its_first_step(void **state) 
     thud_world_destroy(world);
 }
 
-/* A ball of a hundred times its mass falls on a slide: what hits and what holds are one island. */
+/* A ball of a hundred times the slide's mass falls on a slide: the contact and the joint are in one
+ * island. */
 static void what_is_hit_gives_way_in_no_step(void **state) {
     (void)state;
     thud_world *world = world_at(&thud_quality_default);
@@ -50,7 +53,8 @@ static void what_is_hit_gives_way_in_no_step(void **state) {
     thud_world_destroy(world);
 }
 
-/* Each has a system of its own, behind those that were found before. */
+/* Each island has a system of its own behind those of the islands found before the solver: several
+ * at once move as each does alone. */
 static void late_islands_are_as_they_are_alone(void **state) {
     (void)state;
     enum { SWINGS = 5 };
@@ -69,7 +73,8 @@ static void late_islands_are_as_they_are_alone(void **state) {
     thud_world_destroy(world);
 }
 
-/* A block that cannot turn holds a rod off its centre, at which a hand pulls a ball. */
+/* A block that cannot rotate holds a rod off its centre, which pulls a ball towards a static
+ * body. */
 static void what_cannot_turn_is_not_turned(void **state) {
     (void)state;
     for (int i = 0; i < QUALITIES; i++) {

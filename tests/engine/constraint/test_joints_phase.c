@@ -1,5 +1,6 @@
-/* test_joints_phase.c: what swings or springs keeps its time where islands are solved directly: its
- * error is of second order in the substeps. */
+/* test_joints_phase.c: pendulums and springs keep their frequency where islands are solved
+ * directly: their phase error is of second order in the substep. References are an integration by
+ * Runge and Kutta and the formula of the harmonic oscillator. */
 #include "joint_support.h"
 
 static const thud_quality *const direct[] = {&thud_quality_high, &thud_quality_exact};
@@ -13,17 +14,20 @@ static thud_world *world_with(const thud_quality *quality, int substeps, double 
     return make_world(def);
 }
 
-/* ---- a pendulum of length 1 that is let go at 1 rad ---- */
+/* ---- a pendulum of length 1 that is released at 1 rad ---- */
 
+/* Radius of the pendulum's bob, in metres. */
 #define BOB 0.1
-/* Moment of inertia about the hinge, over the mass. */
+/* Moment of inertia about the hinge, divided by the mass. */
 #define INERTIA (1 + 0.5 * BOB * BOB)
 
+/* Angular acceleration at an angle. */
 static double pull(double angle) {
     return -G / INERTIA * sin(angle);
 }
 
-/* Its angle and turn after a time, by Runge and Kutta's method of fourth order. */
+/* Reference: angle and angular velocity after `time` seconds, by Runge and Kutta's method of fourth
+ * order. */
 static void swing(double time, double out[2]) {
     enum { STEPS_A_SECOND = 20000 };
     double h = 1.0 / STEPS_A_SECOND, a = 1, v = 0;
@@ -38,11 +42,12 @@ static void swing(double time, double out[2]) {
     out[1] = v;
 }
 
+/* Phase of the oscillation in radians. */
 static double phase(double angle, double turn) {
     return atan2(-turn / sqrt(G / INERTIA), angle);
 }
 
-/* Degrees by which it is out of phase. */
+/* Phase error of the engine's pendulum after SECONDS, in degrees. */
 static double pendulum_off(const thud_quality *quality, int substeps) {
     thud_world *world = world_with(quality, substeps, G);
     thud_body_id hook = add_body(world, THUD_STATIC, 0, 0, 0);
@@ -69,14 +74,16 @@ static void pendulum_keeps_time_by_its_substeps(void **state) {
     }
 }
 
-/* ---- an undamped spring of 1 kg or so, stretched by 0.25 ---- */
+/* ---- an undamped spring with a ball of 0.03 kg, stretched by 0.25 ---- */
 
+/* What is measured of a spring. */
 typedef struct measured {
-    double frequency; /* of what was asked for */
-    double energy;    /* of what was there */
-    int soft;         /* steps that the soft solver made */
+    double frequency; /* relative to that of the def */
+    double energy;    /* relative to that at the start */
+    int soft;         /* steps of the soft solver */
 } measured;
 
+/* Runs the spring for SECONDS and measures it. */
 static measured spring(const thud_quality *quality, int substeps, double frequency) {
     thud_world *world = world_with(quality, substeps, 0);
     thud_body_id wall = add_body(world, THUD_STATIC, 0, 0, 0),
@@ -91,7 +98,7 @@ static measured spring(const thud_quality *quality, int substeps, double frequen
         run(world, 1);
         thud_body_state b = state_of(world, ball);
         double x = b.position.x, v = b.velocity.x / omega, now = atan2(-v, x), part = now - before;
-        /* Under half the rate of steps it turns by less than pi in one. */
+        /* Below half the step rate the phase advances by less than pi in a step. */
         turned += part < 0 ? part + 2 * PI : part;
         before = now;
         m.energy = (x * x + v * v) / (0.25 * 0.25);

@@ -1,21 +1,24 @@
 /* test_joints_random.c: random mechanisms of hinges, welds, sliders and rods, dropped or hung,
- * whose joints fit when they begin: trees and loops, light and heavy bodies, arms that are long
- * beside the bodies, so that m arm^2 is large beside the inertia. Many have loops that can only
- * move by bending something. Nothing drives them and nothing bounces, so that no energy may come
- * in. */
+ * whose joints are closed at the start: trees and loops, light and heavy bodies, lever arms that
+ * are long beside the bodies, so that m arm^2 is large beside the inertia. Many have loops that can
+ * only move by opening a joint. Nothing drives them and nothing bounces, so that the bounds are on
+ * energy gained, speed and gaps. */
 #include "every_choice.h"
 #include "joint_random.h"
 #include "joint_support.h"
 #include "pool.h"
 
+/* Random worlds with a floor and without; steps of each; bodies of a mechanism at most. */
 enum { WORLDS = 40, FREE_WORLDS = 300, STEPS = 240, BODIES_MOST = 10 };
 
-/* Most of what a world may gain of what was turned over, its speed, length/s, and its gap, in parts
- * of its size. */
+/* Bounds of a world: energy gained, as a share of the energy that was exchanged until then; speed
+ * of a body, length/s; gap of a joint, as a share of the mechanism's size. */
 typedef struct bounds {
     double gain, speed, gap;
 } bounds;
 
+/* A mechanism: its bodies with their places and angles at the start, its total mass and its size in
+ * metres. */
 typedef struct mechanism {
     thud_world *world;
     thud_body_id body[BODIES_MOST];
@@ -26,7 +29,8 @@ typedef struct mechanism {
     uint64_t seed;
 } mechanism;
 
-/* The first one may be static. They meet the floor alone. */
+/* Adds a body; the first one is static in half of the mechanisms. Bodies collide with the floor
+ * alone. */
 static void add_one(mechanism *m, double height, double ratio) {
     int i = m->bodies++;
     thud_shape_def def = thud_default_shape_def();
@@ -44,6 +48,7 @@ static void add_one(mechanism *m, double height, double ratio) {
     m->mass += kind == THUD_DYNAMIC ? state_of(m->world, m->body[i]).mass : 0;
 }
 
+/* The frame of body i at a place and an axis in the world. */
 static thud_joint_frame frame_at(const mechanism *m, int i, double x, double y, double axis) {
     double c = cos(m->angle[i]), s = sin(m->angle[i]);
     x -= m->place[i].x;
@@ -51,6 +56,7 @@ static thud_joint_frame frame_at(const mechanism *m, int i, double x, double y, 
     return (thud_joint_frame){{(float)(c * x + s * y), (float)(c * y - s * x)}, axis - m->angle[i]};
 }
 
+/* Joins two bodies with a random kind of joint, so that it is closed. */
 static void tie(mechanism *m, int a, int b, double height) {
     static const thud_joint_kind kinds[] = {THUD_HINGE, THUD_WELD, THUD_SLIDER, THUD_DISTANCE};
     thud_joint_def def = thud_default_joint_def(kinds[(int)between_two(&m->seed, 0, 4)]);
@@ -98,6 +104,7 @@ static mechanism add_mechanism(thud_world *world, int seed, bool meets_floor) {
     return m;
 }
 
+/* A world with the mechanism of a seed, with a floor where it collides with one. */
 static mechanism make_one(int seed, const thud_quality *quality, const thud_detection *detection,
                           bool meets_floor) {
     thud_world_def def = def_of(quality);
@@ -110,10 +117,11 @@ static mechanism make_one(int seed, const thud_quality *quality, const thud_dete
     return m;
 }
 
-/* The worst of a world's steps: the energy that came in, in parts of what had been turned over
- * until then, the speed of a body, and the gap of a joint in parts of the size. */
+/* The worst of a world's steps: the energy gained, as a share of the energy exchanged until then,
+ * the speed of a body, and the gap of a joint as a share of the size. */
 static bounds worst_of(const mechanism *m) {
-    double little = 0.5 * m->mass * m->size; /* M g times a twentieth of the size */
+    /* lower bound of the energy exchanged: M g times a twentieth of the size */
+    double little = 0.5 * m->mass * m->size;
     bounds worst = {0, 0, 0};
     thud_measure start = thud_world_measure(m->world);
     for (int i = 0; i < STEPS; i++) {
@@ -133,8 +141,9 @@ static bounds worst_of(const mechanism *m) {
     return worst;
 }
 
-/* At exact, bisect and swept leave contacts that tied bodies begin a step with to the solver: in
- * one world 14.6 times what was turned over comes in as its loop is pressed against the floor. */
+/* The known miss: at exact, `bisect` and `swept` leave contacts that tied bodies have as a step
+ * begins to the solver; in one world, whose loop is pressed against the floor, 14.6 times the
+ * exchanged energy is gained. */
 static bool is_known(const thud_quality *quality, const thud_detection *detection, bool meets_floor,
                      int seed) {
     return quality == &thud_quality_exact && meets_floor && seed == 33 &&
@@ -145,9 +154,9 @@ static bool is_soft(const thud_quality *quality) {
     return quality == &thud_quality_draft || quality == &thud_quality_default;
 }
 
-/* Draft and default cannot hold every mechanism together, and add no energy as they try: 5 % at
- * most, where it was up to 14.5 times. High and exact hold nearly all; what they gain is the direct
- * solver's, where a loop is nearly straight. */
+/* Draft and default cannot keep every mechanism closed; they gain at most 5 % of energy (up to 14.5
+ * times before they yielded). High and exact keep nearly all closed; their gain comes from the
+ * direct solver where a loop is nearly straight. `gap` bounds gaps. */
 static void check(const thud_quality *quality, const thud_detection *detection, bool meets_floor,
                   int worlds, double gap) {
     int gained = 0;
@@ -173,7 +182,7 @@ static void free_mechanisms_gain_no_energy(void **state) {
     }
 }
 
-/* What opens on the floor is bounded by it. */
+/* On the floor the bound of gaps is 8 sizes for the soft qualities, 0.3 for the others. */
 static void mechanisms_on_a_floor_gain_no_energy(void **state) {
     (void)state;
     for (int i = 0; i < 4 * QUALITIES; i++) {
@@ -182,7 +191,8 @@ static void mechanisms_on_a_floor_gain_no_energy(void **state) {
     }
 }
 
-/* Enough of them that workers share the blocks; many gape, and are braced after the relax pass. */
+/* Hash of a world with so many mechanisms that workers share the blocks; in many of them joints are
+ * open and are corrected after the relax pass. */
 static uint64_t hash_of_many(const thud_quality *quality, pool *threads) {
     thud_world_def def = def_of(quality);
     def.sleeping = false;

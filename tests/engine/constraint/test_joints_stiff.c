@@ -1,29 +1,32 @@
-/* test_joints_stiff.c: springs of every frequency and of damping up to 2, in chains that begin at
- * rest length and swing down to a floor, of boxes large and small. Nothing drives them, so that no
- * energy may come in. */
+/* test_joints_stiff.c: springs of every frequency and with damping ratios up to 2, in chains of
+ * large and small boxes that begin at rest length and swing down to a floor. Nothing drives them,
+ * so that no energy may be gained. */
 #include "every_choice.h"
 #include "joint_random.h"
 #include "joint_support.h"
 
 enum { WORLDS = 12, STEPS = 120, BOXES = 6 };
 
-/* What ties the boxes: a weld of which all gives way, a spring between two places, or a hinge that
- * turns back. */
+/* What joins the boxes: a weld with springs in all directions, a spring between two anchors, or a
+ * hinge with a spring on its angle. */
 typedef enum tie_kind { SOFT_WELD, SPRING, STIFF_HINGE, TIES } tie_kind;
 
 #define GAP 0.5f /* rest length of the springs */
 
+/* A chain of boxes; its total mass in kg and its length in metres. */
 typedef struct chain {
     thud_world *world;
     double mass, size;
     uint64_t seed;
 } chain;
 
+/* A random damping ratio in [0, 2]; a fifth of them are 0. */
 static double some_damping(chain *c) {
     double ratio = between_two(&c->seed, -0.5, 2);
     return ratio < 0 ? 0 : ratio;
 }
 
+/* Joins two boxes by a joint with random spring frequencies and damping. */
 static void tie(chain *c, tie_kind kind, thud_body_id a, thud_body_id b, double arm_a,
                 double arm_b) {
     static const thud_joint_kind kinds[] = {THUD_WELD, THUD_DISTANCE, THUD_HINGE};
@@ -39,9 +42,10 @@ static void tie(chain *c, tie_kind kind, thud_body_id a, thud_body_id b, double 
     make(c->world, def);
 }
 
-/* Arms of welds and hinges are up to ten times half a box's width; those of springs between places
- * end in the box. Longer ones of light boxes turn faster than substeps follow under what hangs on
- * them, however slow the spring is. */
+/* Hangs a chain with the seed's sizes. Lever arms of welds and hinges are up to ten times half a
+ * box's width; springs between anchors are attached within the box. Longer arms on light boxes
+ * would, under the load that hangs on them, turn faster than substeps can follow, at any spring
+ * frequency. */
 static chain hang(int seed, tie_kind kind, const thud_quality *quality,
                   const thud_detection *detection) {
     thud_world_def def = def_of(quality);
@@ -55,7 +59,7 @@ static chain hang(int seed, tie_kind kind, const thud_quality *quality,
     add_floor(c.world, NULL);
     thud_shape_def shape = thud_default_shape_def();
     shape.filter.category = 2;
-    shape.filter.mask = 1; /* they meet the floor alone */
+    shape.filter.mask = 1; /* collide with the floor alone */
     double arm = kind == SPRING ? in_octaves(&c.seed, 0.05, 0.25) : in_octaves(&c.seed, 0.1, 0.5);
     double gap = kind == SPRING ? GAP : 0, slope = between_two(&c.seed, -0.7, 0), along = 0;
     c.size = BOXES * (gap + 2 * arm);
@@ -76,9 +80,10 @@ static chain hang(int seed, tie_kind kind, const thud_quality *quality,
     return c;
 }
 
-/* The energy that came in, in parts of what had been turned over until then. */
+/* The greatest energy gained, as a share of the energy exchanged until then. */
 static double gained_by(const chain *c) {
-    double little = 0.5 * c->mass * c->size, worst = 0; /* M g times a twentieth of the size */
+    /* lower bound of the energy exchanged: M g times a twentieth of the size */
+    double little = 0.5 * c->mass * c->size, worst = 0;
     thud_measure start = thud_world_measure(c->world);
     for (int i = 0; i < STEPS; i++) {
         run(c->world, 1);
@@ -91,8 +96,9 @@ static double gained_by(const chain *c) {
     return worst;
 }
 
-/* Where springs are as fast as their defs say, 10^13 comes in with welds at every quality. At exact
- * up to 1.7 still does on a floor, with which islands are solved directly for a step at once. */
+/* With the frequencies of the defs unbounded, welds gained a factor of 10^13 at every quality. At
+ * exact up to 1.7 is still gained on a floor, where islands are solved directly once a step and not
+ * in substeps. */
 static void gain_nothing(tie_kind kind) {
     for (int i = 0; i < 4 * QUALITIES; i++) {
         bool exact = qualities[i / 4] == &thud_quality_exact;

@@ -1,5 +1,5 @@
-/* test_locks.c: bodies that keep their x or y (thud_locks.h): how far they leave it, whatever
- * pushes them, and what becomes of the lock when something else is changed. */
+/* test_locks.c: bodies whose x or y is locked (thud_locks.h): how far loads and impacts move them
+ * off their line, and how locks follow edits of bodies, snapshots and destruction. */
 #include "every_choice.h"
 #include "pool.h"
 #include "snapshot_support.h"
@@ -9,6 +9,7 @@
 #include <thud/thud_lists.h>
 #include <thud/thud_locks.h>
 
+/* Sets the locks of a body, and asserts that they are read back. */
 static void lock(thud_world *world, thud_body_id body, bool x, bool y) {
     bool has_x = !x, has_y = !y;
     OK(thud_body_set_locks(world, body, x, y));
@@ -30,8 +31,10 @@ static double y_of(const thud_world *world, thud_body_id body) {
     return state_of(world, body).position.y;
 }
 
-/* ---- how well they hold ---- */
+/* ---- how well locks hold ---- */
 
+/* The locked coordinate is held within 2e-4 m, at every quality and detection, and the other
+ * follows a free body. */
 static void locked_axis_takes_no_gravity_and_the_other_is_free(void **state) {
     (void)state;
     for (int i = 0; i < QUALITIES * 4; i++) {
@@ -48,7 +51,7 @@ static void locked_axis_takes_no_gravity_and_the_other_is_free(void **state) {
             run(world, 1);
             thud_pos at = state_of(world, free).position;
             near_to(x_of(world, x), 10, 2e-4);
-            near_to(y_of(world, x), at.y, 0.1); /* which may fly by a parabola */
+            near_to(y_of(world, x), at.y, 0.1); /* `swept` may move it along a parabola */
             near_to(x_of(world, y), 20.25 + at.x, 0.03);
             near_to(y_of(world, y), 50, 2e-4);
             near_to(x_of(world, both), -10, 2e-4);
@@ -58,7 +61,7 @@ static void locked_axis_takes_no_gravity_and_the_other_is_free(void **state) {
     }
 }
 
-/* An hour: it does not creep. */
+/* An hour of steps: the locked coordinate does not drift. */
 static void lock_does_not_drift(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();
@@ -77,7 +80,8 @@ static void lock_does_not_drift(void **state) {
     thud_world_destroy(world);
 }
 
-/* A platform between a load and nothing; the worst is how far it leaves its line. */
+/* A platform locked in y carries a load of up to 100,000 times its density; `worst` is how far it
+ * leaves its line, in metres. */
 static void platform_bears_what_is_heavier(void **state) {
     (void)state;
     static const double worst[QUALITIES] = {0.04, 1e-3, 1e-6, 1e-6};
@@ -102,13 +106,15 @@ static void platform_bears_what_is_heavier(void **state) {
     }
 }
 
+/* Boxes locked in x fall on each other and keep their x within 2e-3 m. */
 static void tower_of_locked_boxes_stands_and_falls_straight(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
         thud_world *world = world_of(q, thud_default_world_def());
         thud_body_id box[12];
         add_floor(world, NULL);
-        for (int i = 0; i < 12; i++) { /* each hangs over by far more than half */
+        /* each overhangs the next by far more than half of its width */
+        for (int i = 0; i < 12; i++) {
             box[i] = add_box(world, 0.2 * i, 0.5 + 1.5 * i, 0.5f, 0.5f);
             OK(thud_body_set_fixed_rotation(world, box[i], true));
             lock(world, box[i], true, false);
@@ -119,7 +125,8 @@ static void tower_of_locked_boxes_stands_and_falls_straight(void **state) {
                 near_to(x_of(world, box[k]), 0.2 * k, 2e-3);
             }
         }
-        for (int k = 0; k < 5; k++) { /* those above have nothing of the ones below the next */
+        /* the others have moved beyond the boxes that were below them */
+        for (int k = 0; k < 5; k++) {
             near_to(y_of(world, box[k]), 0.5 + k, 0.05);
         }
         assert_false(state_of(world, box[11]).awake);
@@ -127,6 +134,8 @@ static void tower_of_locked_boxes_stands_and_falls_straight(void **state) {
     }
 }
 
+/* A ball at 400 m/s hits a post that is locked in x: the post moves by less than 5 mm and returns,
+ * and the ball does not pass. */
 static void fast_hit_leaves_it_on_its_line(void **state) {
     (void)state;
     for (int q = 1; q < QUALITIES; q++) {
@@ -147,6 +156,7 @@ static void fast_hit_leaves_it_on_its_line(void **state) {
     }
 }
 
+/* Locks hold at distances of up to 9e8 from the origin. */
 static void far_away_it_holds_as_well(void **state) {
     (void)state;
     static const double places[] = {1e5, -1e7, 9e8};
@@ -163,8 +173,10 @@ static void far_away_it_holds_as_well(void **state) {
     }
 }
 
-/* ---- what else is changed ---- */
+/* ---- edits ---- */
 
+/* Each combination of locks can be set after each other. Locks are one joint of the body, which may
+ * also be destroyed. */
 static void locks_change_and_go(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -190,9 +202,10 @@ static void locks_change_and_go(void **state) {
     thud_world_destroy(world);
 }
 
-/* A body of the engine's own holds them, which no list has, and which goes with the last. */
-/* The hash is of the bodies of the caller: the anchor of a lock is none, and goes in the next step,
- * so that a step which runs out of memory changes no hash by that. */
+/* Locks are held by an anchor body of the engine's own. It is in no list, and is destroyed with the
+ * last lock. */
+/* The hash covers the caller's bodies and not the anchor of locks, which is destroyed in the next
+ * step; a step that fails for want of memory must not change the hash by that. */
 static void locks_are_not_in_the_hash(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -205,6 +218,8 @@ static void locks_are_not_in_the_hash(void **state) {
     thud_world_destroy(world);
 }
 
+/* Locked bodies are created and destroyed; lists contain the body and not the anchor, and nothing
+ * is left. */
 static void bodies_come_and_go_with_their_locks(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -227,6 +242,7 @@ static void bodies_come_and_go_with_their_locks(void **state) {
     thud_world_destroy(world);
 }
 
+/* An epilogue that moves a body and tries to unlock it, which is refused inside a callback. */
 static thud_body_id moved_inside;
 
 static void put_it(thud_world *world, const thud_contact *contact, void *context) {
@@ -235,6 +251,8 @@ static void put_it(thud_world *world, const thud_contact *contact, void *context
     assert_int_equal(thud_body_set_locks(world, moved_inside, false, false), THUD_ERROR_LOCKED);
 }
 
+/* A locked body that is moved by thud_body_set_transform is held at the new place: awake or asleep,
+ * and inside a callback. */
 static void lock_holds_where_its_body_is_put(void **state) {
     (void)state;
     for (int i = 0; i < 4; i++) {
@@ -262,7 +280,7 @@ static void lock_holds_where_its_body_is_put(void **state) {
     }
 }
 
-/* What it holds is the centre of mass, wherever that comes to be. */
+/* A lock holds the centre of mass, also where shapes move it. */
 static void lock_follows_the_centre_of_mass(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -285,6 +303,7 @@ static void lock_follows_the_centre_of_mass(void **state) {
     thud_world_destroy(world);
 }
 
+/* A locked body may sleep; its kind cannot be changed while it is locked. */
 static void locked_body_sleeps_and_stays_dynamic(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -309,6 +328,7 @@ static void locked_body_sleeps_and_stays_dynamic(void **state) {
 
 /* ---- snapshots, workers ---- */
 
+/* A world of 40 boxes, two thirds of which are locked in x or y. */
 static thud_world *make_rails(thud_job_system job_system) {
     thud_world_def def = thud_default_world_def();
     def.job_system = job_system;

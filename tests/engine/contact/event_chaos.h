@@ -1,4 +1,5 @@
-/* event_chaos.h: a world that changes all the time, and the books of its events. */
+/* event_chaos.h: a random world that is edited in every step, also inside callbacks and queries,
+ * and ledgers of its begin and end events. */
 #ifndef EVENT_CHAOS_H
 #define EVENT_CHAOS_H
 
@@ -6,8 +7,9 @@
 
 enum { BODIES = 48, STEPS = 240, OPEN_MAX = 4096 };
 
-/* ---- the books: pairs that have begun and not ended ---- */
+/* ---- ledger: pairs that have begun and not ended ---- */
 
+/* Pairs that are open, and how many have begun so far. */
 typedef struct ledger {
     thud_contact_event open[OPEN_MAX];
     int count, begun;
@@ -17,6 +19,7 @@ static inline bool same(const thud_contact_event *a, const thud_contact_event *b
     return memcmp(a, b, sizeof *a) == 0;
 }
 
+/* Index of an open pair, or `count` where it is not open. */
 static inline int find(const ledger *l, const thud_contact_event *pair) {
     int i = 0;
     while (i < l->count && !same(&l->open[i], pair)) {
@@ -25,6 +28,7 @@ static inline int find(const ledger *l, const thud_contact_event *pair) {
     return i;
 }
 
+/* Removes the pair from the open ones; false where it is not among them. */
 static inline bool closes(ledger *l, const thud_contact_event *pair) {
     int i = find(l, pair);
     if (i == l->count) {
@@ -34,7 +38,8 @@ static inline bool closes(ledger *l, const thud_contact_event *pair) {
     return true;
 }
 
-/* Ends of what was open come first; what is left of them must be of what begins. */
+/* Books the events of a step. First the ends of pairs that were open before it; any other end must
+ * belong to a pair that began in this step. */
 static inline void book(ledger *l, const thud_contact_event *begin, int begins,
                         const thud_contact_event *end, int ends) {
     bool *late = calloc((size_t)ends + 1, sizeof *late);
@@ -59,22 +64,25 @@ static inline void book(ledger *l, const thud_contact_event *begin, int begins,
     free(late);
 }
 
-/* ---- a world that changes all the time ---- */
+/* ---- a world that is edited in every step ---- */
 
+/* A random world with ledgers of its contact and sensor events. */
 typedef struct chaos {
     thud_world *world;
     thud_body_id bodies[BODIES], ground;
     thud_shape_id line;
     uint64_t seed;
     ledger touches, sensed;
-    int edits_inside; /* made by callbacks */
-    bool quiet;       /* callbacks leave the world alone */
+    int edits_inside; /* edits made by callbacks */
+    bool quiet;       /* neither callbacks nor the test edit the world */
 } chaos;
 
 static inline int pick(chaos *c, int count) {
     return (int)random_in(&c->seed, 0, (double)count);
 }
 
+/* Asserts that an edit succeeded, or that its handle was stale because an earlier edit destroyed
+ * the object. */
 static inline void fine_or_gone(thud_result result) {
     assert_true(result == THUD_OK || result == THUD_ERROR_STALE);
 }
@@ -100,7 +108,8 @@ static inline void add_random_body(chaos *c, int i) {
     }
 }
 
-/* What falls through the ground that a prologue has taken away lands here. */
+/* Adds a static pit below the ground, for bodies whose contact with the ground a prologue
+ * vetoes. */
 static inline void add_pit(chaos *c) {
     thud_body_id pit = add_body(c->world, THUD_STATIC, 0, 0, 0);
     thud_shape_def def = thud_default_shape_def();
@@ -120,6 +129,7 @@ static inline void add_ground(chaos *c) {
     OK(thud_shape_create_terrain(c->world, c->ground, &def, &line, &c->line));
 }
 
+/* Makes one random edit of a body or its shapes. */
 static inline void edit(chaos *c) {
     thud_world *w = c->world;
     int i = pick(c, BODIES), shapes;
@@ -168,6 +178,7 @@ static inline void edit(chaos *c) {
     }
 }
 
+/* Makes one random edit of the terrain. */
 static inline void edit_ground(chaos *c) {
     double x = random_in(&c->seed, -8, 8);
     if (pick(c, 6) == 0) {
@@ -180,6 +191,7 @@ static inline void edit_ground(chaos *c) {
     }
 }
 
+/* Makes an edit and a query in one of `one_in` calls, from inside a callback. */
 static inline void edit_inside(chaos *c, int one_in) {
     bool hit;
     if (!c->quiet && pick(c, one_in) == 0) {
@@ -189,6 +201,7 @@ static inline void edit_inside(chaos *c, int one_in) {
     }
 }
 
+/* A prologue that edits now and then, and vetoes a tenth of the contacts while not `quiet`. */
 static inline bool ask(thud_world *world, const thud_contact *contact,
                        thud_contact_settings *settings, void *context) {
     (void)settings;
@@ -210,13 +223,14 @@ static inline bool look(thud_shape_id shape, void *context) {
     return true;
 }
 
-/* A query applies the edits made so far, long before the step that tells their events. */
+/* A query applies the edits made so far, before the step that reports their events. */
 static inline void query(chaos *c) {
     bool hit;
     OK(thud_world_cast_ray(c->world, (thud_pos){-9, 1}, 18, 0, NULL, &hit, NULL));
     OK(thud_world_overlap_circle(c->world, (thud_pos){0, 1}, 3, NULL, look, c));
 }
 
+/* Steps the world and books its events. */
 static inline void step(chaos *c) {
     run(c->world, 1);
     thud_events e = thud_world_events(c->world);

@@ -1,6 +1,8 @@
-/* test_body_contacts.c: the contacts of one body, and what is drawn of them. */
+/* test_body_contacts.c: the contacts of a body as thud_body_contacts reports them, and how the
+ * debug drawing shows contacts, pairs and colours. */
 #include "engine_support.h"
 
+/* The contact of a body that has exactly one. */
 static thud_manifold only_contact_of(thud_world *world, thud_body_id body) {
     thud_manifold all[4];
     int count = -1;
@@ -30,7 +32,7 @@ static void box_at_rest_stands_on_two_points_that_carry_its_weight(void **state)
     near_to(0.5 * (m.point[0].x + m.point[1].x), 3, 0.02);
     near_to(m.point[0].y, 0, 0.02);
     near_to(m.separation[0], 0, 0.01);
-    /* mass 2, gravity 10, a step of 1/60 s */
+    /* mass 2 kg, gravity 10 m/s^2, a step of 1/60 s */
     near_to(m.normal_impulse[0] + m.normal_impulse[1], 2.0 * 10 / 60, 0.02);
     near_to(m.tangent_impulse, 0, 1e-3);
     assert_false(m.direct);
@@ -84,9 +86,10 @@ static void contacts_refuse_what_they_cannot_do(void **state) {
 
 /* ---- drawing ---- */
 
+/* What a debug drawing called back with, by style. */
 typedef struct seen {
     int lines[THUD_DRAW_STYLE_COUNT], points[THUD_DRAW_STYLE_COUNT];
-    double length[THUD_DRAW_STYLE_COUNT]; /* of the lines, together */
+    double length[THUD_DRAW_STYLE_COUNT]; /* total length of the lines */
 } seen;
 
 static void on_line(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *context) {
@@ -119,18 +122,20 @@ static void manifolds_are_points_with_depth_and_impulse(void **state) {
     seen k = draw(world, THUD_DRAW_MANIFOLDS);
     assert_int_equal(k.points[THUD_DRAW_MANIFOLD], 2);
     assert_int_equal(k.lines[THUD_DRAW_DEPTH], 2);
-    /* gravity 10 for a step of 1/60 s, gone on with for a second */
+    /* the length drawn for an impulse: the distance that its velocity covers in one second */
     near_to(k.length[THUD_DRAW_IMPULSE], 10.0 / 60, 0.01);
     thud_world_destroy(world);
 }
 
+/* The drawing of stages has a line in its own style for pairs whose fat bounds overlap, whose
+ * bounds overlap, and which touch. */
 static void stages_tell_fat_bounds_from_true_ones_from_touching(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
     add_ball(world, 0, 0, 0.5f);
-    add_ball(world, 1.04, 0, 0.5f); /* only the fat bounds meet */
+    add_ball(world, 1.04, 0, 0.5f); /* only the fat bounds overlap */
     add_ball(world, 0, 5, 0.5f);
-    add_ball(world, 0.8, 5.8, 0.5f); /* the squares about them overlap */
+    add_ball(world, 0.8, 5.8, 0.5f); /* the bounds overlap, the circles do not */
     add_ball(world, 9, 0, 0.5f);
     add_ball(world, 9.95, 0, 0.5f);
     run(world, 1);
@@ -150,7 +155,8 @@ static void colours_of_a_stack_alternate(void **state) {
     }
     run(world, 30);
     seen k = draw(world, THUD_DRAW_COLOURS);
-    /* One contact with the floor and three among boxes, of which neighbours share a body. */
+    /* One contact with the floor and three between boxes; neighbouring contacts share a body, and
+     * so differ in colour. */
     int total = 0;
     for (int style = THUD_DRAW_COLOUR; style <= THUD_DRAW_COLOUR_LAST; style++) {
         total += k.lines[style];

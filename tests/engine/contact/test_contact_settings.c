@@ -1,15 +1,18 @@
-/* test_contact_settings.c: what a prologue makes of a contact, from ice to trampolines, what is
- * refused, and what the epilogue hears. */
+/* test_contact_settings.c: what a prologue's settings (friction, restitution, surface speed) do
+ * under every detection, which values are refused, and the impulses that the epilogue is given. */
 #include "resolution_support.h"
 
 /* ---- settings of a prologue ---- */
 
+/* The prologue's context: the settings that it sets while `granted`; `heard` counts refusals in the
+ * log. */
 typedef struct wish {
     thud_contact_settings settings;
     bool granted;
     int heard;
 } wish;
 
+/* A prologue that sets the context's settings while they are granted. */
 static bool wish_for(thud_world *world, const thud_contact *contact,
                      thud_contact_settings *settings, void *context) {
     (void)world;
@@ -22,6 +25,8 @@ static bool wish_for(thud_world *world, const thud_contact *contact,
     return true;
 }
 
+/* While a prologue sets friction to 0 a box slides on at its velocity; afterwards the shapes'
+ * friction stops it. */
 static void ice_of_a_prologue_lasts_as_long_as_it_says(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
@@ -33,7 +38,8 @@ static void ice_of_a_prologue_lasts_as_long_as_it_says(void **state) {
             OK(thud_body_set_velocity(world, box, (thud_vec2){5, 0}, 0));
             run(world, 10);
             double speed = (double)state_of(world, box).velocity.x;
-            assert_true(speed < 4.5); /* friction at work, whose impulse must not live on */
+            /* friction acts; its impulse must not be kept for the steps without friction */
+            assert_true(speed < 4.5);
             w.granted = true;
             run(world, 120);
             near_to((double)state_of(world, box).velocity.x, speed, 1e-4);
@@ -45,6 +51,7 @@ static void ice_of_a_prologue_lasts_as_long_as_it_says(void **state) {
     }
 }
 
+/* While a prologue sets a surface speed the box is carried at it; afterwards it stops. */
 static void belt_of_a_prologue_carries_and_stops(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
@@ -61,8 +68,8 @@ static void belt_of_a_prologue_carries_and_stops(void **state) {
     }
 }
 
-/* How fast something that falls from a height of 5, at 10, leaves the floor again: what it has,
- * wherever it is by the end of that step. */
+/* The greatest speed in m/s at which a body leaves the floor after a fall of 5 m under 10 m/s^2,
+ * from its velocity and height in any step after. */
 static double bounce(const thud_detection *detection, int kind, float restitution) {
     wish w = {{0.6f, restitution, 0}, true, 0};
     thud_world *world = make_world_with(detection, wish_for, &w, true);
@@ -91,7 +98,7 @@ static void trampoline_of_a_prologue_bounces_as_high_as_it_says(void **state) {
     }
 }
 
-/* How fast a box that lies on the floor leaves it again when it is thrown down. */
+/* The upward speed in m/s of a box that lies on the floor and is then thrown down. */
 static float thrown_down(bool by_def) {
     wish w = {{0.6f, 1, 0}, false, 0};
     thud_world *world = make_world_with(&thud_detection_overlap, wish_for, &w, true);
@@ -108,14 +115,16 @@ static float thrown_down(bool by_def) {
     return speed;
 }
 
-/* The box has a manifold that is kept, at whose speed of approach nobody has looked. */
+/* The box has a manifold that is kept from step to step; its approach velocity has to be determined
+ * anew when restitution is set. */
 static void restitution_of_a_prologue_is_that_of_a_def_for_what_rests_too(void **state) {
     (void)state;
     assert_true(thrown_down(true) > 4);
     near_to((double)thrown_down(false), (double)thrown_down(true), 1e-4);
 }
 
-/* A ball that hits a belt in flight gets a third of its speed: friction turns it as well. */
+/* A ball hits a belt under `swept`: friction also turns the ball, so it gets a third of the belt's
+ * speed. */
 static void impact_within_the_step_heeds_surface_speed_and_friction(void **state) {
     (void)state;
     for (int rough = 0; rough < 2; rough++) {
@@ -132,12 +141,14 @@ static void impact_within_the_step_heeds_surface_speed_and_friction(void **state
     }
 }
 
+/* The log: counts the refusals of a prologue's settings. */
 static void count_message(thud_result result, const char *message, void *context) {
     assert_int_equal(result, THUD_ERROR_INVALID);
     assert_non_null(strstr(message, "prologue"));
     ++*(int *)context;
 }
 
+/* The world's hash after some steps with or without the prologue. */
 static uint64_t hash_after(const thud_detection *detection, wish *w, bool asks) {
     thud_world_def def = thud_default_world_def();
     def.detection = detection;
@@ -157,6 +168,8 @@ static uint64_t hash_after(const thud_detection *detection, wish *w, bool asks) 
     return hash;
 }
 
+/* Wrong settings are logged and the contact keeps the shapes' settings: the world ends with the
+ * hash of one without a prologue. */
 static void settings_out_of_range_are_refused_and_the_pair_keeps_its_own(void **state) {
     (void)state;
     const thud_contact_settings bad[] = {{-1, 0, 0},         {2e6f, 0, 0},
@@ -178,6 +191,7 @@ static void settings_out_of_range_are_refused_and_the_pair_keeps_its_own(void **
     }
 }
 
+/* A shape with a wrong surface speed is refused; a negative one is valid. */
 static void surface_speed_out_of_range_is_no_shape(void **state) {
     (void)state;
     const float bad[] = {NAN, INFINITY, -INFINITY, 1.1e6f, -1.1e6f};
@@ -199,6 +213,7 @@ static void surface_speed_out_of_range_is_no_shape(void **state) {
 
 /* ---- the epilogue ---- */
 
+/* Sums of the impulses that an epilogue was given. */
 typedef struct pushes {
     double normal, tangent;
 } pushes;
@@ -210,6 +225,8 @@ static void add_up(thud_world *world, const thud_contact *contact, void *context
     p->tangent += (double)contact->tangent_impulse;
 }
 
+/* The impulses given to the epilogue sum to the momentum that friction took and to the weight times
+ * the time. */
 static void epilogue_hears_all_of_friction_and_weight(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {

@@ -1,11 +1,13 @@
-/* test_event_ledger.c: random worlds whose bodies come, go, jump and sleep at any time, also inside
- * callbacks, keep books of their events: whatever begins ends once, and nothing begins twice. */
+/* test_event_ledger.c: ledgers of events in random worlds whose bodies are created, destroyed,
+ * moved and put to sleep at any time, also inside callbacks: each begin has exactly one end, and no
+ * pair begins twice. */
 #include "event_chaos.h"
 #include "every_choice.h"
 #include "share.h"
 
-static int slept_in_all; /* bodies times steps */
+static int slept_in_all; /* sum over steps of the sleeping bodies */
 
+/* How many dynamic bodies sleep. */
 static int sleepers(const chaos *c) {
     int count = 0;
     for (int i = 0; i < BODIES; i++) {
@@ -16,6 +18,7 @@ static int sleepers(const chaos *c) {
     return count;
 }
 
+/* Runs a random world and books its events. */
 static void run_chaos(const thud_detection *detection, const thud_broadphase *broadphase,
                       uint64_t seed) {
     chaos *c = calloc(1, sizeof *c);

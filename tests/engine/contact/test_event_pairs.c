@@ -1,8 +1,8 @@
-/* test_event_pairs.c: a pair begins once and ends once, however it drifts, rolls or is left asleep.
- */
+/* test_event_pairs.c: a pair of shapes begins once and ends once, also while it drifts, rolls along
+ * a terrain, or sleeps. */
 #include "event_chaos.h"
 
-/* Where the edit is seen first by a query, its end comes with the next step, as without one. */
+/* A query applies an edit before the step does; the end event still comes with the next step. */
 static void end_of_what_an_edit_took_away_survives_a_query(void **state) {
     (void)state;
     for (int how = 0; how < 4; how++) {
@@ -22,7 +22,8 @@ static void end_of_what_an_edit_took_away_survives_a_query(void **state) {
         }
         bool hit;
         OK(thud_world_cast_ray(world, (thud_pos){0, 9}, 0, -20, NULL, &hit, NULL));
-        assert_int_equal(thud_world_events(world).end_count, 0); /* still those of the last step */
+        /* still the events of the last step */
+        assert_int_equal(thud_world_events(world).end_count, 0);
         run(world, 1);
         assert_int_equal(thud_world_events(world).end_count, 1);
         assert_int_equal(thud_world_events(world).sensor_end_count, 1);
@@ -30,7 +31,7 @@ static void end_of_what_an_edit_took_away_survives_a_query(void **state) {
     }
 }
 
-/* Nobody steps into or out of a room that goes away with a sleeper in it. */
+/* A sensor that moves away from a sleeping body reports the end. */
 static void sensor_that_moves_away_from_a_sleeper_ends(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -48,9 +49,9 @@ static void sensor_that_moves_away_from_a_sleeper_ends(void **state) {
     thud_world_destroy(world);
 }
 
-/* Two shapes of any kind and size side by side, nearer to each other than contacts reach, that
- * drift together and creep past each other: their fat bounds part and meet again, they touch all
- * along. */
+/* Two shapes of any kind and size drift together, closer than the distance at which contacts act,
+ * and creep past each other. Their fat bounds separate and overlap again while the shapes touch all
+ * the time: the pair begins once. */
 static void drift(uint64_t *seed, bool with_skin, bool on_line) {
     chaos *c = calloc(1, sizeof *c);
     thud_world_def def = weightless();
@@ -88,7 +89,8 @@ static void drift(uint64_t *seed, bool with_skin, bool on_line) {
     }
     for (int i = 0; i < 240; i++) {
         step(c);
-        assert_true(thud_world_stats(c->world).pairs <= (on_line ? 3 : 1)); /* a segment each */
+        /* one pair for each segment */
+        assert_true(thud_world_stats(c->world).pairs <= (on_line ? 3 : 1));
     }
     thud_world_destroy(c->world);
     free(c);
@@ -102,7 +104,7 @@ static void pair_that_drifts_within_reach_begins_once(void **state) {
     }
 }
 
-/* A line is one shape: what rolls from segment to segment touches it once. */
+/* A terrain is one shape: a ball that rolls from segment to segment begins to touch it once. */
 static void ball_that_rolls_over_many_segments_begins_once(void **state) {
     (void)state;
     for (int sensor = 0; sensor < 2; sensor++) {

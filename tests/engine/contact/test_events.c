@@ -1,9 +1,10 @@
-/* test_events.c: begin, end, hit and sensor events; prologue and epilogue. */
+/* test_events.c: begin, end, hit and sensor events of small scenes, filters, and what callbacks may
+ * do. */
 #include "engine_support.h"
 
 #include <float.h>
 
-/* Balance of begin and end events of a run. */
+/* Counts of events over a run. */
 typedef struct tally {
     int begun, ended, sensed, left, hits;
 } tally;
@@ -48,10 +49,12 @@ static void bouncing_ball_begins_and_ends_and_hits(void **state) {
     }
     near_to(speed, sqrt(2 * 10 * 2.5), 0.2);
     assert_true(t.begun > 2);
-    assert_int_equal(t.begun, t.ended + 1); /* it lies on the floor */
+    assert_int_equal(t.begun, t.ended + 1); /* it lies on the floor at the end */
     thud_world_destroy(world);
 }
 
+/* Two balls meet at 3e38 m/s each: the approach speed, whose sum overflows a float, is reported as
+ * a finite one. */
 static void hit_of_bodies_faster_than_floats_add_up_tells_a_finite_speed(void **state) {
     (void)state;
     for (int swept = 0; swept < 2; swept++) {
@@ -71,6 +74,8 @@ static void hit_of_bodies_faster_than_floats_add_up_tells_a_finite_speed(void **
     }
 }
 
+/* Under `swept` a ball that bounces within a step is reported as a hit; it begins no contact, since
+ * it does not touch at the end of the step. */
 static void bounce_within_a_swept_step_is_a_hit_without_a_begin(void **state) {
     (void)state;
     thud_world_def def = weightless();
@@ -89,6 +94,8 @@ static void bounce_within_a_swept_step_is_a_hit_without_a_begin(void **state) {
     thud_world_destroy(world);
 }
 
+/* A contact ends with one event where its body or shape is destroyed, the body is moved away, or
+ * the ground under a sleeping body is destroyed. */
 static void contact_ends_when_a_body_a_shape_or_the_ground_goes(void **state) {
     (void)state;
     for (int how = 0; how < 4; how++) {
@@ -96,7 +103,7 @@ static void contact_ends_when_a_body_a_shape_or_the_ground_goes(void **state) {
         thud_body_id floor = add_floor(world, NULL);
         thud_body_id box = add_body(world, THUD_DYNAMIC, 0, 0.5, 0);
         thud_shape_id shape = add_shape(world, box, 0.5f, 0.5f, false, NULL);
-        tally t = run_counting(world, how == 3 ? 120 : 10); /* the last one sleeps */
+        tally t = run_counting(world, how == 3 ? 120 : 10); /* the last case sleeps */
         assert_int_equal(t.begun, 1);
         assert_int_equal(t.ended, 0);
         if (how == 0) {
@@ -186,17 +193,21 @@ static void prologue_that_says_no_lets_bodies_through(void **state) {
     thud_world_destroy(world);
 }
 
+/* Sum of the normal impulses that the epilogue was given. */
 static double impulse_sum;
 
+/* An epilogue that sums normal impulses. */
 static void weigh(thud_world *world, const thud_contact *contact, void *context) {
     (void)context;
     impulse_sum += (double)contact->normal_impulse;
-    /* Inside a callback the step is refused, and an edit waits for the next one. */
+    /* Inside a callback a step is refused, and an edit is deferred to the next step. */
     assert_int_equal(thud_world_step(world), THUD_ERROR_LOCKED);
     OK(thud_body_set_velocity(world, contact->body_b, (thud_vec2){1, 0}, 0));
     assert_true((double)fabsf(state_of(world, contact->body_b).velocity.x) < 2.0);
 }
 
+/* The impulses given to the epilogue in a second sum to weight times time; and its deferred edits
+ * act. */
 static void epilogue_hears_the_impulse_that_carries_the_weight(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();

@@ -1,10 +1,11 @@
-/* test_internal_edges.c: static shapes side by side are one ground: what slides over their seams
- * loses no speed and does not hop; real edges stay. Before, circles lost 92 % of their speed over
- * 1,000 tiles, and boxes all of it. */
+/* test_internal_edges.c: static shapes side by side act as one ground (contact/internal_edges.h): a
+ * body that slides over their seams loses no speed and does not hop, while real edges still stop
+ * it. Without this, circles lost 92 % of their speed over 1,000 tiles, and boxes all of it. */
 #include "engine_support.h"
 
 #include "contact/internal_edges.h"
 
+/* Kinds of ground: AABBs, OBBs, one terrain, or terrains and boxes alternately. */
 enum { TILES, TURNED_TILES, LINE, LINES_AND_BOXES, GROUNDS };
 
 static thud_shape_def smooth(void) {
@@ -25,7 +26,7 @@ static void add_line(thud_world *world, double x, const thud_pos *points, int co
     OK(thud_shape_create_terrain(world, body, &def, &line, NULL));
 }
 
-/* A thousand units of floor at height 0. */
+/* Adds a floor of 1,000 units, whose top is at height 0. */
 static void add_ground(thud_world *world, int ground) {
     static thud_pos points[1001];
     for (int i = 0; i <= 1000; i++) {
@@ -53,6 +54,7 @@ static thud_body_id add_slider(thud_world *world, int kind, double x) {
     return body;
 }
 
+/* Slides a body over the ground; asserts its speed and height. */
 static void slide(int ground, int kind, double speed, const thud_detection *detection) {
     thud_world_def def = thud_default_world_def();
     def.sleeping = false;
@@ -90,9 +92,10 @@ static void sliding_over_a_thousand_seams_keeps_speed_and_height(void **state) {
     }
 }
 
-/* Where the solver leaves no gap, detection meets the ground all along the way; behind a box that
- * has come over the end of the line, that end is a second point of contact. In millimetres, tiles
- * and line differ by what single precision does. */
+/* Under `bisect` and `swept` at high the solver leaves no gap, so that detection meets the
+ * ground all along the way; and behind a box that has passed the end of the terrain, that end is a
+ * second contact point. At a length scale of millimetres, the tops of tiles and terrain differ by
+ * rounding of single precision. */
 static void box_that_leaves_tiles_for_a_line_is_not_held_by_its_end(void **state) {
     (void)state;
     for (int k = 0; k < 60; k++) {
@@ -125,7 +128,7 @@ static void falling_along_a_wall_of_tiles_is_not_caught(void **state) {
     (void)state;
     for (int kind = 0; kind < 3; kind++) {
         thud_world_def def = thud_default_world_def();
-        def.gravity = (thud_vec2){4, -10}; /* leans on the wall */
+        def.gravity = (thud_vec2){4, -10}; /* presses it against the wall */
         thud_world *world = make_world(def);
         for (int i = 0; i < 300; i++) {
             add_tile(world, 0.5, -i, 0.5f, 0.5f, true);
@@ -139,7 +142,7 @@ static void falling_along_a_wall_of_tiles_is_not_caught(void **state) {
     }
 }
 
-/* One tile stands higher by a twentieth. */
+/* One tile of the floor is higher by 0.05. */
 static void real_step_between_tiles_still_stops_a_box(void **state) {
     (void)state;
     for (int kind = 1; kind < 3; kind++) {
@@ -156,6 +159,7 @@ static void real_step_between_tiles_still_stops_a_box(void **state) {
     }
 }
 
+/* A tile's face that was covered by a neighbour stops a box once that neighbour is destroyed. */
 static void neighbour_that_goes_uncovers_the_face_it_hid(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -174,7 +178,7 @@ static void neighbour_that_goes_uncovers_the_face_it_hid(void **state) {
     thud_world_destroy(world);
 }
 
-/* A sensor, and a tile that the slider does not meet, hide nothing from it. */
+/* Neither a sensor nor a tile that the slider's filter leaves out covers an edge for it. */
 static void neighbour_that_is_not_met_hides_nothing(void **state) {
     (void)state;
     for (int filtered = 0; filtered < 2; filtered++) {
@@ -196,7 +200,7 @@ static void neighbour_that_is_not_met_hides_nothing(void **state) {
     }
 }
 
-/* The wall stands on the floor: the floor's face next to it is open, and bears. */
+/* A wall stands on the floor: the floor's face beside it is not covered, and carries bodies. */
 static void box_and_ball_in_a_corner_rest_on_the_floor(void **state) {
     (void)state;
     for (int kind = 0; kind < 3; kind++) {
@@ -216,7 +220,7 @@ static void box_and_ball_in_a_corner_rest_on_the_floor(void **state) {
     }
 }
 
-/* Floors that lie in each other, with their tops in line, or twice the same one. */
+/* Floors that overlap, with their tops in line, or twice the same floor, carry bodies as one. */
 static void floors_that_overlap_bear_all_the_same(void **state) {
     (void)state;
     for (int kind = 0; kind < 3; kind++) {
@@ -242,8 +246,8 @@ static void floors_that_overlap_bear_all_the_same(void **state) {
     }
 }
 
-/* The line begins at the corner of the upper box and goes down steeply, then up again: neither
- * hides the corner, and nothing that lies across it sinks in. */
+/* A terrain begins at the corner of the upper box and goes down steeply, then up again: it does not
+ * cover the corner, and a box that lies across does not sink in. */
 static void corner_at_the_start_of_a_steep_line_is_met(void **state) {
     (void)state;
     for (int k = 0; k < 20; k++) {
@@ -274,7 +278,8 @@ static void corner_at_the_start_of_a_steep_line_is_met(void **state) {
     }
 }
 
-/* Tiles that form a hill: up, over the top and down, without leaving it or getting stuck. */
+/* Turned tiles form a hill: a body rolls up, over the top and down, without leaving it or getting
+ * stuck. */
 static void rolling_over_a_hill_of_turned_tiles_follows_it(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -305,8 +310,8 @@ static void rolling_over_a_hill_of_turned_tiles_follows_it(void **state) {
     thud_world_destroy(world);
 }
 
-/* What a tile stands at is found when something comes near it: a first step that looked at all of
- * 12,000 took 16 ms. */
+/* The neighbours of a tile are determined when a body comes near it: in a first step, all of 12,000
+ * tiles took 16 ms. */
 static void tiles_that_nothing_is_near_are_not_looked_at(void **state) {
     (void)state;
     enum { ROWS = 40, ALL = ROWS * ROWS };

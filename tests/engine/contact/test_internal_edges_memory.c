@@ -1,5 +1,6 @@
-/* test_internal_edges_memory.c: a tile of a ground changes what it is while memory runs out: either
- * all of it has changed, or nothing has, the edges of its neighbours included. */
+/* test_internal_edges_memory.c: edits of a tile of the ground while allocations fail: either the
+ * whole edit has happened, or nothing has changed, including the covered edges of its
+ * neighbours. */
 #include "engine_support.h"
 
 #include "hostile_memory.h"
@@ -8,7 +9,7 @@
 #include <thud/thud_reads.h>
 #include <thud/thud_snapshot.h>
 
-/* More than the room that is kept for the ends of contacts. */
+/* More than there is room reserved for end events of contacts. */
 enum { BALLS = 120 };
 
 typedef thud_result edit(thud_world *world, thud_shape_id middle);
@@ -27,7 +28,7 @@ static thud_result meets_nothing(thud_world *world, thud_shape_id middle) {
     return thud_shape_set_filter(world, middle, (thud_filter){1, 0, 0});
 }
 
-/* Three tiles in a row, the middle one under all the balls. */
+/* Three tiles in a row; all the balls lie on the middle one. */
 static thud_world *make_ground(thud_shape_id *middle) {
     thud_world_def def = thud_default_world_def();
     def.allocator = hostile_memory();
@@ -45,6 +46,7 @@ static thud_world *make_ground(thud_shape_id *middle) {
     return world;
 }
 
+/* A snapshot of the world. */
 static void *image_of(const thud_world *world, size_t *bytes) {
     OK(thud_world_snapshot_size(world, bytes));
     void *image = malloc(*bytes);

@@ -1,61 +1,66 @@
-/* test_internal_edges_random.c: bodies dropped and slid onto random heaps of static shapes, which
- * lie side by side, in line, in each other, or a little off: they never come to overlap any of
- * them, never change sides, and never rest on nothing. What overlaps is told by exact geometry of
- * every pair; a heap counts only where the same world without its seams (internal_edges.h) is
- * right. */
+/* test_internal_edges_random.c: bodies are dropped and slid onto random heaps of static shapes,
+ * which are side by side, flush, overlapping, or slightly offset. The bodies must not overlap a
+ * shape, pass through it, or rest without support. Overlap is computed by exact geometry of every
+ * pair (geometry_exact.h). A fault counts where the same world without internal edges
+ * (contact/internal_edges.h) has none; faults of both are only limited in number. */
 #include "engine_support.h"
 
 #include "geometry_exact.h"
 #include "geometry_random.h"
 #include "state/world.h"
 
+/* Static shapes and terrain vertices at most; steps of a case; step by which bodies have
+ * settled. */
 enum { STATICS = 9, VERTICES = 6, STEPS = 150, SETTLED = 120 };
 
-/* In length scales. */
-#define OVERLAP 0.012 /* of what has settled: soft contacts sink by less under a single body */
-#define NEAR 0.012    /* what rests is no further than this from what bears it */
-#define REST 0.002    /* a second: slower is at rest */
+/* Lengths in length scales; chosen. */
+#define OVERLAP 0.012 /* of a settled body; soft contacts under a single body overlap by less */
+#define NEAR 0.012    /* greatest distance of a resting body from its support */
+#define REST 0.002    /* speed per second below which a body is at rest */
 
-/* All sizes in length scales; scaled when the world is made. */
+/* A case. Lengths are in length scales, and are scaled when the world is made. */
 typedef struct heap {
     thud_shape_instance shapes[STATICS], body;
     double angles[STATICS], body_angle;
     int count;
-    thud_pos line[VERTICES]; /* no line where there are no vertices */
+    thud_pos line[VERTICES]; /* vertices of the terrain; there is none where `vertices` is 0 */
     int vertices;
     double scale, speed;
     float friction;
     const thud_detection *detection;
     const thud_quality *quality;
-    bool joined; /* all shapes are of one kinematic body */
+    bool joined; /* all shapes belong to one kinematic body */
 } heap;
 
 /* ---- heaps ---- */
 
+/* A random size whose logarithm is uniform. */
 static double draw_size(source *r, double least, double most) {
     return exp(draw(r, log(least), log(most)));
 }
 
-/* Neighbours are flush, or off by about what counts as flush. */
+/* A gap between neighbours: 0, or about the tolerance up to which shapes count as flush. */
 static double draw_gap(source *r) {
     static const double gaps[] = {0, 0, 0, 1e-5, 1e-4, 1e-3, 2e-3, 1e-2, 0.05};
     double gap = gaps[draw_below(r, 9)];
     return draw_below(r, 2) ? gap * draw(r, 0.8, 1.2) : -gap;
 }
 
+/* Rotates a shape; a rotated AABB becomes an OBB. */
 static void turn_to(thud_shape_instance *shape, double *angle, double to) {
     *angle = to;
     shape->kind = to == 0.0 && shape->kind == THUD_AABB ? THUD_AABB : THUD_OBB;
     set_angle(shape, to);
 }
 
+/* Moves the shape to (u, v) in the frame's coordinates. */
 static void move_in_frame(thud_shape_instance *shape, const thud_shape_instance *frame, double u,
                           double v) {
     shape->x = frame->x + frame->c * u - frame->s * v;
     shape->y = frame->y + frame->s * u + frame->c * v;
 }
 
-/* A box in some relation to one that stands already. */
+/* Adds a box in a random relation to a box of the heap. */
 static void add_related_box(source *r, heap *h) {
     int i = h->count++, of = draw_below(r, i);
     const thud_shape_instance *frame = &h->shapes[of];
@@ -73,25 +78,25 @@ static void add_related_box(source *r, heap *h) {
     double flush_v = up * (frame->hy - box->hy) + draw_gap(r);
     double flush_u = side * (frame->hx - box->hx) + draw_gap(r);
     switch (draw_below(r, 8)) {
-    case 0: /* next to it, in line */
+    case 0: /* next to it, flush */
     case 1:
     case 2:
         move_in_frame(box, frame, side * (frame->hx + box->hx + draw_gap(r)), flush_v);
         break;
-    case 3: /* on it or below it, with a side in line */
+    case 3: /* on it or below it, with one side flush */
         move_in_frame(box, frame, flush_u, up * (frame->hy + box->hy + draw_gap(r)));
         break;
-    case 4: /* in it, in line */
+    case 4: /* inside it, flush */
         move_in_frame(box, frame, draw(r, -frame->hx, frame->hx), flush_v);
         break;
     case 5: /* anywhere across it */
         move_in_frame(box, frame, draw(r, -1, 1) * frame->hx, draw(r, -1, 1) * frame->hy);
         break;
-    case 6: /* next to it anyhow */
+    case 6: /* next to it, not flush */
         move_in_frame(box, frame, side * (frame->hx + box->hx + draw_gap(r)),
                       draw(r, -1, 1) * (frame->hy + box->hy));
         break;
-    default: /* the same, turned by a right angle or a little about an upper corner */
+    default: /* next to it, turned by a right angle, or by a little about an upper corner */
         if (draw_below(r, 2)) {
             box->hx = frame->hy;
             box->hy = frame->hx;
@@ -106,6 +111,7 @@ static void add_related_box(source *r, heap *h) {
     }
 }
 
+/* Adds a terrain that begins next to an upper corner of a box. */
 static void add_line(source *r, heap *h) {
     const thud_shape_instance *box = &h->shapes[draw_below(r, h->count)];
     double side = draw_below(r, 2) ? 1.0 : -1.0, x = box->x + side * (box->hx + draw_gap(r));
@@ -118,6 +124,7 @@ static void add_line(source *r, heap *h) {
     }
 }
 
+/* Whether the body is at least 0.05 away from all shapes. */
 static bool is_clear(const heap *h, const thud_shape_instance *body) {
     solid b = solid_of(body, 0, 0);
     for (int i = 0; i < h->count; i++) {
@@ -134,7 +141,7 @@ static bool is_clear(const heap *h, const thud_shape_instance *body) {
     return true;
 }
 
-/* Somewhat above what stands there, in the clear. */
+/* Adds the body that falls, somewhat above a shape and overlapping none. */
 static void add_faller(source *r, heap *h) {
     static const thud_shape_kind kinds[] = {THUD_CIRCLE, THUD_AABB, THUD_OBB};
     const thud_shape_instance *over = &h->shapes[draw_below(r, h->count)];
@@ -153,6 +160,7 @@ static void add_faller(source *r, heap *h) {
     h->speed = draw_below(r, 2) ? 0 : draw(r, -5, 5);
 }
 
+/* Draws a case. */
 static heap draw_heap(source *r) {
     static const double scales[] = {1, 1, 0.01, 100};
     heap h = {.count = 1, .scale = scales[draw_below(r, 4)]};
@@ -198,8 +206,8 @@ static thud_body_id add_placed(thud_world *world, const heap *h, const thud_shap
     return body;
 }
 
-/* AABBs would keep it from turning, which it does not: boxes of either kind stand as they are told.
- */
+/* AABBs would keep the body from rotating; it is kinematic and does not, so that the boxes of
+ * either kind keep the rotations of the heap. */
 static void add_joined(thud_world *world, const heap *h) {
     thud_body_id body = add_body(world, THUD_KINEMATIC, 0, 0, 0);
     thud_shape_def def = thud_default_shape_def();
@@ -218,6 +226,7 @@ static void add_joined(thud_world *world, const heap *h) {
     }
 }
 
+/* Creates the case's world, with internal edges where `seams` is set, else without them. */
 static thud_world *make_heap(const heap *h, bool seams, thud_body_id *body) {
     thud_world_def def = thud_world_def_of(h->quality);
     def.length_scale = (float)h->scale;
@@ -247,18 +256,20 @@ static thud_world *make_heap(const heap *h, bool seams, thud_body_id *body) {
     return world;
 }
 
-/* ---- what happened ---- */
+/* ---- outcomes ---- */
 
+/* What happened to the body. Lengths in length scales. */
 typedef struct outcome {
-    double overlap; /* what never went away of it after it settled */
-    double nearest; /* at the end */
-    double inside;  /* the deepest that its middle ever was in one */
+    double overlap; /* deepest overlap with a shape, in the best step after it settled */
+    double nearest; /* distance from the nearest shape at the end */
+    double inside;  /* greatest depth of its centre in a shape */
     double speed;   /* at the end */
-    double energy;  /* the most that it gained, per mass, in (length scales / s)^2 */
+    double energy;  /* greatest gain per mass, in (length scales / s)^2 */
     double x, y;
 } outcome;
 
-/* Of the body, where it is now, from a shape or from the line: exact but for the line's ends. */
+/* Distance of the body from the nearest shape or the terrain, in length scales; exact except at the
+ * terrain's ends. */
 static double least_distance(const heap *h, const thud_shape_instance *body) {
     solid b = solid_of(body, 0, 0);
     double least = 1e9;
@@ -283,6 +294,7 @@ static double least_distance(const heap *h, const thud_shape_instance *body) {
     return least;
 }
 
+/* Depth of the body's centre in a shape; 0 outside. */
 static double middle_inside(const heap *h, const thud_shape_instance *body) {
     double most = 0;
     for (int i = 0; i < h->count; i++) {
@@ -292,6 +304,7 @@ static double middle_inside(const heap *h, const thud_shape_instance *body) {
     return most;
 }
 
+/* Runs the heap with or without internal edges. */
 static outcome watch(const heap *h, bool seams) {
     thud_body_id id;
     thud_world *world = make_heap(h, seams, &id);
@@ -313,7 +326,7 @@ static outcome watch(const heap *h, bool seams) {
             out.nearest = least_distance(h, &now);
             out.overlap = fmin(out.overlap, -out.nearest);
         }
-        if (now.y < -60) {
+        if (now.y < -60) { /* it has fallen beside the heap */
             break;
         }
     }
@@ -321,6 +334,7 @@ static outcome watch(const heap *h, bool seams) {
     return out;
 }
 
+/* What is wrong with an outcome; null: nothing. The bounds of depth and energy are chosen. */
 static const char *fault_of(const outcome *o) {
     return o->overlap > OVERLAP                   ? "overlaps"
            : o->inside > 0.02                     ? "was inside"
@@ -329,6 +343,7 @@ static const char *fault_of(const outcome *o) {
                                                   : NULL;
 }
 
+/* Prints a case and its outcome, so that a failure can be repeated. */
 static void describe(const heap *h, const outcome *o) {
     for (int i = 0; i < h->count; i++) {
         const thud_shape_instance *s = &h->shapes[i];

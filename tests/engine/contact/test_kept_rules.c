@@ -1,4 +1,5 @@
-/* test_kept_rules.c: rules in snapshots: a world that is put back goes by the rules of then. */
+/* test_kept_rules.c: collision rules in snapshots: a restored world has the rules of the time of
+ * its snapshot; a forged snapshot with invalid rules is refused. */
 #include "rules_support.h"
 #include "refused_snapshot.h"
 
@@ -13,6 +14,7 @@ static thud_world_def def_of(int choice) {
     return def;
 }
 
+/* An empty world of one of the detections and broadphases. */
 static thud_world *bare(int choice) {
     return make_world(def_of(choice));
 }
@@ -21,7 +23,8 @@ static void set(thud_world *w, uint32_t first, uint32_t second, const thud_rule 
     OK(thud_world_set_rule(w, first, second, rule));
 }
 
-/* Belts, bounces, planks, kinds that ignore each other, and contacts that bear too much. */
+/* Sets rules of all kinds: belts, bounces, one-way planks, categories that ignore each other, and
+ * impulse limits. */
 static void set_rules(thud_world *w) {
     thud_rule belt = thud_default_rule(), plank = meeting(THUD_ONE_WAY), ball = belt;
     thud_rule ignore = meeting(THUD_IGNORE);
@@ -36,7 +39,7 @@ static void set_rules(thud_world *w) {
     set(w, PLANK, PLAYER, &plank);
 }
 
-/* As unlike them as can be, of some kinds that had none, too. */
+/* Sets rules that differ as much as possible, also for pairs that had none. */
 static void change_rules(thud_world *w) {
     thud_rule other = meeting(THUD_ONE_WAY), ignore = meeting(THUD_IGNORE);
     other.solid_side = (thud_vec2){1, 0};
@@ -51,7 +54,7 @@ static void change_rules(thud_world *w) {
     set(w, 1u << 31, UINT32_MAX >> 1, &other);
 }
 
-/* A pile of crates and bouncing players around two planks. */
+/* Crates and bouncing players around two planks. */
 static thud_world *make_pile(int choice, bool with_rules) {
     thud_world *w = bare(choice);
     if (with_rules) {
@@ -68,6 +71,7 @@ static thud_world *make_pile(int choice, bool with_rules) {
     return w;
 }
 
+/* Asserts that both worlds have the same rules for all pairs of categories. */
 static void same_rules(thud_world *a, thud_world *b) {
     for (int i = 0; i < 32 * 32; i++) {
         thud_rule rule[2];
@@ -79,6 +83,7 @@ static void same_rules(thud_world *a, thud_world *b) {
     }
 }
 
+/* Asserts that both worlds had the same impulse events; returns their number. */
 static int same_impulses(thud_world *a, thud_world *b) {
     int count[2];
     const thud_impulse_event *one = thud_world_impulses(a, &count[0]);
@@ -93,7 +98,7 @@ static int same_impulses(thud_world *a, thud_world *b) {
     return count[0];
 }
 
-/* Both go on alike for 300 steps; returns how many contacts bore too much. */
+/* Asserts that both worlds stay equal for 300 steps; returns how many impulse events there were. */
 static int go_alike(thud_world *a, thud_world *b) {
     int impulses = same_impulses(a, b);
     same_rules(a, b);
@@ -126,7 +131,7 @@ static void restored_world_goes_by_the_rules_of_then(void **unused) {
     }
 }
 
-/* A new one, and one that went by others. */
+/* The snapshot is restored into a new world, and into one that had other rules. */
 static void another_world_takes_the_rules_over(void **unused) {
     (void)unused;
     for (int choice = 0; choice < 2 * DETECTIONS; choice++) {
@@ -168,13 +173,15 @@ static void snapshot_without_rules_takes_them_away(void **unused) {
     }
 }
 
+/* Rules enlarge a snapshot by one record for each pair of categories with a rule, and by nothing
+ * else. */
 static void snapshot_is_longer_by_what_is_set_alone(void **unused) {
     (void)unused;
     thud_world *w = bare(0);
     size_t none, one, gone;
     thud_rule ignore = meeting(THUD_IGNORE);
     OK(thud_world_snapshot_size(w, &none));
-    set(w, CRATE | PLAYER, CRATE | PLAYER, &ignore); /* three pairs of kinds */
+    set(w, CRATE | PLAYER, CRATE | PLAYER, &ignore); /* three pairs of categories */
     OK(thud_world_snapshot_size(w, &one));
     assert_int_equal(one - none, 3 * sizeof(td_kept_rule));
     set(w, UINT32_MAX, UINT32_MAX, &ignore);
@@ -196,7 +203,7 @@ static bool none_meets(const thud_world *world, thud_shape_id a, thud_shape_id b
     return false;
 }
 
-/* Its answer about pairs that were there stays until it is set again. */
+/* The filter's answers about existing pairs stay valid until it is set again. */
 static void filter_stays_as_the_world_has_it(void **unused) {
     (void)unused;
     thud_world *w = bare(0);
@@ -214,6 +221,8 @@ static void filter_stays_as_the_world_has_it(void **unused) {
 
 /* ---- refused ---- */
 
+/* A world that never had rules refuses a snapshot with rules; after thud_world_use_rules it
+ * restores it. */
 static void world_that_never_had_rules_refuses_some(void **unused) {
     (void)unused;
     thud_world *w = make_pile(0, true), *other = make_pile(0, false);
@@ -230,7 +239,7 @@ static void world_that_never_had_rules_refuses_some(void **unused) {
     free(s.bytes);
 }
 
-/* One that somebody wrote: its checksum is right. */
+/* A snapshot with bytes changed and a valid checksum. */
 static void forge(saved s, char *forged, size_t at, const void *value, size_t bytes) {
     memcpy(forged, s.bytes, s.size);
     memcpy(forged + at, value, bytes);

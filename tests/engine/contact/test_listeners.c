@@ -1,5 +1,5 @@
-/* test_listeners.c: prologues and epilogues that are set, changed and taken away while a world
- * runs, called for one contact after the other or for all at once: thud_listeners.h. */
+/* test_listeners.c: prologues and epilogues (thud_listeners.h) that are set, changed and removed
+ * while a world runs, called for single contacts or for all at once. */
 #include "every_choice.h"
 #include "hostile_memory.h"
 #include "listeners_support.h"
@@ -12,6 +12,8 @@ static thud_world_def def_with(int detection) {
     return def;
 }
 
+/* Listeners of all four forms are given the same contacts in the same order and cause the same
+ * motion; those for all contacts are called far less often. */
 static void both_forms_hear_and_do_the_same(void **state) {
     (void)state;
     static uint64_t hashes[STEPS];
@@ -21,7 +23,7 @@ static void both_forms_hear_and_do_the_same(void **state) {
         for (int form = 0; form < FORMS; form++) {
             ear *e = &ears[form];
             thud_world_def def = def_with(d);
-            def.baseline_simd = form == 3; /* eight lanes at a time, or four and four */
+            def.baseline_simd = form == 3; /* blocks of eight lanes at once, or in two halves */
             thud_world *world = make_scene(def, bodies);
             thud_listeners listeners = of_form(form, e);
             *e = (ear){0};
@@ -43,9 +45,10 @@ static void both_forms_hear_and_do_the_same(void **state) {
     }
 }
 
-/* ---- taken away and put back ---- */
+/* ---- removed and set again ---- */
 
-/* From then on the world goes as one whose prologue says yes to everything. */
+/* Once the prologue is removed, the world behaves as one whose prologue accepts every contact as it
+ * is. */
 static void without_a_prologue_pairs_are_their_own_again(void **state) {
     (void)state;
     thud_body_id bodies[BODIES];
@@ -63,7 +66,7 @@ static void without_a_prologue_pairs_are_their_own_again(void **state) {
         assert_true(here.vetoed > 0 && here.changed > 0);
         twin.plain = true;
         int calls = here.calls;
-        if (form & 1) { /* nothing; or an epilogue that changes nothing */
+        if (form & 1) { /* no listeners at all; else an epilogue alone */
             OK(thud_world_set_listeners(one, NULL));
         } else {
             here.plain = true;
@@ -83,7 +86,8 @@ static void without_a_prologue_pairs_are_their_own_again(void **state) {
         here.digest = twin.digest = 0;
         listens = of_form(FORMS - 1 - form, &here);
         OK(thud_world_set_listeners(one, &listens));
-        OK(thud_world_set_listeners(other, &listens_too)); /* wakes all there as well */
+        /* setting listeners wakes all bodies there as well */
+        OK(thud_world_set_listeners(other, &listens_too));
         here.told = twin.told = 0;
         run(one, 60);
         run(other, 60);
@@ -93,8 +97,9 @@ static void without_a_prologue_pairs_are_their_own_again(void **state) {
     }
 }
 
-/* ---- what they hear ---- */
+/* ---- what listeners are given ---- */
 
+/* The manifold of a contact that a listener was given; null where there is none. */
 static const thud_manifold *manifold_of(const thud_manifold *all, int count,
                                         const thud_contact *heard) {
     for (int i = 0; i < count; i++) {
@@ -102,7 +107,8 @@ static const thud_manifold *manifold_of(const thud_manifold *all, int count,
             all[i].shape_b.index1 == heard->shape_b.index1 &&
             (double)fabsf(all[i].normal.x - heard->normal.x) == 0 &&
             all[i].normal.y == heard->normal.y &&
-            fabs(all[i].point[0].x - heard->point.x) < 2) { /* a terrain has a pair a segment */
+            /* a terrain has one pair for each segment */
+            fabs(all[i].point[0].x - heard->point.x) < 2) {
             const thud_manifold *m = &all[i];
             double x = m->point_count == 2 ? 0.5 * (m->point[0].x + m->point[1].x) : m->point[0].x;
             double y = m->point_count == 2 ? 0.5 * (m->point[0].y + m->point[1].y) : m->point[0].y;
@@ -118,8 +124,8 @@ static const thud_manifold *manifold_of(const thud_manifold *all, int count,
     return NULL;
 }
 
-/* The epilogue hears of the manifolds as they are after the step, and of no others; and what it
- * hears of impulses is all that has changed a body's motion, but for gravity. */
+/* The epilogue is given the manifolds as they are after the step and no others; and the impulses
+ * that it is given explain, with gravity, all changes of velocity. */
 static void epilogues_hear_manifolds_and_all_impulses(void **state) {
     (void)state;
     for (int i = 0; i < 2 * QUALITIES; i++) {
@@ -175,8 +181,9 @@ static void epilogues_hear_manifolds_and_all_impulses(void **state) {
     }
 }
 
-/* ---- what they do without ---- */
+/* ---- listeners that leave out parts of contacts ---- */
 
+/* Contacts that listeners were given in a step. */
 typedef struct heard_list {
     thud_contact all[2 * HEARD_MOST];
     int count;
@@ -196,13 +203,14 @@ static void list_told(thud_world *world, const thud_contact *contact, void *cont
     list_asked(world, contact, NULL, context);
 }
 
-/* And nothing else is different, nor what the world does. */
+/* The parts named in `without` are 0; the other parts, and the world, do not change. */
 static void parts_that_listeners_do_without_are_not_told(void **state) {
     (void)state;
     static heard_list whole, lean;
     thud_body_id bodies[BODIES];
     for (uint32_t without = 0; without < 4; without++) {
-        thud_world_def def = def_with(0); /* no impacts within the step: those are told whole */
+        /* `overlap`: impacts within the step are always given whole */
+        thud_world_def def = def_with(0);
         thud_world *one = make_scene(def, bodies), *other = make_scene(def, bodies);
         thud_listeners listens = {.prologue = list_asked, .epilogue = list_told};
         listens.context = &whole;
@@ -243,6 +251,7 @@ static void parts_that_listeners_do_without_are_not_told(void **state) {
 
 /* ---- what is refused ---- */
 
+/* A prologue inside of which setting listeners is refused. */
 static bool tries_to_go(thud_world *world, const thud_contact *contact,
                         thud_contact_settings *settings, void *context) {
     (void)contact, (void)settings;
@@ -262,6 +271,8 @@ static void count_message(thud_result result, const char *message, void *context
     ++*(int *)context;
 }
 
+/* Refused calls of thud_world_set_listeners (inside a callback, two forms at once, unknown flags,
+ * null) leave the present listeners, and each is logged. */
 static void refused_listeners_leave_those_that_there_are(void **state) {
     (void)state;
     int messages = 0, asked = 0;
@@ -313,7 +324,7 @@ static void listeners_out_of_memory_change_nothing(void **state) {
     assert_true(thud_world_hash(world) == thud_world_hash(other));
     OK(thud_world_set_listeners(world, &listens));
     OK(thud_world_set_listeners(other, &listens_too));
-    int failures = 0; /* of the room for all contacts */
+    int failures = 0; /* of the allocation for all contacts */
     for (int i = 0; i < 60; i++) {
         for (thud_result result = THUD_ERROR_MEMORY; result != THUD_OK;) {
             int calls = here.calls;
@@ -335,7 +346,7 @@ static void listeners_out_of_memory_change_nothing(void **state) {
     assert_true(failures >= 1);
     OK(thud_world_set_listeners(world, NULL));
     memory_allowed = 0;
-    OK(thud_world_set_listeners(world, &listens)); /* the room is there by now */
+    OK(thud_world_set_listeners(world, &listens)); /* the memory is reserved by now */
     memory_allowed = -1;
     thud_world_destroy(world);
     thud_world_destroy(other);

@@ -1,9 +1,12 @@
-/* test_manifold.c: the contact of every pair of kinds, in every order, as the prologue sees it. */
+/* test_manifold.c: the contact of every pair of shape kinds, in either order, as a prologue is
+ * given it: normal, depth, points. */
 #include "engine_support.h"
 
+/* The last contact that the prologue was given, and how many there were. */
 static thud_contact seen;
 static int seen_count;
 
+/* A prologue: keeps the contact, and vetoes it. */
 static bool look(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
                  void *context) {
     (void)settings;
@@ -20,7 +23,7 @@ static void add_kind(thud_world *world, thud_body_id body, int kind) {
     add_shape(world, body, 0.5f, kind == CIRCLE ? 0 : 0.5f, kind == AABB, NULL);
 }
 
-/* Two shapes of half size 0.5 overlap by 0.1 along x; the first may be static. */
+/* Two shapes of half extent 0.5 overlap by 0.1 along x; the first may be static. */
 static void meet(int kind_a, int kind_b, thud_body_kind body_a, bool b_first) {
     thud_world_def def = weightless();
     thud_world *world = make_world(def);
@@ -63,7 +66,8 @@ static void every_pair_of_kinds_has_its_normal_depth_and_point(void **state) {
     }
 }
 
-/* Random boxes: the wide kernel's depth and normal against the scalar separating axes. */
+/* Random boxes: depth and normal of the wide kernel against the closest features of the scalar
+ * geometry. */
 static void turned_boxes_agree_with_the_closest_features(void **state) {
     (void)state;
     uint64_t seed = 3;
@@ -89,8 +93,8 @@ static void turned_boxes_agree_with_the_closest_features(void **state) {
         run(world, 1);
         if (closest.distance < -0.01) {
             assert_int_equal(seen_count, 1);
-            /* The deepest of the clipped points is as deep as the axis of least overlap says, but
-             * for the preference for a's faces. */
+            /* The deepest clipped point is as deep as the axis of least overlap, except that the
+             * kernel prefers faces of a. */
             near_to((double)seen.separation, closest.distance, 6e-4);
             touching++;
         } else if (closest.distance > 0.03) {

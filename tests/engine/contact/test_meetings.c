@@ -1,5 +1,6 @@
-/* test_meetings.c: who met whom, by kinds: each pair once a step, whichever way its events have it,
- * and only who is still there. */
+/* test_meetings.c: thud_world_next_meeting, which lists the pairs of two categories that met in a
+ * step: each pair once, whatever the order of shapes in the events, and only bodies that still
+ * exist. */
 #include "engine_support.h"
 
 #include <thud/thud_lists.h>
@@ -10,6 +11,8 @@
 
 enum { GROUND = 1, BALL = 2, COIN = 4, CRATE = 8 };
 
+/* A body of a category: the ground is a static box, the others are circles, and a coin is a
+ * weightless sensor. */
 static thud_body_id make(thud_world *world, double x, double y, uint32_t category) {
     thud_body_options options = {.kind = category == GROUND ? THUD_STATIC : THUD_DYNAMIC,
                                  .category = category,
@@ -20,6 +23,7 @@ static thud_body_id make(thud_world *world, double x, double y, uint32_t categor
     return thud_body_make(world, category == GROUND ? box : ball, &options);
 }
 
+/* How many pairs of the two categories met in the last step. */
 static int meetings(const thud_world *world, uint32_t first, uint32_t second) {
     int count = 0;
     for (thud_met m = {0}; thud_world_next_meeting(world, first, second, &m);) {
@@ -28,7 +32,7 @@ static int meetings(const thud_world *world, uint32_t first, uint32_t second) {
     return count;
 }
 
-/* Runs until something of the two kinds meets. */
+/* Runs until bodies of the two categories meet. */
 static void run_until(thud_world *world, uint32_t first, uint32_t second) {
     for (int i = 0; i < 300 && meetings(world, first, second) == 0; i++) {
         run(world, 1);
@@ -39,6 +43,8 @@ static bool same(thud_body_id a, thud_body_id b) {
     return a.index1 == b.index1 && a.generation == b.generation;
 }
 
+/* Side a of a meeting is of the first category asked for, whatever the order of shapes in the
+ * event. */
 static void first_kind_comes_first_whatever_the_event_has(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -67,7 +73,8 @@ static void first_kind_comes_first_whatever_the_event_has(void **state) {
     thud_world_destroy(world);
 }
 
-/* A fast one begins to touch and hits in the same step; a hit without a touch counts as well. */
+/* A fast ball begins to touch and has a hit in the same step, and counts once; a hit without a
+ * begin counts as well. */
 static void pair_is_told_once_a_step(void **state) {
     (void)state;
     int both = 0, hits = 0;
@@ -102,6 +109,7 @@ static void pair_is_told_once_a_step(void **state) {
     assert_true(both > 0 && hits > 0);
 }
 
+/* A sensor meets a body in the step in which their overlap begins, and in no later one. */
 static void sensors_meet_what_they_begin_to_overlap(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -111,10 +119,11 @@ static void sensors_meet_what_they_begin_to_overlap(void **state) {
     assert_true(thud_world_next_meeting(world, BALL, COIN, &m));
     assert_true(same(m.a.body, ball) && same(m.b.body, coin) && m.b.sensor && !m.a.sensor);
     run(world, 1);
-    assert_int_equal(meetings(world, BALL, COIN), 0); /* it goes on, it does not begin */
+    assert_int_equal(meetings(world, BALL, COIN), 0); /* the overlap continues and does not begin */
     thud_world_destroy(world);
 }
 
+/* Two sensors report two events, and count as one meeting. */
 static void two_sensors_meet_once(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -126,6 +135,8 @@ static void two_sensors_meet_once(void **state) {
     thud_world_destroy(world);
 }
 
+/* Bodies that are destroyed between two calls of thud_world_next_meeting are not listed any
+ * more. */
 static void who_is_gone_has_met_nobody(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -138,8 +149,8 @@ static void who_is_gone_has_met_nobody(void **state) {
     int count = 0;
     for (thud_met m = {0}; thud_world_next_meeting(world, COIN, CRATE, &m); count++) {
         if (count == 1) {
-            OK(thud_body_destroy(world, m.a.body)); /* the coin: no other one met it */
-            make(world, 9, 9, COIN);                /* in its slot */
+            OK(thud_body_destroy(world, m.a.body)); /* the coin: the third crate met nothing else */
+            make(world, 9, 9, COIN);                /* reuses the slot of the coin */
         }
         OK(thud_body_destroy(world, m.b.body));
     }
@@ -148,6 +159,7 @@ static void who_is_gone_has_met_nobody(void **state) {
     thud_world_destroy(world);
 }
 
+/* A search for meetings ends where a step or a restore comes between two calls. */
 static void new_step_or_older_snapshot_between_two_meetings_does_no_harm(void **state) {
     (void)state;
     static char bytes[1 << 16];

@@ -1,11 +1,12 @@
-/* test_one_way.c: shapes that hold others on one of their sides only: thud_rules.h. */
+/* test_one_way.c: one-way shapes by collision rules (thud_rules.h), which hold bodies on one of
+ * their sides only, under every detection. */
 #include "rules_support.h"
 
 #include <thud/thud_edits.h>
 
 #include <thud/thud_snapshot.h>
 
-/* The player jumps from the ground through a plank, and stands on it. */
+/* A player jumps from the ground up through a plank, and stands on it. */
 static void planks_are_jumped_through(void **unused) {
     (void)unused;
     const float speeds[] = {9, 14, 40};
@@ -28,7 +29,7 @@ static void planks_are_jumped_through(void **unused) {
     }
 }
 
-/* A jump too low falls back, from wherever in the plank it turns. */
+/* A jump that is too low falls back, wherever in the plank it turns. */
 static void low_jumps_fall_back(void **unused) {
     (void)unused;
     for (int i = 0; i < DETECTIONS * 12; i++) {
@@ -39,14 +40,15 @@ static void low_jumps_fall_back(void **unused) {
         add(w, THUD_STATIC, PLANK, 2, 0, 2, 3, 0.4f);
         thud_body_id player = add(w, THUD_DYNAMIC, PLAYER, i % 3, 0, 0.4, 0.4f, 0.4f);
         steps(w, 10);
-        throw_up(w, player, 0, 5.0f + 0.14f * (float)(i / DETECTIONS)); /* feet to 1.25 .. 2.1 */
+        /* feet rise to 1.25 .. 2.1 */
+        throw_up(w, player, 0, 5.0f + 0.14f * (float)(i / DETECTIONS));
         steps(w, 200);
         assert_true(fabs(get(w, player).position.y - 0.4) < 0.03);
         thud_world_destroy(w);
     }
 }
 
-/* What comes down fast is held, also where a step carries it in. */
+/* A body that falls fast is held, also where a step would end inside the plank. */
 static void planks_hold_what_falls_fast(void **unused) {
     (void)unused;
     for (int i = 0; i < DETECTIONS * 3 * 5; i++) {
@@ -62,7 +64,7 @@ static void planks_hold_what_falls_fast(void **unused) {
     }
 }
 
-/* The side turns with its body; and a rule holds whichever kind is named first. */
+/* The solid side turns with its body; and a rule holds whichever category is named first. */
 static void the_side_is_the_bodys(void **unused) {
     (void)unused;
     for (int reversed = 0; reversed < 2; reversed++) {
@@ -72,7 +74,7 @@ static void the_side_is_the_bodys(void **unused) {
         rule.solid_side = (thud_vec2){0, reversed ? -3.0f : 3.0f};
         OK(thud_world_set_rule(w, PLANK, PLAYER, &rule));
         thud_shape_def plank = of_kind(PLANK);
-        thud_body_id wall = add_body(w, THUD_STATIC, 0, 0, 1.5707963); /* its top to -x */
+        thud_body_id wall = add_body(w, THUD_STATIC, 0, 0, 1.5707963); /* its top faces -x */
         add_shape(w, wall, 3, 0.1f, false, &plank);
         thud_body_id left = add(w, THUD_DYNAMIC, PLAYER, 0, -3, 1, 0.3f, 0);
         thud_body_id right = add(w, THUD_DYNAMIC, PLAYER, 0, 3, -1, 0.3f, 0);
@@ -91,8 +93,8 @@ static void the_side_is_the_bodys(void **unused) {
     }
 }
 
-/* A row of planks flush with solid ground is one floor to who walks over it, and a wall behind a
- * plank is still a wall. */
+/* A row of planks flush with solid ground is one floor for a body that walks over it, and a wall
+ * behind a plank still stops it. */
 static void planks_beside_ground(void **unused) {
     (void)unused;
     for (int d = 0; d < DETECTIONS; d++) {
@@ -118,6 +120,8 @@ static void planks_beside_ground(void **unused) {
     }
 }
 
+/* A snapshot taken while a player is inside of a plank continues with the same bits in another
+ * world. */
 static void passing_goes_through_a_snapshot(void **unused) {
     (void)unused;
     thud_world *w = make(NULL, NULL), *twin = make(NULL, NULL);
@@ -127,7 +131,7 @@ static void passing_goes_through_a_snapshot(void **unused) {
     add(w, THUD_STATIC, PLANK, 2, 0, 2, 3, 0.4f);
     thud_body_id player = add(w, THUD_DYNAMIC, PLAYER, 2, 0, 0, 0.4f, 0.4f);
     throw_up(w, player, 0, 8);
-    steps(w, 22); /* in the plank */
+    steps(w, 22); /* it is inside of the plank */
     size_t bytes;
     OK(thud_world_snapshot_size(w, &bytes));
     void *snapshot = malloc(bytes);
@@ -143,8 +147,8 @@ static void passing_goes_through_a_snapshot(void **unused) {
     thud_world_destroy(twin);
 }
 
-/* What was held and is pushed into the plank comes out again where it came from; whatever a
- * prologue wants of its friction, and though an edit has the pair settled anew. */
+/* A body that was held and is then pushed into the plank comes out where it came from, also with a
+ * prologue that changes friction, and where an edit makes the pair new. */
 static bool grease(thud_world *w, const thud_contact *contact, thud_contact_settings *settings,
                    void *context) {
     (void)w, (void)contact, (void)context;

@@ -1,5 +1,5 @@
-/* test_resolution.c: what games build on callbacks and surfaces, whatever the detection: one-way
- * platforms, sensors, conveyor belts, sliding, teams. */
+/* test_resolution.c: what games build from callbacks and surfaces, under every detection: one-way
+ * platforms, sensors, conveyor belts, sliding friction, teams. */
 #include "resolution_support.h"
 
 static bool same_shape(thud_shape_id a, thud_shape_id b) {
@@ -8,7 +8,8 @@ static bool same_shape(thud_shape_id a, thud_shape_id b) {
 
 /* ---- one-way platforms ---- */
 
-/* Stands on it: what is on top, does not rise, and was not below it a step ago. */
+/* A prologue that holds a body on the platform where the contact is on its top, the body does not
+ * rise, and was not below the top a step ago. */
 static bool one_way(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
                     void *context) {
     (void)settings;
@@ -38,7 +39,7 @@ static void one_way_platform_lets_through_from_below_and_holds_from_above(void *
                 highest = fmax(highest, state_of(world, jumps).position.y);
                 assert_true(state_of(world, falls).position.y > 0.55);
             }
-            near_to(highest, -3 + 12 * 12 / 20.0, 0.04); /* as in free flight */
+            near_to(highest, -3 + 12 * 12 / 20.0, 0.04); /* as high as in free flight */
             near_to(state_of(world, falls).position.y, 0.6, 0.01);
             near_to(state_of(world, jumps).position.y, 0.6, 0.01);
             near_to(state_of(world, turns_back).position.y, -3 + 7.7 * 4 - 5 * 16, 0.3);
@@ -47,6 +48,7 @@ static void one_way_platform_lets_through_from_below_and_holds_from_above(void *
     }
 }
 
+/* A prologue that vetoes every contact; the static body is body a. */
 static bool refuse(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
                    void *context) {
     (void)settings;
@@ -56,6 +58,7 @@ static bool refuse(thud_world *world, const thud_contact *contact, thud_contact_
     return false;
 }
 
+/* A body at 300 m/s whose contact is vetoed passes a wall or a terrain at its full velocity. */
 static void veto_lets_fast_bodies_through_a_wall_at_full_speed(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
@@ -71,7 +74,8 @@ static void veto_lets_fast_bodies_through_a_wall_at_full_speed(void **state) {
                 } else {
                     add_shape(world, wall, 20, 2, true, NULL);
                 }
-                thud_body_id body = add_kind(world, kind, 0, 4, NULL); /* there in the first step */
+                /* inside of the wall in the first step */
+                thud_body_id body = add_kind(world, kind, 0, 4, NULL);
                 OK(thud_body_set_velocity(world, body, (thud_vec2){0, -300}, 0));
                 run(world, 10);
                 near_to(state_of(world, body).position.y, 4 - 50, 1e-3);
@@ -84,6 +88,8 @@ static void veto_lets_fast_bodies_through_a_wall_at_full_speed(void **state) {
 
 /* ---- sensors ---- */
 
+/* Begin and end events of a sensor give, at each step, the number of balls that overlap it by
+ * geometry. */
 static void sensor_knows_at_every_step_who_is_in(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
@@ -130,7 +136,8 @@ static void box_on_a_belt_gains_speed_by_friction_up_to_the_belts(void **state) 
                 thud_world *world = make_world_with(detections[d], NULL, NULL, true);
                 thud_shape_def belt = surface(0.5f, 4), box = surface(0.5f, 0);
                 add_floor(world, &belt);
-                /* Below, it hangs under the belt, which runs the other way there. */
+                /* With side -1 the box hangs under the belt, where the surface moves the other
+                 * way. */
                 OK(thud_world_set_gravity(world, (thud_vec2){0, -10.0f * (float)side}));
                 double y = -1 + side * (1.5 + gap_at_rest(d));
                 thud_body_id rider = add_kind(world, kind, 0, y, &box);
@@ -145,6 +152,7 @@ static void box_on_a_belt_gains_speed_by_friction_up_to_the_belts(void **state) 
     }
 }
 
+/* A body whose own surface moves (a tank's tracks) drives over static ground at that speed. */
 static void tracked_body_drives_over_still_ground(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -162,7 +170,8 @@ static void sliding_box_stops_after_the_distance_of_coulomb(void **state) {
         for (int quality = 0; quality < QUALITIES; quality++) {
             thud_world *world = make_world_with(detections[d], NULL, NULL, true);
             OK(thud_world_set_quality(world, qualities[quality]));
-            thud_shape_def floor = surface(0.25f, 0), box = surface(0.64f, 0); /* 0.4 */
+            /* the friction of the pair: sqrt(0.25 * 0.64) = 0.4 */
+            thud_shape_def floor = surface(0.25f, 0), box = surface(0.64f, 0);
             add_floor(world, &floor);
             thud_body_id slider = add_body(world, THUD_DYNAMIC, 0, 0.5 + gap_at_rest(d), 0);
             add_shape(world, slider, 0.5f, 0.5f, true, &box);
@@ -177,6 +186,7 @@ static void sliding_box_stops_after_the_distance_of_coulomb(void **state) {
 
 /* ---- teams ---- */
 
+/* A prologue that vetoes contacts within a team. */
 static bool teams(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
                   void *context) {
     (void)settings;
@@ -184,6 +194,7 @@ static bool teams(thud_world *world, const thud_contact *contact, thud_contact_s
     return state_of(world, contact->body_a).user_data != state_of(world, contact->body_b).user_data;
 }
 
+/* A player of a team, which is its filter group or else its user data. */
 static thud_body_id add_player(thud_world *world, bool by_group, int team, int kind, double x,
                                float v) {
     thud_shape_def def = thud_default_shape_def();

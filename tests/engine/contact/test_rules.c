@@ -1,11 +1,11 @@
-/* test_rules.c: what two kinds of shapes are to each other, the caller's own filter, and events of
- * contacts that bear too much: thud_rules.h. */
+/* test_rules.c: collision rules between categories of shapes, the caller's own filter, and events
+ * of contacts that exceed an impulse limit (thud_rules.h). */
 #include "rules_support.h"
 
 #include <thud/thud_edits.h>
 #include <thud/thud_listeners.h>
 
-/* ---- who meets ---- */
+/* ---- which categories collide ---- */
 
 static void ignored_kinds_fall_through(void **unused) {
     (void)unused;
@@ -26,7 +26,8 @@ static void ignored_kinds_fall_through(void **unused) {
     }
 }
 
-/* Also of what sleeps on it: it wakes, and comes to rest on what is below. */
+/* A rule also applies to contacts that exist: a sleeping crate wakes, falls through the plank, and
+ * rests on the ground. */
 static void a_rule_takes_hold_of_what_touches(void **unused) {
     (void)unused;
     thud_world *w = make(NULL, NULL);
@@ -41,7 +42,7 @@ static void a_rule_takes_hold_of_what_touches(void **unused) {
     assert_int_equal(thud_world_events(w).end_count, 1);
     steps(w, 200);
     assert_true(fabs(get(w, crate).position.y - 0.5) < 0.02);
-    /* Without the rule the plank meets it again; it has long been below. */
+    /* Without the rule the plank collides with the crate again, which is below it by now. */
     OK(thud_world_set_rule(w, PLANK, CRATE, NULL));
     throw_up(w, crate, 0, 12);
     steps(w, 40);
@@ -49,6 +50,8 @@ static void a_rule_takes_hold_of_what_touches(void **unused) {
     thud_world_destroy(w);
 }
 
+/* For rules, a shape is of the category of its lowest category bit; a changed filter changes
+ * that. */
 static void the_lowest_bit_is_the_kind(void **unused) {
     (void)unused;
     thud_world *w = make(NULL, NULL);
@@ -70,6 +73,7 @@ static void the_lowest_bit_is_the_kind(void **unused) {
 
 /* ---- surfaces ---- */
 
+/* Rules give pairs of categories ice, a belt, or a trampoline. */
 static void rules_make_surfaces(void **unused) {
     (void)unused;
     thud_world *w = make(NULL, NULL);
@@ -93,7 +97,7 @@ static void rules_make_surfaces(void **unused) {
     assert_true(fabs((double)get(w, crate).velocity.x + 3) < 1e-3);
     assert_true(fabs((double)get(w, player).velocity.x - 2) < 1e-3);
     assert_true(highest > 2.7);
-    /* Other rules for what touches; then none, and the shapes' own. */
+    /* Rules change while contacts touch; without a rule, the settings of the shapes hold. */
     belt.surface_speed = -1;
     OK(thud_world_set_rule(w, PLAYER, GROUND, &belt));
     steps(w, 120);
@@ -105,6 +109,7 @@ static void rules_make_surfaces(void **unused) {
     thud_world_destroy(w);
 }
 
+/* A prologue that sets friction to 0.8 where the rule made it 0, else to 0.1. */
 static bool last_word(thud_world *w, const thud_contact *contact, thud_contact_settings *settings,
                       void *context) {
     (void)w, (void)contact;
@@ -113,7 +118,8 @@ static bool last_word(thud_world *w, const thud_contact *contact, thud_contact_s
     return true;
 }
 
-/* It finds what the rule makes of the pair, each step anew, and is not asked of what passes. */
+/* The prologue is given the settings of the rule, anew in each step, and is not called for bodies
+ * that pass a one-way shape. */
 static void a_prologue_comes_after_the_rules(void **unused) {
     (void)unused;
     thud_world *w = make(NULL, NULL);
@@ -146,8 +152,10 @@ static void a_prologue_comes_after_the_rules(void **unused) {
     thud_world_destroy(w);
 }
 
-/* ---- what bears too much ---- */
+/* ---- impulse limits ---- */
 
+/* A landing whose impulse is above the limit makes impulse events with the point, normal and
+ * impulse; a landing below it, and a pair without the rule, make none. */
 static void impulses_are_told(void **unused) {
     (void)unused;
     for (int d = 0; d < DETECTIONS; d++) {
@@ -160,7 +168,8 @@ static void impulses_are_told(void **unused) {
             thud_body_id crate = add(w, THUD_DYNAMIC, CRATE, form, 0, 1, 0.5f, 0.5f);
             add(w, THUD_DYNAMIC, PLAYER, form, 5, 3, 0.5f, 0.5f);
             int count = 0;
-            for (int i = 0; i < 60; i++) { /* gently: 0.5 down, 3.2 m/s times up to 1 kg */
+            /* it falls 0.5 m and lands with 3.2 m/s times up to 1 kg */
+            for (int i = 0; i < 60; i++) {
                 steps(w, 1);
                 thud_world_impulses(w, &count);
                 assert_true(count == 0 || form > 0);
@@ -177,7 +186,7 @@ static void impulses_are_told(void **unused) {
                     most = fmaxf(most, events[k].impulse);
                 }
             }
-            /* It comes back as fast as it left, and stops. */
+            /* It lands as fast as it left the ground, and stops. */
             double momentum = 8 * (form ? 1 : 3.14159265 * 0.25);
             assert_true((double)most > 0.9 * momentum && (double)most < 1.2 * momentum);
             thud_world_destroy(w);
@@ -187,6 +196,7 @@ static void impulses_are_told(void **unused) {
 
 /* ---- the caller's filter ---- */
 
+/* A filter's context: the shape whose pairs it refuses while `refuse` is set. */
 typedef struct apart {
     thud_shape_id shape;
     int asked;
@@ -194,6 +204,7 @@ typedef struct apart {
     thud_world *world;
 } apart;
 
+/* A filter that refuses the pairs of one shape; world calls inside it are refused. */
 static bool keep_apart(const thud_world *w, thud_shape_id a, thud_shape_id b, void *context) {
     apart *s = context;
     thud_shape_state state;
@@ -204,6 +215,7 @@ static bool keep_apart(const thud_world *w, thud_shape_id a, thud_shape_id b, vo
     return !s->refuse || (a.index1 != s->shape.index1 && b.index1 != s->shape.index1);
 }
 
+/* The caller's filter keeps the pairs of one shape apart until it is set again. */
 static void a_filter_keeps_apart(void **unused) {
     (void)unused;
     for (int i = 0; i < DETECTIONS * BROADPHASES; i++) {
@@ -218,7 +230,9 @@ static void a_filter_keeps_apart(void **unused) {
         assert_true(s.asked > 0);
         assert_true(get(w, faller).position.y < -1);
         assert_true(fabs(get(w, other).position.y - 0.5) < 0.02);
-        s.refuse = false; /* set again, all are asked anew: it is pushed out of the ground */
+        /* the filter is set again and asked about all pairs: the body is pushed out of the
+         * ground */
+        s.refuse = false;
         OK(thud_world_set_filter(w, keep_apart, &s));
         OK(thud_body_set_transform(w, faller, (thud_pos){-3, 1}, 0));
         steps(w, 90);

@@ -1,5 +1,5 @@
-/* test_sensors.c: whom sensors see: every kind of body, awake or asleep, whatever comes first; and
- * that seeing disturbs nobody. */
+/* test_sensors.c: sensors report overlaps with every kind of body, awake or asleep, whichever
+ * moves; with all bodies that pass within a step; and without waking any body. */
 #include "engine_support.h"
 #include "every_choice.h"
 
@@ -18,6 +18,7 @@ static thud_shape_id add_sensor(thud_world *world, thud_body_id body) {
     return add_shape(world, body, 1, 1, true, &def);
 }
 
+/* How many events of the list are of sensor a and shape b. */
 static int told_of(const thud_contact_event *events, int count, thud_shape_id a, thud_shape_id b) {
     int told = 0;
     for (int i = 0; i < count; i++) {
@@ -27,7 +28,8 @@ static int told_of(const thud_contact_event *events, int count, thud_shape_id a,
     return told;
 }
 
-/* Whether the last step told that `a` sees `b`, and nothing else of sensors. */
+/* Asserts that the last step reported the begin of sensor `a` with shape `b`, and no other sensor
+ * event. */
 static void only_begins(const thud_world *world, thud_shape_id a, thud_shape_id b) {
     thud_events e = thud_world_events(world);
     assert_int_equal(e.sensor_begin_count, 1);
@@ -35,6 +37,7 @@ static void only_begins(const thud_world *world, thud_shape_id a, thud_shape_id 
     assert_int_equal(e.sensor_end_count, 0);
 }
 
+/* The same of the end. */
 static void only_ends(const thud_world *world, thud_shape_id a, thud_shape_id b) {
     thud_events e = thud_world_events(world);
     assert_int_equal(e.sensor_end_count, 1);
@@ -47,8 +50,9 @@ static void no_sensor_event(const thud_world *world) {
     assert_int_equal(e.sensor_begin_count + e.sensor_end_count, 0);
 }
 
-/* ---- who sees whom ---- */
+/* ---- which bodies a sensor sees ---- */
 
+/* A sensor on any kind of body sees any kind of body, except a static one by a static sensor. */
 static void sensor_of_each_kind_sees_each_kind_but_static_static(void **state) {
     (void)state;
     for (int i = 0; i < THUD_BODY_KIND_COUNT * THUD_BODY_KIND_COUNT; i++) {
@@ -92,6 +96,7 @@ static void kinematic_body_that_passes_a_sensor_begins_and_ends(void **state) {
     thud_world_destroy(world);
 }
 
+/* Two sensors see each other, in both orders, where their filters let them collide. */
 static void two_sensors_report_each_other_where_their_filters_meet(void **state) {
     (void)state;
     for (int meet = 0; meet < 2; meet++) {
@@ -118,6 +123,7 @@ static void two_sensors_report_each_other_where_their_filters_meet(void **state)
     }
 }
 
+/* Sensor events do not depend on contact_events. */
 static void sensors_report_without_contact_events(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();
@@ -137,7 +143,7 @@ static void sensors_report_without_contact_events(void **state) {
     thud_world_destroy(world);
 }
 
-/* A line is a sensor as well, and is seen by those that move. */
+/* A terrain may be a sensor, and moving sensors see a terrain. */
 static void line_and_sensor_meet_on_kinematic_bodies(void **state) {
     (void)state;
     for (int how = 0; how < 2; how++) {
@@ -152,7 +158,7 @@ static void line_and_sensor_meet_on_kinematic_bodies(void **state) {
         shape = add_shape(world, body, 1, 0, false, how ? &plain : &def);
         run(world, 1);
         no_sensor_event(world);
-        OK(thud_shape_raise(world, line, 0, 1, 1)); /* up to where the body is */
+        OK(thud_shape_raise(world, line, 0, 1, 1)); /* raised to the body */
         run(world, 1);
         only_begins(world, how ? line : shape, how ? shape : line);
         OK(thud_body_set_velocity(world, body, (thud_vec2){0, 2}, 0));
@@ -166,15 +172,16 @@ static void line_and_sensor_meet_on_kinematic_bodies(void **state) {
     }
 }
 
-/* ---- sleepers ---- */
+/* ---- sleeping bodies ---- */
 
+/* A world with a sleeping ball. */
 typedef struct bedroom {
     thud_world *world;
     thud_body_id ball;
     thud_shape_id shape;
 } bedroom;
 
-/* A ball asleep at the origin; as a sensor, it floats. */
+/* A ball that sleeps at the origin; it is a sensor or a solid shape. */
 static bedroom make_bedroom(bool sensor) {
     thud_world_def def = thud_default_world_def();
     thud_shape_def sensing = sensor_def();
@@ -187,7 +194,8 @@ static bedroom make_bedroom(bool sensor) {
     return room;
 }
 
-/* Adds a static body with the shape that meets the sleeper's, 9 to the right of it or over it. */
+/* Adds a static body with the other shape of the pair, 9 to the right of the sleeping ball or over
+ * it. */
 static thud_body_id add_other(const bedroom *room, bool sensor, bool over, thud_shape_id *shape) {
     thud_shape_def sensing = sensor_def();
     thud_body_id body = add_body(room->world, THUD_STATIC, over ? 0 : 9, 0, 0);
@@ -195,6 +203,8 @@ static thud_body_id add_other(const bedroom *room, bool sensor, bool over, thud_
     return body;
 }
 
+/* A pair of a sensor and a sleeping body begins and ends, and the body sleeps on, whichever of the
+ * two is the sensor. */
 static void pair_begins_and_ends_while_the_body_sleeps(void **state) {
     (void)state;
     for (int sleeper_senses = 0; sleeper_senses < 2; sleeper_senses++) {
@@ -203,16 +213,16 @@ static void pair_begins_and_ends_while_the_body_sleeps(void **state) {
             thud_world *world = room.world;
             thud_shape_id other;
             thud_body_id body = add_other(&room, !sleeper_senses, how == 0 || how == 2, &other);
-            if (how == 1) { /* moved there */
+            if (how == 1) { /* moved to the ball */
                 run(world, 1);
                 no_sensor_event(world);
                 OK(thud_body_set_transform(world, body, (thud_pos){1, 0}, 0));
-            } else if (how == 2) { /* switched on there */
+            } else if (how == 2) { /* enabled over the ball */
                 OK(thud_body_set_enabled(world, body, false));
                 run(world, 1);
                 no_sensor_event(world);
                 OK(thud_body_set_enabled(world, body, true));
-            } else if (how == 3) { /* another shape of a body that is there */
+            } else if (how == 3) { /* a further shape of an existing body */
                 thud_shape_def def = thud_default_shape_def();
                 def.sensor = !sleeper_senses;
                 run(world, 1);
@@ -242,7 +252,7 @@ static void pair_begins_and_ends_while_the_body_sleeps(void **state) {
     }
 }
 
-/* By a little, so that its bounds never part from the sleeper's. */
+/* The sensor moves so little that its bounds overlap the ball's all the time. */
 static void sensor_that_moves_a_little_ends_and_begins_over_a_sleeper(void **state) {
     (void)state;
     bedroom room = make_bedroom(false);
@@ -260,6 +270,8 @@ static void sensor_that_moves_a_little_ends_and_begins_over_a_sleeper(void **sta
     thud_world_destroy(room.world);
 }
 
+/* A terrain that is created over a sleeping body, and then moved away, makes a begin and an end;
+ * one of the two is the sensor. */
 static void line_that_comes_to_a_sleeping_sensor_is_seen(void **state) {
     (void)state;
     for (int how = 0; how < 2; how++) {
@@ -280,7 +292,7 @@ static void line_that_comes_to_a_sleeping_sensor_is_seen(void **state) {
     }
 }
 
-/* What wakes later does not begin anew. */
+/* A sensor that sees a sleeping body does not begin again when that wakes. */
 static void sleeper_that_is_seen_and_wakes_begins_once(void **state) {
     (void)state;
     bedroom room = make_bedroom(false);
@@ -296,7 +308,7 @@ static void sleeper_that_is_seen_and_wakes_begins_once(void **state) {
     thud_world_destroy(room.world);
 }
 
-/* A kinematic sensor that is led over a heap, or stands over it, lets it sleep. */
+/* A kinematic sensor that moves over a heap, or stays over it, lets it sleep. */
 static void sensor_wakes_nobody(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -323,7 +335,8 @@ static void sensor_wakes_nobody(void **state) {
 
 /* ---- within a step ---- */
 
-/* It is told in the step at whose end the two overlap, and in the one at whose end they do not. */
+/* The begin is reported in the step at whose end the two overlap, and the end in the one at whose
+ * end they do not. */
 static void what_moves_in_or_out_is_told_by_the_same_step(void **state) {
     (void)state;
     for (int d = 0; d < 4; d++) {
@@ -334,7 +347,7 @@ static void what_moves_in_or_out_is_told_by_the_same_step(void **state) {
         thud_body_id ball = add_body(world, THUD_DYNAMIC, -2, 0, 0);
         thud_shape_id shape = add_shape(world, ball, 0.5f, 0, false, NULL);
         OK(thud_body_set_velocity(world, ball, (thud_vec2){60, 0}, 0));
-        run(world, 1); /* at -1 */
+        run(world, 1); /* the ball is at -1 */
         only_begins(world, zone, shape);
         near_to(thud_world_events(world).sensor_begin_time[0], d ? 0.5 : 1, 1e-3);
         run(world, 2); /* at 1 */
@@ -346,8 +359,8 @@ static void what_moves_in_or_out_is_told_by_the_same_step(void **state) {
     }
 }
 
-/* A circle at 300/s through gates of 0.1, one that stands and one that comes towards it; it bounces
- * off a wall, and passes both again on its way back. */
+/* A circle passes gates of width 0.1 at 300 m/s, a static one and one that moves towards it; it
+ * bounces off a wall, and passes both again on its way back. */
 static void gates_are_passed_on_the_way_and_back(void **state) {
     (void)state;
     for (int d = 0; d < 4; d++) {
@@ -377,15 +390,16 @@ static void gates_are_passed_on_the_way_and_back(void **state) {
             ended += e.sensor_end_count;
         }
         assert_int_equal(begun, ended);
-        assert_int_equal(begun, d == 0 ? 0 : d == 1 ? 2 : 4); /* `continuous`: what stands */
+        /* `continuous` sees the static gate alone */
+        assert_int_equal(begun, d == 0 ? 0 : d == 1 ? 2 : 4);
         thud_world_destroy(world);
     }
 }
 
-/* Two circles of radius 0.1 fly side by side, by 10 in a step, with a rod between them. Walls stop
- * the first after a part of its way, and the second after another; where one stops both do, so that
- * the rest of the way of either is cut twice. Each passes gates of half width 0.05 before both
- * stop, at x = 1, and would have passed more of them after. */
+/* Two circles of radius 0.1, joined by a rod, fly side by side, 10 in a step. Walls stop the first
+ * after a part of its way, and the second after another; each stop holds both, so that the rest of
+ * either way is cut twice. Each passes gates of half width 0.05 before both stop at x = 1, and none
+ * of those behind. */
 static void body_that_is_held_twice_in_a_step_passes_what_it_did_when_it_did(void **state) {
     (void)state;
     const double stops[][2] = {{5, 2}, {3, 2.2}, {2, 5}, {9, 2}, {5, 4.9}};
@@ -399,7 +413,7 @@ static void body_that_is_held_twice_in_a_step_passes_what_it_did_when_it_did(voi
         thud_body_id ball[2];
         const double *stop = stops[i / 6 % 5];
         for (int k = 0; k < 2; k++) {
-            int side = i / 3 % 2 ? !k : k; /* which one is made first is looked at first */
+            int side = i / 3 % 2 ? !k : k; /* the order of creation decides which is tested first */
             double y = 3 * side;
             thud_body_def body = thud_default_body_def();
             body.kind = THUD_DYNAMIC;
@@ -441,7 +455,8 @@ static void body_that_is_held_twice_in_a_step_passes_what_it_did_when_it_did(voi
     }
 }
 
-/* A box sleeps until another comes to touch it, in the step in which a quick sensor passes it. */
+/* A sleeping box is woken by another one that touches it in the step in which a fast sensor passes
+ * it: the passage is reported once. */
 static void what_wakes_as_a_sensor_passes_it_is_told_of_once(void **state) {
     (void)state;
     for (int d = 2; d < 4; d++) {

@@ -1,16 +1,18 @@
-/* test_sensors_memory.c: however many shapes come into sensors in a step, it asks for no memory
- * once bodies have moved. */
+/* test_sensors_memory.c: however many shapes enter sensors in a step, the step makes no allocation
+ * once bodies have moved, so that it cannot fail from then on. */
 #include "engine_support.h"
 #include "every_choice.h"
 
 #include <thud/thud_detection.h>
 
-/* ---- when a step asks ---- */
+/* ---- when a step allocates ---- */
 
-static int marks; /* of its clock: after as many as MARKS the narrowphase is done */
-static int late;  /* allocations since then */
+/* calls of the world's clock in this step; after MARKS of them the narrowphase is complete */
+static int marks;
+static int late; /* allocations since then */
 enum { MARKS = 4 };
 
+/* The world's clock, which counts its calls. */
 static double mark(void *context) {
     (void)context;
     return ++marks;
@@ -27,6 +29,7 @@ static void put(void *block, size_t bytes, void *context) {
     free(block);
 }
 
+/* Steps the world, and asserts that it does not allocate late. */
 static void step(thud_world *world) {
     marks = late = 0;
     OK(thud_world_step(world));
@@ -35,11 +38,13 @@ static void step(thud_world *world) {
     assert_int_equal(late, 0);
 }
 
-/* ---- crowds that come ---- */
+/* ---- crowds of sensors and balls ---- */
 
+/* A case: how many sensors (zones) and balls, which group moves, and indices of detection and
+ * broadphase. */
 typedef struct crowd {
     int zones, balls;
-    bool zones_move; /* to the balls; else the balls to them */
+    bool zones_move; /* the sensors move to the balls; else the balls to the sensors */
     int detection, broadphase;
 } crowd;
 
@@ -52,14 +57,14 @@ static thud_shape_def shape_of(bool zone) {
 
 enum { BODIES = 4000 };
 
-/* Zones about x = 0 and balls about x = 100, of which the one or the other moves by `way` in a
- * step. */
+/* A world with sensors around x = 0 and balls around x = 100. */
 typedef struct scene {
     thud_world *world;
     thud_body_id body[BODIES];
     int count;
 } scene;
 
+/* Creates the case's world; `half` is the half width of the sensors. */
 static scene make_crowd(const crowd *c, float half) {
     thud_world_def def = weightless();
     def.detection = detections[c->detection];
@@ -84,6 +89,7 @@ static scene make_crowd(const crowd *c, float half) {
     return s;
 }
 
+/* Gives the moving group a velocity of `way` metres in a step, towards the other group. */
 static void set_off(const scene *s, const crowd *c, double way) {
     for (int i = 0; i < s->count; i++) {
         if ((i < c->zones) == c->zones_move) {
@@ -93,7 +99,8 @@ static void set_off(const scene *s, const crowd *c, double way) {
     }
 }
 
-/* Calls a check for crowds of so many zones and balls, with every choice. */
+/* Calls `check` for so many sensors and balls, with every detection and broadphase, and either
+ * group moving. */
 static void for_crowds(void (*check)(const crowd *), int zones, int balls) {
     for (int i = 0; i < 4 * 3 * 2; i++) {
         crowd c = {zones, balls, i % 2, i / 2 % 4, i / 8};
@@ -101,9 +108,9 @@ static void for_crowds(void (*check)(const crowd *), int zones, int balls) {
     }
 }
 
-/* ---- what comes in ---- */
+/* ---- shapes that enter ---- */
 
-/* All come to overlap in one step, which tells. */
+/* All pairs begin to overlap in one step, which reports them. */
 static void come_in(const crowd *c) {
     scene s = make_crowd(c, 4);
     step(s.world);
@@ -133,7 +140,7 @@ static void crowd_that_comes_into_sensors_asks_for_no_memory_late(void **state) 
     for_crowds(come_in, 22, 22);
 }
 
-/* More than there is room for: 15 times as many pairs as shapes. The next step tells. */
+/* More pairs than there is room for: 15 times as many as shapes. The next step reports the rest. */
 static void come_in_late(const crowd *c) {
     scene s = make_crowd(c, 4);
     step(s.world);
@@ -155,8 +162,10 @@ static void what_there_is_no_room_for_is_told_by_the_next_step(void **state) {
     for_crowds(come_in_late, 30, 30);
 }
 
-/* ---- what passes ---- */
+/* ---- shapes that pass ---- */
 
+/* The moving group passes the other completely within one step. `bisect` and `swept` see that, and
+ * `continuous` does where the sensors are static. */
 static void pass(const crowd *c) {
     scene s = make_crowd(c, 0.05f);
     bool looks = c->detection > 1 || (c->detection == 1 && !c->zones_move);
@@ -180,8 +189,9 @@ static void crowd_that_passes_sensors_asks_for_no_memory_late(void **state) {
     for_crowds(pass, 22, 22);
 }
 
-/* ---- first sensor ---- */
+/* ---- the first sensor ---- */
 
+/* A prologue that adds the first sensor. */
 static bool make_sensor(thud_world *world, const thud_contact *contact,
                         thud_contact_settings *settings, void *context) {
     (void)settings;
@@ -191,13 +201,13 @@ static bool make_sensor(thud_world *world, const thud_contact *contact,
         zone.sensor = true;
         int before = late;
         add_shape(world, contact->body_b, 1, 0, false, &zone);
-        late = before; /* the call's own */
+        late = before; /* allocations of the call itself are allowed */
         *made = true;
     }
     return true;
 }
 
-/* It takes part from the next step on. */
+/* A sensor created inside a callback takes part from the next step on. */
 static void first_sensor_made_by_a_callback_asks_for_no_memory_late(void **state) {
     (void)state;
     for (int i = 0; i < 12; i++) {

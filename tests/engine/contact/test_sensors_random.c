@@ -1,31 +1,33 @@
-/* test_sensors_random.c: random worlds whose bodies come, go, jump, sleep and are switched off.
- * After every step the books of sensor events are what plain geometry, each shape against each,
- * finds of the bodies as they stood at the step's start. */
+/* test_sensors_random.c: random worlds whose bodies are created, destroyed, moved, put to sleep and
+ * disabled. After every step the pairs that sensor events have left open are those that overlap by
+ * geometry, which is tested for each pair of shapes. */
 #include "engine_support.h"
 #include "every_choice.h"
 #include "share.h"
 
 enum { BODIES = 26, SHAPES_MAX = 256, STEPS = 200, LINE = 9 };
-/* Nearer to touching than this, either answer will do. */
+/* Distance in metres below which a pair may count as overlapping or not. */
 #define NEARLY 2e-4
 
+/* A random world, and the pairs that its sensor events have left open. */
 typedef struct chaos {
     thud_world *world;
     thud_body_id bodies[BODIES], ground;
     thud_shape_id line;
     uint64_t seed;
-    /* Which shape slot sees which, by the events so far. */
+    /* Whether a sensor sees a shape, by their slots, according to the events so far. */
     bool open[SHAPES_MAX][SHAPES_MAX];
     int passed;
-    int begun, asleep_begun; /* asleep: seen while neither of the two bodies was awake */
+    int begun, asleep_begun; /* asleep: begun while neither body was awake */
 } chaos;
 
 static int pick(chaos *c, int count) {
     return (int)random_in(&c->seed, 0, (double)count);
 }
 
-/* ---- what should be seen ---- */
+/* ---- reference ---- */
 
+/* A shape as the reference sees it. */
 typedef struct seen_shape {
     bool there, sensor, awake;
     thud_body_kind kind;
@@ -36,6 +38,7 @@ typedef struct seen_shape {
     thud_terrain line;
 } seen_shape;
 
+/* Reads a shape with its pose, for the reference. */
 static void look_at(const chaos *c, thud_shape_id id, seen_shape *out) {
     thud_shape_state shape;
     OK(thud_shape_get(c->world, id, &shape));
@@ -61,6 +64,7 @@ static void look_at(const chaos *c, thud_shape_id id, seen_shape *out) {
     }
 }
 
+/* Reads all shapes, by their slots. */
 static void look_around(const chaos *c, seen_shape *shapes) {
     memset(shapes, 0, SHAPES_MAX * sizeof *shapes);
     for (int i = 0; i <= BODIES; i++) {
@@ -77,6 +81,7 @@ static void look_around(const chaos *c, seen_shape *shapes) {
     }
 }
 
+/* Whether filters let two shapes collide. */
 static bool filters_meet(const thud_filter *a, const thud_filter *b) {
     return a->group == b->group && a->group ? a->group > 0
                                             : (a->mask & b->category) && (b->mask & a->category);
@@ -95,6 +100,7 @@ static double distance_of(const seen_shape *a, const seen_shape *b) {
     return c.distance;
 }
 
+/* Asserts that the open pairs are those that overlap. */
 static void check(const chaos *c, const seen_shape *shapes, int step) {
     for (int i = 0; i < SHAPES_MAX; i++) {
         for (int k = 0; k < SHAPES_MAX; k++) {
@@ -113,7 +119,7 @@ static void check(const chaos *c, const seen_shape *shapes, int step) {
     }
 }
 
-/* ---- a world that changes all the time ---- */
+/* ---- a world that is edited in every step ---- */
 
 static void add_random_shape(chaos *c, thud_body_id body) {
     static const thud_filter filters[] = {
@@ -219,6 +225,7 @@ static void edit(chaos *c) {
     }
 }
 
+/* Puts all bodies to sleep. */
 static void lull(chaos *c) {
     for (int i = 0; i < BODIES; i++) {
         if (thud_body_is_valid(c->world, c->bodies[i]) &&
@@ -228,7 +235,7 @@ static void lull(chaos *c) {
     }
 }
 
-/* Moves what never moves by itself, while others sleep. */
+/* Moves a static body while others sleep. */
 static void shift_still(chaos *c) {
     int i = pick(c, BODIES), tried = 0;
     while (tried < BODIES && !(thud_body_is_valid(c->world, c->bodies[i]) &&
@@ -242,7 +249,7 @@ static void shift_still(chaos *c) {
     }
 }
 
-/* The place of a pair in a list of events, or -1. */
+/* Index of a pair in a list of events, or -1. */
 static int place_of(const thud_contact_event *pair, const thud_contact_event *list, int count) {
     int i = count - 1;
     while (i >= 0 && memcmp(pair, &list[i], sizeof *pair) != 0) {
@@ -251,7 +258,8 @@ static int place_of(const thud_contact_event *pair, const thud_contact_event *li
     return i;
 }
 
-/* What was not open and ended was passed: it began before that, in the same step. */
+/* Books the events of a step. A pair that ended and was not open has passed: it began in the same
+ * step. */
 static void book(chaos *c, const seen_shape *shapes) {
     thud_events e = thud_world_events(c->world);
     for (int i = 0; i < e.sensor_end_count; i++) {
@@ -279,6 +287,7 @@ static void book(chaos *c, const seen_shape *shapes) {
     }
 }
 
+/* Counts over all worlds, asserted at the end. */
 static int asleep_in_all, begun_in_all;
 
 static void run_chaos(const thud_detection *detection, const thud_broadphase *broadphase,
@@ -288,7 +297,7 @@ static void run_chaos(const thud_detection *detection, const thud_broadphase *br
     thud_world_def def = thud_default_world_def();
     def.detection = detection;
     def.broadphase = broadphase;
-    def.contact_events = seed % 2 == 0; /* sensors tell all the same */
+    def.contact_events = seed % 2 == 0; /* sensor events do not depend on it */
     c->seed = seed;
     c->world = make_world(def);
     add_ground(c);

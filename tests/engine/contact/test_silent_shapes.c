@@ -1,5 +1,6 @@
-/* test_silent_shapes.c: shapes whose pairs make no events: what is not told, and that an end is
- * told exactly where its begin was, whenever the two are switched. */
+/* test_silent_shapes.c: shapes whose pairs make no events (silent shapes): none of their events is
+ * reported, and an end is reported exactly where its begin was, also where events are switched in
+ * between. */
 #include "event_chaos.h"
 #include "every_choice.h"
 #include "snapshot_support.h"
@@ -7,11 +8,13 @@
 #include <thud/thud_edits.h>
 #include <thud/thud_lists.h>
 
+/* The events of one step. */
 static thud_events told(thud_world *world) {
     run(world, 1);
     return thud_world_events(world);
 }
 
+/* Asserts that there are no events for that many steps. */
 static void nothing_told(thud_world *world, int steps) {
     for (int i = 0; i < steps; i++) {
         thud_events e = told(world);
@@ -26,6 +29,7 @@ static thud_shape_id add_silent(thud_world *world, thud_body_id body, float hx, 
     return add_shape(world, body, hx, hy, false, &def);
 }
 
+/* Sets whether a shape's pairs make events, and asserts that it is read back. */
 static void set_events(thud_world *world, thud_shape_id shape, bool events) {
     thud_shape_state state;
     OK(thud_shape_set_events(world, shape, events));
@@ -33,8 +37,10 @@ static void set_events(thud_world *world, thud_shape_id shape, bool events) {
     assert_int_equal(state.events, events);
 }
 
-/* ---- what is not told ---- */
+/* ---- what is not reported ---- */
 
+/* A silent ball lands, hits and is destroyed without events, while another ball beside it has its
+ * events. */
 static void silent_shape_touches_hits_and_parts_unheard_and_others_do_not(void **state) {
     (void)state;
     for (int d = 0; d < 4; d++) {
@@ -64,6 +70,7 @@ static void silent_shape_touches_hits_and_parts_unheard_and_others_do_not(void *
     }
 }
 
+/* A pair makes no sensor events where either the sensor or the other shape is silent. */
 static void silence_of_either_side_is_enough_for_sensors_too(void **state) {
     (void)state;
     for (int silent = 0; silent < 2; silent++) {
@@ -82,8 +89,10 @@ static void silence_of_either_side_is_enough_for_sensors_too(void **state) {
     }
 }
 
-/* ---- switched while they touch ---- */
+/* ---- switched while shapes touch ---- */
 
+/* Events are switched while the two shapes touch or overlap: the end is reported exactly where the
+ * begin was. */
 static void end_is_told_where_its_begin_was(void **state) {
     (void)state;
     for (int silent = 0; silent < 2; silent++) {
@@ -111,7 +120,7 @@ static void end_is_told_where_its_begin_was(void **state) {
     }
 }
 
-/* A pair of a line and a shape is one pair, over whichever segments. */
+/* A terrain and a shape are one pair, over whichever segments. */
 static void line_is_told_of_as_it_began(void **state) {
     (void)state;
     for (int silent = 0; silent < 2; silent++) {
@@ -145,6 +154,7 @@ static void line_is_told_of_as_it_began(void **state) {
 
 /* ---- at random ---- */
 
+/* Switches events of random shapes on or off. */
 static void toggle_some(chaos *c) {
     thud_shape_id shapes[256];
     int count;
@@ -170,6 +180,7 @@ static chaos *make_chaos(const thud_detection *detection, uint64_t seed) {
     return c;
 }
 
+/* In random worlds whose shapes are switched at random, each reported begin has exactly one end. */
 static void every_told_begin_has_its_end_whatever_is_switched(void **state) {
     (void)state;
     for (int d = 0; d < 4; d++) {
@@ -199,7 +210,7 @@ static void every_told_begin_has_its_end_whatever_is_switched(void **state) {
     }
 }
 
-/* Silence changes nothing but what is told. */
+/* Silent shapes change nothing but which events are reported. */
 static void silent_world_moves_as_a_loud_one(void **state) {
     (void)state;
     chaos *loud = make_chaos(&thud_detection_swept, 104729);
@@ -229,6 +240,7 @@ static void silent_world_moves_as_a_loud_one(void **state) {
 
 /* ---- snapshots ---- */
 
+/* A restored world continues with the same events. */
 static void snapshot_knows_who_is_silent_and_what_was_told(void **state) {
     (void)state;
     chaos *c = make_chaos(NULL, 65537);

@@ -1,25 +1,28 @@
-/* test_slides.c: bodies slide over ground made of many pieces as over the same ground made of one:
- * with every quality and detection, over static tiles, over the boxes of one body, which may move
- * itself, and over lines between boxes. Boxes used to stop dead or hop there, by up to a sixth of
- * their size, wherever they were bisected or swept at high or exact, and on every raft. */
+/* test_slides.c: a body slides over ground of many pieces as over the same ground of one piece, at
+ * every quality and detection: static tiles, shapes of one body, which may itself move, and
+ * terrains between boxes. Measured are the greatest differences of height and of speed between the
+ * two runs. Boxes used to stop or to hop there, by up to a sixth of their size, under `bisect` and
+ * `swept` at high and exact, and on every raft. */
 #include "engine_support.h"
 #include "every_choice.h"
 #include "share.h"
 
+/* Length of the ground; steps until the slider has settled. */
 enum { LENGTH = 60, SETTLE = 30 };
 
 typedef enum floor_kind {
     TILES,       /* a static body each */
-    SHAPES,      /* five a static body */
+    SHAPES,      /* five on each static body */
     STILL_RAFT,  /* one kinematic body of boxes */
-    MOVING_RAFT, /* ... against the way of what slides */
-    HEAVY_RAFT,  /* one dynamic body, that floats */
-    LINES,       /* and boxes in turn */
+    MOVING_RAFT, /* the same, moving against the slider */
+    HEAVY_RAFT,  /* one dynamic body, without gravity */
+    LINES,       /* alternating with boxes */
     FLOORS
 } floor_kind;
 
 enum { CIRCLE, AABB, OBB, THREE_OBBS, MOVERS };
 
+/* A case. */
 typedef struct slide {
     floor_kind floor;
     bool upright; /* AABBs; else OBBs */
@@ -58,7 +61,7 @@ static void add_line(thud_world *world, const slide *s, double from, int length)
     OK(thud_shape_create_terrain(world, add_body(world, THUD_STATIC, 0, 0, 0), &def, &line, NULL));
 }
 
-/* Pieces of length 1, or one for all. */
+/* Adds pieces of length 1, or one piece of the whole length. */
 static void add_pieces(thud_world *world, const slide *s, thud_body_id body, bool whole, int from,
                        int length) {
     for (int i = 0; i < (whole ? 1 : length); i++) {
@@ -66,6 +69,7 @@ static void add_pieces(thud_world *world, const slide *s, thud_body_id body, boo
     }
 }
 
+/* Adds the case's ground, in one piece (`whole`) or in many. */
 static void add_ground(thud_world *world, const slide *s, bool whole) {
     int step = s->floor == TILES ? 1 : s->floor == SHAPES ? 5 : 10;
     if (s->floor == LINES && whole) {
@@ -105,11 +109,13 @@ static thud_body_id add_mover(thud_world *world, const slide *s) {
     return body;
 }
 
+/* Motion of the slider, by steps. */
 typedef struct track {
     double x[400], y[400], speed[400];
     int steps;
 } track;
 
+/* Slides the body over the ground and records its motion. */
 static track run_slide(const slide *s, bool whole) {
     thud_world_def def = thud_world_def_of(s->quality);
     def.sleeping = false;
@@ -132,8 +138,9 @@ static track run_slide(const slide *s, bool whole) {
     return t;
 }
 
-/* Soft contacts give way a little where others take over, which friction feels: the more so against
- * what moves itself, and where pieces lie on pieces. */
+/* Bounds of the difference in height and of the relative loss of speed. A soft contact gives way a
+ * little where the body passes to the next piece, and friction depends on it, more so where the
+ * ground itself moves, and where pieces lie on pieces. */
 static void limits_of(const slide *s, double *hop, double *loss) {
     bool draft = s->quality == &thud_quality_draft,
          moves = s->floor >= STILL_RAFT && s->floor < LINES;
@@ -146,6 +153,7 @@ static void limits_of(const slide *s, double *hop, double *loss) {
     }
 }
 
+/* Asserts that the slider moves over pieces as over the whole ground, within the bounds. */
 static void compare(const slide *s) {
     track whole = run_slide(s, true), pieces = run_slide(s, false);
     double most_hop, most_loss, hop = 0, loss = 0;
@@ -165,7 +173,8 @@ static void compare(const slide *s) {
     }
 }
 
-/* A share of the settings has every value of each where TEST_SHARE has no factor 2 or 5. */
+/* Where a build runs a share of the settings (TEST_SHARE), each value of each setting occurs as
+ * long as TEST_SHARE has no factor 2 or 5. */
 static void compare_all(floor_kind floor) {
     const double speeds[] = {3.117, 9.37, 31.77, 120};
     for (int i = 0; i < QUALITIES * 4 * MOVERS * 2 * 2 * 4; i += TEST_SHARE) {

@@ -1,15 +1,17 @@
-/* test_bullets.c: swept bullets at light walls, which spin off and meet others: nothing passes
- * through anything, and what touches a spinning wall does not sink into it. Walls that were not
- * swept themselves passed through slow swept bodies unseen. */
+/* test_bullets.c: swept bullets hit light walls, which then rotate and hit others: nothing passes
+ * through anything, and bodies in contact with a rotating wall do not sink into it. And bodies that
+ * are not swept must not pass through swept ones. */
 #include "engine_support.h"
 
 enum { BULLETS = 200, STEPS = 240 };
 
+/* Bullets and the wall that each flies at. */
 typedef struct range {
     thud_world *world;
     thud_body_id bullets[BULLETS], walls[BULLETS];
 } range;
 
+/* Light walls, each with a bullet flying at it; bullets are boxes or circles. */
 static range make_range(bool boxes) {
     thud_world_def def = weightless();
     def.sleeping = false;
@@ -32,7 +34,7 @@ static range make_range(bool boxes) {
     return r;
 }
 
-/* A bullet in the frame of a wall: across it and along it. */
+/* The bullet's place in the wall's frame. */
 static thud_pos seen_from(const thud_body_state *wall, const thud_body_state *bullet) {
     double x = bullet->position.x - wall->position.x, y = bullet->position.y - wall->position.y;
     double c = (double)wall->cosine, s = (double)wall->sine;
@@ -69,7 +71,7 @@ static void bullets_at_light_walls_never_pass_nor_sink_in(void **state) {
     }
 }
 
-/* A bar that only spins, or that flies by, and a ball that waits for it. */
+/* A bar that only rotates, or that also flies by, and a swept ball that it hits. */
 static void what_is_not_swept_itself_passes_no_swept_body(void **state) {
     (void)state;
     uint64_t seed = 5;
@@ -104,7 +106,8 @@ static void what_is_not_swept_itself_passes_no_swept_body(void **state) {
     }
 }
 
-/* It meets the ball, or is counted; a ball that only spins is not. */
+/* A bar that rotates far enough in a step to pass the ball is counted as not bisectable; a slow
+ * bar, and a ball that rotates in its place, are not. */
 static void bar_that_spins_past_a_bisected_ball_is_counted(void **state) {
     (void)state;
     for (int i = 0; i < 40; i++) {

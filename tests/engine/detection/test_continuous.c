@@ -1,7 +1,9 @@
-/* test_continuous.c: nothing fast passes through static geometry; sliding is no impact. */
+/* test_continuous.c: under `continuous` nothing fast passes through static geometry, and fast
+ * sliding is not stopped. */
 #include "engine_support.h"
 
-/* Shoots a small body of the kind at a wall 0.02 thick or at terrain; it must stay on its side. */
+/* Shoots a small body of a kind at a wall 0.02 thick or at a terrain; asserts that it stays on its
+ * side. */
 static void shoot(int kind, double speed, double jitter, bool terrain) {
     thud_world *world = make_world(weightless());
     thud_body_id target = add_body(world, THUD_STATIC, terrain ? 0 : 10, 0, 0);
@@ -40,6 +42,7 @@ static void nothing_passes_a_thin_wall_or_the_ground(void **state) {
     }
 }
 
+/* Under `overlap`, for comparison, a bullet passes the wall. */
 static void without_it_a_bullet_passes(void **state) {
     (void)state;
     thud_world_def def = weightless();

@@ -1,5 +1,6 @@
-/* test_detection.c: bisected and swept worlds: what they place where, what never passes or
- * overlaps, what bodies may choose for themselves, and that nothing is lost in silence. */
+/* test_detection.c: worlds under `bisect` and `swept`: where impacts place bodies, that nothing
+ * passes or overlaps, bodies with a detection of their own, callbacks and events of impacts, and
+ * that lost motion is counted. */
 #include "engine_support.h"
 
 static thud_world_def with(const thud_detection *detection, thud_world_def def) {
@@ -15,8 +16,8 @@ static void make_elastic(thud_shape_def *def) {
 
 /* ---- swept ---- */
 
-/* A ball of radius 0.1 between walls 1 apart crosses 0.8 at a time; where it is then follows from
- * how often it has turned. */
+/* A ball of radius 0.1 between walls moves 0.8 between impacts; its position follows from the
+ * number of impacts. */
 static void swept_ball_bounces_between_walls_many_times_a_step(void **state) {
     (void)state;
     thud_world_def def = with(&thud_detection_swept, weightless());
@@ -29,11 +30,11 @@ static void swept_ball_bounces_between_walls_many_times_a_step(void **state) {
     }
     thud_body_id ball = add_body(world, THUD_DYNAMIC, 0, 0, 0);
     add_shape(world, ball, 0.1f, 0, false, &elastic);
-    OK(thud_body_set_velocity(world, ball, (thud_vec2){240, 0}, 0)); /* 4 a step: five bounces */
+    OK(thud_body_set_velocity(world, ball, (thud_vec2){240, 0}, 0)); /* 4 m a step: five bounces */
     double way = 0.0;
     for (int i = 0; i < 60; i++) {
         run(world, 1);
-        /* It turns a thousandth before the walls. */
+        /* It turns 0.001 in front of each wall, at the skin. */
         way += 4.0;
         double gap = 0.8 - 2 * 0.001, phase = fmod(way + gap / 2, 2 * gap);
         double x = phase < gap ? phase - gap / 2 : 1.5 * gap - phase;
@@ -45,7 +46,8 @@ static void swept_ball_bounces_between_walls_many_times_a_step(void **state) {
     thud_world_destroy(world);
 }
 
-/* Bullets of each kind at thin walls, static and dynamic: what is behind stays behind. */
+/* Shoots a bullet of a kind at a thin wall, static or dynamic; returns 1 where it passed, else
+ * 0. */
 static int shoot(const thud_detection *detection, int kind, double speed, bool dynamic,
                  uint64_t *seed) {
     thud_world *world = make_world(with(detection, weightless()));
@@ -71,6 +73,8 @@ static int shoot(const thud_detection *detection, int kind, double speed, bool d
     return passed;
 }
 
+/* At 10 to 1e5 m/s no swept bullet passes a wall, while more than half of those under `overlap`
+ * do. */
 static void swept_bullets_pass_no_thin_wall_and_overlap_tested_ones_do(void **state) {
     (void)state;
     uint64_t seed = 41;
@@ -88,7 +92,7 @@ static void swept_bullets_pass_no_thin_wall_and_overlap_tested_ones_do(void **st
     assert_true(passed_unswept > shots / 2);
 }
 
-/* The deepest overlap of any two bodies with one shape each. */
+/* The deepest overlap of any two bodies, each with one shape. */
 static double deepest(const thud_world *world, const thud_body_id *ids, int count) {
     thud_shape_instance *placed = calloc((size_t)count, sizeof *placed);
     double depth = 0.0;
@@ -117,7 +121,7 @@ static double deepest(const thud_world *world, const thud_body_id *ids, int coun
     return depth;
 }
 
-/* Mixed kinds in a closed room. */
+/* The deepest overlap of bodies of all kinds in a closed room, in any step. */
 static double deepest_in_a_room(const thud_detection *detection, double speed, thud_stats *sum) {
     enum { BODIES = 60, WALLS = 4 };
     thud_world *world = make_world(with(detection, weightless()));
@@ -159,7 +163,7 @@ static void swept_bodies_of_all_kinds_never_overlap_where_unswept_ones_do(void *
     double depth = deepest_in_a_room(&thud_detection_swept, 60, &swept);
     assert_true(depth < 1e-4);
     assert_true(swept.impacts > 900);
-    /* Nearly nothing is held, and what is, is told. */
+    /* Almost no motion is lost, and the statistics count what is. */
     assert_true(swept.held_seconds < 0.001 * 60 * 2);
     assert_true(deepest_in_a_room(&thud_detection_overlap, 60, &overlap) > 0.15);
     assert_int_equal(overlap.impacts, 0);
@@ -174,17 +178,19 @@ static void swept_head_on_impact_keeps_momentum_and_exchanges_velocities(void **
     thud_body_id b = add_body(world, THUD_DYNAMIC, 3, 0, 0);
     add_shape(world, a, 0.5f, 0, false, &elastic);
     add_shape(world, b, 0.5f, 0, false, &elastic);
-    OK(thud_body_set_velocity(world, a, (thud_vec2){150, 0}, 0)); /* 2.5 a step: 2 to go */
+    /* 2.5 m a step, 2 m to the impact */
+    OK(thud_body_set_velocity(world, a, (thud_vec2){150, 0}, 0));
     run(world, 1);
     near_to((double)state_of(world, a).velocity.x, 0, 1e-4);
     near_to((double)state_of(world, b).velocity.x, 150, 1e-3);
-    /* The rest of the step is not lost: b took over what a had left of its way. */
+    /* The rest of the step is not lost: b continues the way that a had left. */
     near_to(state_of(world, a).position.x, 2, 0.0011);
     near_to(state_of(world, b).position.x, 3.5, 0.0011);
     thud_world_destroy(world);
 }
 
-/* A body in a vice of two kinematic plates is held, and the world says for how long. */
+/* Two kinematic plates press a body from both sides: it is held, and the statistics say for how
+ * long. */
 static void swept_body_without_a_way_out_is_held_and_counted(void **state) {
     (void)state;
     thud_world *world = make_world(with(&thud_detection_swept, weightless()));
@@ -214,16 +220,20 @@ static void bisected_body_is_taken_back_to_its_collision(void **state) {
     thud_body_id wall = add_body(world, THUD_STATIC, 3, 0, 0);
     add_shape(world, wall, 0.5f, 4, true, NULL);
     thud_body_id ball = add_ball(world, 0, 0, 0.5f);
-    OK(thud_body_set_velocity(world, ball, (thud_vec2){144, 0}, 0)); /* 2.4 a step: 2 to go */
+    /* 2.4 m a step, 2 m to the impact */
+    OK(thud_body_set_velocity(world, ball, (thud_vec2){144, 0}, 0));
     run(world, 1);
     near_to(state_of(world, ball).position.x, 2, 0.0011);
     assert_true(state_of(world, ball).position.x <= 2);
     near_to((double)state_of(world, ball).velocity.x, 0, 1e-4);
     assert_int_equal(thud_world_stats(world).impacts, 1);
-    assert_int_equal(thud_world_stats(world).unbisectable, 1); /* 2.4 is more than the wall's 1 */
+    /* 2.4 m a step is more than the wall's thickness, 1 m */
+    assert_int_equal(thud_world_stats(world).unbisectable, 1);
     thud_world_destroy(world);
 }
 
+/* thud_world_bisection_limit is the thickness of the thinnest shape divided by the time step, and
+ * statistics count bodies that move faster. */
 static void bisection_limit_is_the_thinnest_shape_a_step_and_who_breaks_it_is_counted(
     void **state) {
     (void)state;
@@ -262,6 +272,8 @@ static void bisected_bodies_within_the_limit_never_overlap(void **state) {
 
 /* ---- choice ---- */
 
+/* In a world under `overlap`, a body whose own detection is `swept` stops at a wall that another
+ * one passes. */
 static void body_chooses_its_own_detection(void **state) {
     (void)state;
     thud_world *world = make_world(with(&thud_detection_overlap, weightless()));
@@ -295,8 +307,9 @@ static void names_tell_what_was_chosen(void **state) {
     assert_string_equal(thud_detection_name(NULL), "");
 }
 
-/* ---- callbacks and events ---- */
+/* ---- callbacks and events of impacts ---- */
 
+/* Counts of callbacks, the sum of impulses, and whether the prologue vetoes. */
 typedef struct heard {
     int asked, told;
     double impulse;
@@ -320,6 +333,8 @@ static void tell(thud_world *world, const thud_contact *contact, void *context) 
     h->impulse += (double)contact->normal_impulse;
 }
 
+/* An impact within a step calls the prologue and, unless that vetoes it, the epilogue, and makes
+ * one hit event with its speed. */
 static void impact_within_a_step_asks_tells_and_hits(void **state) {
     (void)state;
     for (int veto = 0; veto < 2; veto++) {
@@ -331,7 +346,7 @@ static void impact_within_a_step_asks_tells_and_hits(void **state) {
         add_shape(world, wall, 0.01f, 4, true, NULL);
         thud_body_id ball = add_ball(world, 0, 0, 0.5f);
         double mass = (double)state_of(world, ball).mass;
-        OK(thud_body_set_velocity(world, ball, (thud_vec2){600, 0}, 0)); /* 10 a step */
+        OK(thud_body_set_velocity(world, ball, (thud_vec2){600, 0}, 0)); /* 10 m a step */
         run(world, 1);
         assert_int_equal(h.asked, 1);
         assert_int_equal(h.told, veto ? 0 : 1);

@@ -1,6 +1,6 @@
-/* test_far_motion.c: gravity scales, forces and spins beyond all measure, under every detection:
- * what they drive others to stays within what places can follow in a step. A conversion that
- * overflowed threw bodies half the way around the world. */
+/* test_far_motion.c: extreme gravity scales, forces and spins under every detection: bodies move no
+ * further in a step than positions can represent. A conversion that overflowed moved bodies half
+ * around the range of positions. */
 #include "joint_support.h"
 #include "share.h"
 
@@ -11,7 +11,7 @@ enum { HEAPS = 1500, MOST = 16, RUNS = 12 };
 static const thud_detection *const detections[] = {&thud_detection_swept, &thud_detection_bisect,
                                                    &thud_detection_continuous};
 
-/* One in `many` of what is dealt. */
+/* True for one of `many` draws. */
 static bool one_in(uint64_t *seed, double many) {
     return random_in(seed, 0, many) < 1;
 }
@@ -20,13 +20,16 @@ static float either_sign(uint64_t *seed, double value) {
     return (float)(one_in(seed, 2) ? value : -value);
 }
 
+/* A heap; `size` is its bodies' extent, and `what` is extreme: 0 gravity scales, 1 spins, 2
+ * forces. */
 typedef struct heap {
     thud_world *world;
     thud_body_id body[MOST];
-    double size, extreme; /* force or gravity scale */
+    double size, extreme; /* extreme force or gravity scale */
     int what;
 } heap;
 
+/* The def of body i, with extreme values in some of them. */
 static thud_body_def body_def(const heap *h, int i, uint64_t *seed) {
     thud_body_def def = thud_default_body_def();
     def.kind = one_in(seed, 8) ? THUD_KINEMATIC : THUD_DYNAMIC;
@@ -43,6 +46,7 @@ static thud_body_def body_def(const heap *h, int i, uint64_t *seed) {
     return def;
 }
 
+/* Creates heap number `number`; settings follow from the number, the rest is random. */
 static heap make_heap(uint64_t *seed, int number) {
     static const double steps[] = {1.0 / 60, 0.1, 1};
     bool joined = number % 2;
@@ -82,6 +86,7 @@ static void push_some(const heap *h, uint64_t *seed) {
     }
 }
 
+/* In no step does a body move by more than 1.01e9 in x or y, and velocities stay finite. */
 static void nothing_is_driven_further_than_places_can_follow(void **state) {
     (void)state;
     uint64_t seed = 11;
@@ -109,19 +114,20 @@ static void nothing_is_driven_further_than_places_can_follow(void **state) {
     }
 }
 
-/* ---- ways longer than the bounds of the broadphase can tell ---- */
+/* ---- motions longer than the range of the broadphase's bounds ---- */
 
 static const thud_broadphase *const broadphases[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
                                                      &thud_broadphase_all};
 
+/* What a flight ended with. */
 typedef struct flight {
     thud_stats stats;
     thud_pos end;
     uint64_t hash;
 } flight;
 
-/* A second long step of a ball that flies 1e6 length scales towards a wall or a body, among others
- * that it flies past. */
+/* One step of 1 s, in which a ball flies 1e6 length scales towards a wall or a body, past
+ * others. */
 static flight fly(const thud_detection *detection, const thud_broadphase *broadphase,
                   thud_body_kind kind, double distance, double angle) {
     thud_world_def def = def_of(&thud_quality_default);

@@ -1,5 +1,5 @@
-/* test_heaps.c: swept bodies under load: a heap that collapses is no storm of collisions, which
- * would hold its bodies and cost many times what it costs without. */
+/* test_heaps.c: swept bodies under load: detection in a collapsing heap costs a bounded amount of
+ * work, and holds few bodies. */
 #include "engine_support.h"
 
 #include <thud/thud_make.h>
@@ -8,12 +8,14 @@
 #include "geometry_random.h"
 #include "scenes.h"
 
+/* What detection did in a scene. */
 typedef struct load {
-    double held;  /* share of all bodies in all steps */
-    double exact; /* times of impact worked out, a body and step */
+    double held;  /* held bodies, as a share of all bodies in all steps */
+    double exact; /* times of impact computed, for each body and step */
     double deepest, speed;
 } load;
 
+/* Runs a scene under `swept` and measures it. */
 static load run_scene(const char *name, int size, int steps) {
     scene s;
     thud_world *world;
@@ -40,8 +42,8 @@ static load run_scene(const char *name, int size, int steps) {
     return l;
 }
 
-/* Before load was projected out of motions it was 14 % held, with 5 exact tests a body, and 21 mm.
- */
+/* Before loads were projected out of motions, 14 % were held, with 5 times of impact for each body,
+ * and a depth of 21 mm. */
 static void pit_holds_hardly_anybody(void **state) {
     (void)state;
     load l = run_scene("circle_pit", 500, 240);
@@ -50,7 +52,7 @@ static void pit_holds_hardly_anybody(void **state) {
     assert_true(l.deepest < 0.03);
 }
 
-/* Then it was 7 %, after 8. */
+/* Before that, 7 % were held, with 8 times of impact for each body. */
 static void block_that_is_smashed_holds_hardly_anybody(void **state) {
     (void)state;
     load l = run_scene("smash", 500, 120);
@@ -59,7 +61,7 @@ static void block_that_is_smashed_holds_hardly_anybody(void **state) {
     assert_true(l.deepest < 0.03);
 }
 
-/* What rests is no collision at all; then it was 4 exact tests a body. */
+/* A resting contact is no impact; before that, 4 times of impact for each body were computed. */
 static void pyramid_stands_without_a_test_of_motion(void **state) {
     (void)state;
     load l = run_scene("pyramid", 20, 120);
@@ -68,13 +70,12 @@ static void pyramid_stands_without_a_test_of_motion(void **state) {
     assert_true(l.deepest < 0.001 && l.speed < 0.02);
 }
 
-/* ---- a crowd in which everything is near everything ---- */
+/* ---- a crowd whose bounds all overlap ---- */
 
 enum { CROWD = 100 };
 
-/* Turning boxes with sides of 1/100 to 100, many of them needles, in a closed place of 60 by 60:
- * the bounds of most pairs overlap, so that each impact has two bodies look at nearly all others.
- */
+/* Rotating boxes with sides of 1/100 to 100, many of them needles, in a room of 60 by 60: the
+ * bounds of most pairs overlap, so that each impact makes two bodies test nearly all others. */
 static thud_world *make_crowd(const thud_quality *quality, const thud_detection *detection) {
     thud_world_def def = thud_world_def_of(quality);
     def.detection = detection;
@@ -100,7 +101,8 @@ static thud_world *make_crowd(const thud_quality *quality, const thud_detection 
     return world;
 }
 
-/* 8192 times of collision, 48 for each body, and then one for each pair while all are held. */
+/* The bound: 8192 times of collision, 48 for each body, and then one for each pair while all are
+ * held. */
 static void crowd_of_extreme_sizes_costs_a_bounded_number_of_collision_times(void **state) {
     (void)state;
     const thud_detection *const detections[] = {&thud_detection_bisect, &thud_detection_swept};
@@ -122,7 +124,7 @@ static void crowd_of_extreme_sizes_costs_a_bounded_number_of_collision_times(voi
         thud_world_destroy(world);
     }
     print_message("at most %d times of collision in a step\n", busiest);
-    assert_true(busiest > 8192); /* or the scene would not show what it is for */
+    assert_true(busiest > 8192); /* else the scene does not reach the bound */
 }
 
 int main(void) {

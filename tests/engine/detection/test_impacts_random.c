@@ -1,7 +1,7 @@
-/* test_impacts_random.c: random worlds of bisected and swept bodies in a closed room, of all sizes
- * and speeds, of several shapes, with sensors, filters and kinematic bodies, edited by their
- * callbacks: they stay finite, run twice alike (with wide and with plain SIMD, and with allocations
- * that fail), keep to their bounds on work, and let nothing swept out of the room. */
+/* test_impacts_random.c: random worlds of bisected and swept bodies in a closed room: all sizes and
+ * speeds, several shapes, sensors, filters, kinematic bodies, and edits by callbacks. They stay
+ * finite, run twice with the same bits (with wide and baseline SIMD, and with failing allocations),
+ * keep to the bounds of work, and no swept body leaves the room. */
 #include "hostile_memory.h"
 #include "engine_support.h"
 
@@ -14,16 +14,18 @@ enum { BODIES = 14, STEPS = 40 };
 #define ROOM 8.0 /* half its width; its walls are 2 thick */
 #define WALLS 0x80000000u
 
+/* A random world and its settings. */
 typedef struct room {
     thud_world *world;
     thud_body_id bodies[BODIES];
-    source random; /* what callbacks draw from */
+    source random; /* generator of the callbacks */
     double time_step;
     bool edits, swept, kinematic;
 } room;
 
-/* ---- memory that fails ---- */
+/* ---- failing allocations ---- */
 
+/* Whether allocations may fail at present. */
 static bool fails;
 
 /* ---- callbacks ---- */
@@ -33,10 +35,12 @@ static thud_vec2 draw_velocity(source *r) {
     return (thud_vec2){(float)(speed * cos(angle)), (float)(speed * sin(angle))};
 }
 
+/* Asserts success, or a lack of memory while allocations fail. */
 static void done_or_short(thud_result result) {
     assert_true(result == THUD_OK || (result == THUD_ERROR_MEMORY && fails));
 }
 
+/* Makes a random edit from inside a callback, now and then. */
 static void edit(room *m) {
     source *r = &m->random;
     thud_body_id body = m->bodies[draw_below(r, BODIES)];
@@ -67,7 +71,7 @@ static bool is_wall(const thud_world *world, thud_body_id body) {
     return thud_body_get(world, body, &s) == THUD_OK && s.kind == THUD_STATIC;
 }
 
-/* Walls are always heeded. */
+/* A contact with a wall is never vetoed. */
 static bool prologue(thud_world *world, const thud_contact *contact,
                      thud_contact_settings *settings, void *context) {
     room *m = context;
@@ -115,6 +119,7 @@ static void add_shapes(source *r, thud_world *world, thud_body_id body) {
     }
 }
 
+/* Creates the random world of a seed. */
 static void make_room(room *m, uint64_t seed, bool plain_simd) {
     source r = {seed};
     thud_world_def def = thud_default_world_def();
@@ -146,6 +151,7 @@ static void make_room(room *m, uint64_t seed, bool plain_simd) {
 
 /* ---- what must hold after every step ---- */
 
+/* Asserts the bounds of work, and that bodies are finite and inside the room. */
 static void check(const room *m, uint64_t seed, int step) {
     thud_stats stats = thud_world_stats(m->world);
     if (stats.impacts > 9 * BODIES || stats.held_bodies > BODIES ||
@@ -161,9 +167,9 @@ static void check(const room *m, uint64_t seed, int step) {
         }
         assert_true(isfinite(s.center.x + s.center.y + s.angle));
         assert_true(isfinite((double)(s.velocity.x + s.velocity.y + s.angular_velocity)));
-        /* The first shape is solid, and its centre the origin; that of mass may be a sensor's.
-         * Those that began in each other, and spin by many turns a step, may be pressed into a
-         * wall. */
+        /* The first shape is solid, and its centre is the body's origin; the centre of mass may be
+         * inside a sensor. Bodies that began inside each other and rotate by many turns a step may
+         * be pressed into a wall. */
         bool outside = fabs(s.position.x) > ROOM + 1 || fabs(s.position.y) > ROOM + 1;
         if (m->swept && !m->kinematic && outside) {
             fail_msg("room %016" PRIx64 ", step %d: body %d is out at %g, %g", seed, step, i,
@@ -172,8 +178,8 @@ static void check(const room *m, uint64_t seed, int step) {
     }
 }
 
-/* Every 16th step fails at its first allocation, then at its second, and so on, until it is done.
- */
+/* Every 16th step fails at its first allocation, then at its second, and so on, until it
+ * succeeds. */
 static void step_with_failures(room *m, int step) {
     for (long failures = 0;; failures++) {
         fails = step % 16 == 3;
@@ -208,9 +214,9 @@ static void random_rooms_run_alike_within_bounds_and_lose_nothing(void **state) 
     }
 }
 
-/* A failed step may have been halfway through: what callbacks and impacts add is not lost nor done
- * twice. Impacts that stray may want memory that the step before did not need, and then hold their
- * bodies, so that the two are not alike; but all else holds. */
+/* A failed step may have been partly done: what callbacks and impacts added is neither lost nor
+ * done twice. Impacts in a step with failing allocations may need memory that the step before did
+ * not, and then hold their bodies, so that the two worlds may differ; all else holds. */
 static void random_rooms_survive_failing_allocations(void **state) {
     (void)state;
     for (int k = 0; k < case_count(60); k++) {

@@ -1,5 +1,7 @@
-/* geometry_pairs.h: random pairs of shapes of given kinds, in the families where geometry goes
- * wrong. Places that must fit come from geometry_exact.h, not from the engine. */
+/* geometry_pairs.h: random pairs of shapes of given kinds, in the families in which geometry code
+ * fails: touching, one inside the other, concentric, parallel, corner to corner, needles, far from
+ * the origin; and pairs in motion. Where shapes must touch, their places come from geometry_exact.h
+ * and not from the engine. */
 #ifndef GEOMETRY_PAIRS_H
 #define GEOMETRY_PAIRS_H
 
@@ -30,11 +32,13 @@ typedef struct pair {
     thud_shape_instance a, b;
 } pair;
 
-/* Moves b until it touches a: the shortest way, but for a circle whose centre is in the other. */
+/* Moves b until it touches a, along the shortest way; a circle whose centre is inside of the other
+ * shape may take a longer one. */
 static inline void bring_to_touch(pair *p) {
     solid a = solid_of(&p->a, p->a.x, p->a.y), b = solid_of(&p->b, p->a.x, p->a.y);
     sum h = sum_of(&a, &b);
-    vec best = {0.0L, 0.0L}; /* the point of the sum's outline that is nearest to the origin */
+    /* the point of the Minkowski difference's outline that is nearest to the origin */
+    vec best = {0.0L, 0.0L};
     real least = 1e300L;
     for (int i = 0; i < h.count; i++) {
         vec p0 = h.v[i], d = minus(h.v[(i + 1) % h.count], p0);
@@ -51,6 +55,7 @@ static inline void bring_to_touch(pair *p) {
     p->b.y -= (double)(best.y * part);
 }
 
+/* Places b above a, parallel or rotated by a tiny angle, with or without a gap. */
 static inline void place_parallel(source *r, pair *p) {
     const double gaps[] = {0.0, 0.01, -0.01, draw(r, -1.0, 1.0)};
     const double turns[] = {0.0, 0.0, 1e-12, 1e-9, 1e-6, 1e-3};
@@ -66,7 +71,8 @@ static inline void place_parallel(source *r, pair *p) {
     p->b.y = p->a.y + sin(angle) * u + cos(angle) * v;
 }
 
-/* A corner of one on a corner of the other, or on a circle's outline. */
+/* Places a corner of one shape on a corner of the other or on a circle's outline, or up to 1e-3
+ * beside it. */
 static inline void place_corners(source *r, pair *p) {
     thud_pos i = outline(&p->a, 0.25 * draw_below(r, 4)),
              j = outline(&p->b, 0.25 * draw_below(r, 4));
@@ -75,6 +81,7 @@ static inline void place_corners(source *r, pair *p) {
     p->b.y = p->a.y + i.y - j.y - off * draw(r, -1.0, 1.0);
 }
 
+/* Makes one shape or both a needle (a circle a point), and places them across or end to end. */
 static inline void make_needles(source *r, pair *p) {
     thud_shape_instance *thin = draw_below(r, 2) ? &p->a : &p->b;
     for (int i = 0; i < 2; i++, thin = thin == &p->a ? &p->b : &p->a) {
@@ -85,7 +92,7 @@ static inline void make_needles(source *r, pair *p) {
             thin->hy = 1e-6 * thin->hx;
         }
         if (draw_below(r, 2)) {
-            break; /* one of them */
+            break; /* one of the two is a needle */
         }
     }
     if (draw_below(r, 2)) { /* across each other, or end to end */
@@ -94,6 +101,7 @@ static inline void make_needles(source *r, pair *p) {
     }
 }
 
+/* A random pair of kinds (an index of pair_kinds), in a family. */
 static inline pair draw_pair_of(source *r, int kinds, pair_family family) {
     pair p = {draw_shape_of(r, pair_kinds[kinds][0]), draw_shape_of(r, pair_kinds[kinds][1])};
     bool far = family == FAR_AWAY;
@@ -139,24 +147,26 @@ static inline pair draw_pair_of(source *r, int kinds, pair_family family) {
     return p;
 }
 
-/* What the engine's answers about the pair are rounded by: a unit of what it adds up. */
+/* A unit of rounding of the engine's answers about the pair: ROUNDING times the lengths that it
+ * adds. */
 static inline double pair_rounding(const pair *p) {
     double size = p->a.hx + p->a.hy + p->b.hx + p->b.hy;
     return ROUNDING * (fabs(p->b.x - p->a.x) + fabs(p->b.y - p->a.y) + size);
 }
 
-/* ... and its places, which are as coarse as their coordinates. */
+/* The same for places, which are as coarse as their coordinates. */
 static inline double place_rounding(const pair *p) {
     return pair_rounding(p) + ROUNDING * (fabs(p->a.x) + fabs(p->a.y));
 }
 
-/* A pair in motion over one unit of time. */
+/* A pair in motion over one unit of time; `target` is the distance at which an impact is due. */
 typedef struct moving {
     pair p;
     thud_motion a, b;
     double target;
 } moving;
 
+/* A random pair in motion; `i` selects the family. */
 static inline moving draw_moving(source *r, int kinds, int i, bool turning) {
     moving m = {.p = draw_pair_of(r, kinds, (pair_family)(i % FAMILIES))};
     double speed = exp(draw(r, -3.0, 5.0)), away = draw_below(r, 3) ? 3.0 : 0.0;
@@ -164,7 +174,7 @@ static inline moving draw_moving(source *r, int kinds, int i, bool turning) {
     m.p.b.y += draw(r, -away, away);
     m.a = (thud_motion){draw(r, -1.0, 1.0), draw(r, -1.0, 1.0), 0.0};
     m.b = (thud_motion){draw(r, -speed, speed), draw(r, -speed, speed), 0.0};
-    if (draw_below(r, 2)) { /* at each other, somewhere */
+    if (draw_below(r, 2)) { /* b moves towards a */
         m.a = (thud_motion){0};
         m.b.dx = (m.p.a.x - m.p.b.x) * draw(r, 0.5, 3.0) + draw(r, -1.0, 1.0);
         m.b.dy = (m.p.a.y - m.p.b.y) * draw(r, 0.5, 3.0) + draw(r, -1.0, 1.0);
@@ -181,11 +191,13 @@ static inline moving draw_moving(source *r, int kinds, int i, bool turning) {
     return m;
 }
 
+/* A unit of rounding of answers about the moving pair. */
 static inline double moving_rounding(const moving *m) {
     double way = fabs(m->a.dx) + fabs(m->a.dy) + fabs(m->b.dx) + fabs(m->b.dy);
     return pair_rounding(&m->p) + ROUNDING * (way + m->target);
 }
 
+/* Distance of the pair after the share t of the motion, in long double. */
 static inline real moving_distance(const moving *m, real t) {
     solid a = solid_after(&m->p.a, m->a, t, m->p.a.x, m->p.a.y);
     solid b = solid_after(&m->p.b, m->b, t, m->p.a.x, m->p.a.y);
@@ -197,7 +209,7 @@ static inline void print_shape(const char *name, const thud_shape_instance *s) {
            (int)s->kind, s->x, s->y, s->c, s->s, s->hx, s->hy);
 }
 
-/* As assert_true, with the pair for whoever wants to try it again. */
+/* As assert_true, but first prints the pair, so that a failure can be repeated. */
 #define CHECK_PAIR(pair, condition)       \
     do {                                  \
         if (!(condition)) {               \

@@ -1,4 +1,5 @@
-/* test_bisection.c: the time of collision by bisection, against answers worked out by hand. */
+/* test_bisection.c: the time of collision by bisection, and which motions can be bisected, against
+ * answers derived by hand. */
 #include "thud/thud_shapes.h"
 
 #include <math.h>
@@ -14,6 +15,7 @@ static const thud_shape_instance wall = {
     .kind = THUD_AABB, .x = 3.0, .c = 1.0, .hx = 0.5, .hy = 4.0};
 static const thud_motion still = {0.0, 0.0, 0.0};
 
+/* Time at which the ball collides with the wall. */
 static double collision(thud_motion motion, double tolerance, bool *collided) {
     double time;
     assert_int_equal(thud_shapes_time_of_collision(&ball, motion, &wall, still, tolerance, collided,
@@ -39,13 +41,13 @@ static void bisection_does_not_see_a_wall_that_was_passed_through(void **state) 
     assert_true(collision(fast, 1e-6, &collided) == 1.0);
     assert_false(collided);
     assert_false(thud_motion_is_bisectable(&ball, fast, &wall, still));
-    /* The ball is as thick as the wall: 1. */
+    /* Ball and wall are both 1 thick. */
     assert_true(thud_motion_is_bisectable(&ball, (thud_motion){0.999, 0, 0}, &wall, still));
     assert_false(thud_motion_is_bisectable(&ball, (thud_motion){1.0, 0, 0}, &wall, still));
     assert_true(thud_motion_is_bisectable(&ball, fast, &wall, fast));
 }
 
-/* A bar's end moves by its half length a radian. */
+/* The end of a bar moves by its half length for each radian. */
 static void turn_counts_for_what_is_bisectable(void **state) {
     (void)state;
     thud_shape_instance bar = {.kind = THUD_OBB, .c = 1.0, .hx = 3.0, .hy = 4.0}, upright = bar;
@@ -79,7 +81,7 @@ static void bisection_of_a_turning_bar_is_when_its_end_comes_down(void **state) 
                                                     &collided, &time),
                      THUD_OK);
     assert_true(collided);
-    /* The end is at 1 - 2 sin(turn) - 0.001 cos(turn). */
+    /* The height of the end is 1 - 2 sin(turn) - 0.001 cos(turn). */
     double end = 1.0 - 2.0 * sin(time) - 0.001 * cos(time);
     assert_true(end > 0.0 && end < 1e-8);
 }

@@ -1,4 +1,5 @@
-/* test_circles_approach.c: impact and nearest approach of moving circles against long double. */
+/* test_circles_approach.c: time of impact and nearest approach of moving circles, against formulas
+ * in long double. */
 #include "geometry_exact.h"
 #include "geometry_random.h"
 
@@ -8,17 +9,21 @@
 
 #include <cmocka.h>
 
+/* Cases of a quick run. */
 enum { QUICK = 200000 };
+/* Tolerance of distances, in units of their rounding. Chosen. */
 #define BOUND 8.0
 
+/* A case: two circles in motion; `slack` is the tolerance of distances. */
 typedef struct passing {
     thud_shape_instance a, b;
     thud_motion motion_a, motion_b;
-    vec start, way; /* of b's centre, seen from a's */
+    vec start, way; /* of b's centre, relative to a's */
     double slack;
 } passing;
 
-/* Slow and fast, head-on, grazing, in parallel, at rest against each other, tiny, far away. */
+/* A random case: slow and fast, head-on, grazing, in parallel, at relative rest, tiny, or far from
+ * the origin. */
 static passing draw_passing(source *r, int i) {
     passing p = {draw_shape_of(r, THUD_CIRCLE), draw_shape_of(r, THUD_CIRCLE), .slack = 0.0};
     double speed = exp(draw(r, -3.0, 8.0));
@@ -31,14 +36,14 @@ static passing draw_passing(source *r, int i) {
         p.motion_a = (thud_motion){0};
         p.motion_b = (thud_motion){1.5 * dx, 1.5 * dy, 0.0};
         break;
-    case 1: { /* grazes: the path is a tangent of the sum of both radii */
+    case 1: { /* grazes: the path is a tangent of the circle with the sum of both radii */
         double sine = (p.a.hx + p.b.hx) / distance, cosine = sqrt(fmax(0.0, 1.0 - sine * sine));
         p.motion_a = (thud_motion){0};
         p.motion_b =
             (thud_motion){2.0 * (cosine * dx - sine * dy), 2.0 * (sine * dx + cosine * dy), 0};
         break;
     }
-    case 2: /* keeps its distance */
+    case 2: /* the distance does not change */
         p.motion_b = p.motion_a;
         break;
     case 3: /* a bullet */
@@ -63,7 +68,7 @@ static real distance_at(const passing *p, real t) {
     return length_of(vec_of(p->start.x + t * p->way.x, p->start.y + t * p->way.y));
 }
 
-/* When the centres first are within r, or 2. */
+/* The first time at which the centres are within r, or 2. */
 static real first_within(const passing *p, real r) {
     real a = dot(p->way, p->way), b = dot(p->start, p->way), side = cross(p->way, p->start);
     if (length_of(p->start) <= r) {
@@ -102,7 +107,8 @@ static void impact_of_circles_is_when_the_sum_of_radii_is_reached(void **state) 
         passing p = draw_passing(&r, i);
         thud_approach out;
         assert_int_equal(thud_circles_approach(&p.a, p.motion_a, &p.b, p.motion_b, &out), THUD_OK);
-        /* Radii that differ by a few roundings hit a little earlier and later, or not. */
+        /* With radii that differ by a few roundings the impact is a little earlier or later, or
+         * there is none. */
         real touch = (real)p.a.hx + p.b.hx;
         real early = first_within(&p, touch + p.slack), late = first_within(&p, touch - p.slack);
         real time = out.hit ? out.time : 2.0L;

@@ -1,5 +1,5 @@
-/* test_contacts_by_hand.c: contact points, the least way out of the ground and the nearest
- * approach, against answers worked out by hand. */
+/* test_contacts_by_hand.c: contact points of shapes and ground, the shortest way out of the ground,
+ * and the nearest approach of circles, against answers derived by hand. */
 #include "thud/thud_shapes.h"
 
 #include <math.h>
@@ -25,6 +25,7 @@ static thud_contacts contacts(thud_shape_instance a, thud_shape_instance b, doub
     return c;
 }
 
+/* Asserts the point on a and the distance, and that b's point follows from them and the normal. */
 static void point_is(const thud_closest *c, double ax, double ay, double distance) {
     NEAR(c->ax, ax);
     NEAR(c->ay, ay);
@@ -45,7 +46,7 @@ static void contacts_of_a_box_on_a_box_are_the_ends_of_the_shared_face(void **st
 
 static void contacts_of_a_tilted_box_include_what_is_within_the_margin(void **state) {
     (void)state;
-    /* Tilted by a slope of 3 to 4; its lower corners stand 0 and 1.2 above the floor. */
+    /* Tilted with the slope 3/4; its lower corners are 0 and 1.2 above the floor. */
     thud_shape_instance floor = box(0, -1, 9, 1);
     thud_shape_instance tilted = {
         .kind = THUD_OBB, .x = 0.2, .y = 1.4, .c = 0.8, .s = 0.6, .hx = 1, .hy = 1};
@@ -90,11 +91,11 @@ static void distance_from_ground_is_to_its_nearest_feature(void **state) {
     thud_closest c = closest(box(-3, 7, 1, 1));
     NEAR(c.distance, 2.0);
     NEAR(c.ny, 1.0);
-    c = closest(circle(-9, 8, 2)); /* over the end */
+    c = closest(circle(-9, 8, 2)); /* beyond the end of the terrain */
     NEAR(c.distance, 3.0);
     NEAR(c.nx, -0.6);
     point_is(&c, -6.0, 4.0, 3.0);
-    c = closest(box(-9, -20, 1, 1)); /* beside its side */
+    c = closest(box(-9, -20, 1, 1)); /* beside the side of the ground */
     NEAR(c.distance, 2.0);
     NEAR(c.nx, -1.0);
 }
@@ -114,8 +115,9 @@ static void way_out_of_a_valley_is_between_its_slopes(void **state) {
 
 static void way_out_into_a_corner_touches_what_it_leaves(void **state) {
     (void)state;
-    /* Off the ridge at (-0.5, -0.25), until the gentle slope to the right stops the circle too. The
-     * way there leads a little into that slope's side: it is the ridge that is left. */
+    /* The ball leaves past the ridge at (-0.5, -0.25), until the gentle slope on the right stops it
+     * too. On the way it overlaps the side of that slope a little; the feature that it leaves is
+     * the ridge. */
     const thud_pos points[] = {{-5, -0.5}, {-0.5, -0.25}, {0, -1.25}, {1, -0.875}, {6, 2.25}};
     thud_terrain notch = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 5};
     thud_shape_instance ball = circle(0, 0, 1.23);
@@ -123,7 +125,7 @@ static void way_out_into_a_corner_touches_what_it_leaves(void **state) {
     assert_int_equal(thud_terrain_closest(&notch, &ball, &c), THUD_OK);
     NEAR(c.ax, -0.5);
     NEAR(c.ay, -0.25);
-    /* There it is a radius away from the ridge and from the slope's line, of 5 to 8. */
+    /* At its end the ball is a radius away from the ridge and from the line of the slope, 5/8. */
     double x = -c.nx * c.distance, y = -c.ny * c.distance;
     NEAR(hypot(x + 0.5, y + 0.25), 1.23);
     NEAR((8 * (y + 0.875) - 5 * (x - 1)) / sqrt(89.0), 1.23);
@@ -152,7 +154,7 @@ static void contacts_in_a_valley_have_a_normal_each(void **state) {
 
 static void contacts_of_a_plank_over_a_valley_are_its_outermost(void **state) {
     (void)state;
-    /* It lies on both rims and on the plains, as far as it reaches. */
+    /* It lies on both rims and on the plains along its whole length. */
     thud_shape_instance plank = box(4, 4.5, 9, 0.5);
     thud_contacts c;
     assert_int_equal(thud_terrain_contacts(&ground, &plank, 0.01, &c), THUD_OK);

@@ -1,6 +1,6 @@
-/* test_geometry_shapes.c: distance, overlap, rays and time of impact of random pairs of shapes
- * against dense sampling, in the families where such code goes wrong: touching, one in the other,
- * parallel, corner to corner, needles, and far from the origin. */
+/* test_geometry_shapes.c: distance, overlap, rays and time of impact of random pairs of shapes,
+ * against dense sampling, in the families in which geometry code fails: touching, one inside the
+ * other, parallel, corner to corner, needles, and far from the origin. */
 #include "geometry_random.h"
 
 #include <setjmp.h>
@@ -9,6 +9,8 @@
 
 #include <cmocka.h>
 
+/* Random pairs; samples of an outline; random rays and samples of each; random motions and samples
+ * of each. */
 enum { PAIRS = 12000, OUTLINE = 256, RAYS = 20000, MARCH = 400, MOTIONS = 2500, TIMES = 300 };
 
 typedef struct pair {
@@ -16,13 +18,14 @@ typedef struct pair {
     double scale; /* rounding of the coordinates in use */
 } pair;
 
+/* Moves the pair far away, and its tolerance with it. */
 static void shift(pair *p, double x, double y) {
     p->a.x += x, p->b.x += x;
     p->a.y += y, p->b.y += y;
     p->scale = 1e-9;
 }
 
-/* Moves b along the link until the shapes touch. */
+/* Moves b along the line between the closest points until the shapes touch. */
 static void bring_together(pair *p) {
     thud_closest c;
     assert_int_equal(thud_shapes_closest(&p->a, &p->b, &c), THUD_OK);
@@ -30,6 +33,7 @@ static void bring_together(pair *p) {
     p->b.y -= c.ny * c.distance;
 }
 
+/* A random pair of a family (0: any place). */
 static pair draw_pair(source *r, int family) {
     pair p = {draw_shape(r), draw_shape(r), 1e-12};
     switch (family) {
@@ -72,7 +76,8 @@ static pair draw_pair(source *r, int family) {
     return p;
 }
 
-/* The least distance of a's outline from b, too large by no more than the samples' spacing. */
+/* The least distance of a's sampled outline from b: too large by no more than the samples'
+ * spacing. */
 static double sampled_distance(const pair *p) {
     double best = 1e300;
     for (int i = 0; i < OUTLINE; i++) {
@@ -82,6 +87,7 @@ static double sampled_distance(const pair *p) {
     return best;
 }
 
+/* Asserts that both points are on the outlines, and the distance apart along a unit normal. */
 static void check_points(const pair *p, const thud_closest *c) {
     double on_a = point_distance(&p->a, c->ax - p->a.x, c->ay - p->a.y);
     double on_b = point_distance(&p->b, c->bx - p->b.x, c->by - p->b.y);
@@ -92,7 +98,8 @@ static void check_points(const pair *p, const thud_closest *c) {
     assert_true(fabs(c->by - c->ay - c->ny * c->distance) < p->scale * 10.0);
 }
 
-/* Moving b out along the normal by the depth parts the shapes; by less, no direction does. */
+/* Moving b along the normal by the depth separates the shapes; moving it by less does so in no
+ * direction. */
 static void check_depth(const pair *p, const thud_closest *c) {
     thud_shape_instance moved = p->b;
     double out = -c->distance + p->scale * 10.0;
@@ -170,7 +177,8 @@ static void rays_at_random_shapes_agree_with_marching(void **state) {
             assert_true(f >= 0.0 && f <= 1.0 && f <= first);
             assert_true(fabs(point_distance(&shape, x + f * dx, y + f * dy)) < eps);
             assert_true(nx * dx + ny * dy <= 1e-9 * length);
-            /* Outward: a little along the normal is a little further out. */
+            /* The normal points outward: a little along it, the distance from the shape is greater
+             * by that much. */
             double out = point_distance(&shape, x + f * dx + 1e-6 * nx, y + f * dy + 1e-6 * ny);
             assert_true(fabs(out - 1e-6) < 1e-8);
         }
@@ -231,7 +239,7 @@ static void time_of_impact_of_random_motions_agrees_with_sampled_times(void **st
         }
     }
     assert_true(hits > MOTIONS / 5 && hits < MOTIONS);
-    /* Only a long shape that turns about a near contact may be stopped early. */
+    /* The search may stop early only where a long shape rotates close to a contact. */
     assert_true(exact > hits * 99 / 100);
 }
 

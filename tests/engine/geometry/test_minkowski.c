@@ -1,5 +1,6 @@
 /* test_minkowski.c: Minkowski sums of every pair of kinds against long double, and casts against a
- * search of the least distance along the path. THUD_CASES sets the cases a pair. */
+ * search for the least distance along the path. THUD_CASES of the environment sets the number of
+ * cases for each pair. */
 #include "geometry_pairs.h"
 #include "thud/thud_minkowski.h"
 
@@ -9,22 +10,24 @@
 
 #include <cmocka.h>
 
+/* Cases for each pair of kinds; golden sections of a search. */
 enum { CASES = 20000, SECTIONS = 48 };
 
-/* Roundings of the lengths that go into an answer. */
+/* Tolerance, in roundings of the lengths that an answer is computed from. Chosen. */
 #define BOUND 12.0
 
 #define OK(call) assert_int_equal(call, THUD_OK)
 
+/* A case: a pair with its Minkowski sum; `slack` is the tolerance of distances. */
 typedef struct trial {
     pair p;
-    double x, y; /* b's centre, seen from a's */
+    double x, y; /* b's centre, relative to a's */
     thud_minkowski sum;
     double slack;
 } trial;
 
-/* Calls the check with every pair of kinds, every family, and as many cases as are asked for. The
- * shapes come with a at the origin: where they were, the sum does not depend on. */
+/* Calls `check` for every pair of kinds, every family and that many cases. Shape a is moved to the
+ * origin, as the sum does not depend on its place. */
 static void each_pair(uint64_t seed, int cases, void (*check)(source *r, const trial *t)) {
     for (int kinds = 0; kinds < PAIR_KINDS; kinds++) {
         source r = {seed + kinds};
@@ -42,6 +45,7 @@ static void each_pair(uint64_t seed, int cases, void (*check)(source *r, const t
     }
 }
 
+/* The distance, normal and containment of b's centre against long double. */
 static void check_distance(source *r, const trial *t) {
     (void)r;
     solid a = solid_of(&t->p.a, 0.0, 0.0), b = solid_of(&t->p.b, 0.0, 0.0);
@@ -62,6 +66,7 @@ static void distance_of_every_pair_is_that_of_long_double(void **state) {
     each_pair(1, case_count(CASES), check_distance);
 }
 
+/* How far the shape extends in the direction n (its support function). */
 static real support(const thud_shape_instance *shape, vec n) {
     solid s = solid_of(shape, shape->x, shape->y);
     real most = -1e300L;
@@ -71,6 +76,7 @@ static real support(const thud_shape_instance *shape, vec n) {
     return most + s.radius;
 }
 
+/* The sum's polygon: each face touches both shapes' support, and corners are in order. */
 static void check_polygon(source *r, const trial *t) {
     (void)r;
     const thud_minkowski *m = &t->sum;
@@ -97,7 +103,7 @@ static void faces_of_every_sum_support_both_shapes(void **state) {
     each_pair(11, case_count(CASES), check_polygon);
 }
 
-/* What the engine's own distance is at another place of b. */
+/* The engine's own distance with b at another place. */
 static double distance_at(const trial *t, double x, double y) {
     thud_shape_instance b = t->p.b;
     thud_closest c;
@@ -107,8 +113,8 @@ static double distance_at(const trial *t, double x, double y) {
     return c.distance;
 }
 
-/* The least distance of b from a on its way up to `end`. The distance from a convex set is a convex
- * function along a line, so that golden sections find it (Kiefer 1953). */
+/* The least distance of b from a on its way up to the fraction `end`. The distance from a convex
+ * set is convex along a line, so that golden-section search finds it (Kiefer 1953). */
 static double least_distance(const trial *t, double dx, double dy, double end) {
     const double golden = 0.6180339887498949;
     double low = 0.0, high = end;
@@ -132,8 +138,10 @@ static double least_distance(const trial *t, double dx, double dy, double end) {
     return least;
 }
 
+/* Counts of casts and hits, asserted at the end. */
 static int casts, hits;
 
+/* A random cast against the least distance along its path. */
 static void check_cast(source *r, const trial *t) {
     double reach = draw_below(r, 2) ? 8.0 : 2.0, fraction, nx, ny;
     double dx = draw(r, -reach, reach), dy = draw(r, -reach, reach);
@@ -145,7 +153,7 @@ static void check_cast(source *r, const trial *t) {
         dy = 0.0;
     }
     trial from = *t;
-    if (draw_below(r, 2)) { /* from outside, so that more is hit on the way */
+    if (draw_below(r, 2)) { /* from outside, so that more casts hit */
         from.x -= dx;
         from.y -= dy;
         dx *= 2.0;
@@ -171,7 +179,7 @@ static void check_cast(source *r, const trial *t) {
     assert_true(fabs(distance_at(t, from.x + fraction * dx, from.y + fraction * dy)) < eps);
     assert_true(least_distance(&from, dx, dy, fraction) > -eps);
     assert_true(nx * dx + ny * dy <= eps);
-    /* Outward: no point of the sum lies beyond the edge at the point of impact. */
+    /* The normal points outward: no point of the sum is beyond the edge at the point of impact. */
     vec n = {nx, ny}, there = {(real)from.x + fraction * dx, (real)from.y + fraction * dy};
     assert_true(fabsl(dot(n, there) - support(&t->p.a, n) - support(&t->p.b, n)) < eps);
 }
@@ -183,7 +191,7 @@ static void casts_of_random_motions_agree_with_the_least_distance(void **state) 
     assert_true(hits > casts / 3 && hits < casts * 9 / 10);
 }
 
-/* Turning by next to nothing makes thud_shapes_time_of_impact advance step by step. */
+/* A negligible rotation makes thud_shapes_time_of_impact use conservative advancement. */
 static void check_advancement(source *r, const trial *t) {
     thud_motion m = {draw(r, -4.0, 4.0), draw(r, -4.0, 4.0), 1e-15}, still = {0};
     bool hit, hit_by_steps;
@@ -206,7 +214,8 @@ static void casts_never_come_before_conservative_advancement(void **state) {
     each_pair(31, case_count(CASES / 4), check_advancement);
 }
 
-/* A rounding beside a vertex, the direction from it may be any; the normal must still part them. */
+/* Within a rounding of a vertex the direction from it may be any; the normal must still separate
+ * the shapes. */
 static void normal_at_a_vertex_within_rounding_is_one_that_parts(void **state) {
     (void)state;
     source r = {6};

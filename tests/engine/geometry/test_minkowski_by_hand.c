@@ -1,5 +1,5 @@
-/* test_minkowski_by_hand.c: Minkowski sums worked out by hand, corners and faces that are met
- * exactly, and what is refused. */
+/* test_minkowski_by_hand.c: Minkowski sums derived by hand, casts that hit corners and faces
+ * exactly, and input that is refused. */
 #include "thud/thud_minkowski.h"
 
 #include <math.h>
@@ -94,7 +94,7 @@ static void ray_from_afar_does_not_pass_a_needle_thinner_than_its_rounding(void 
     }
 }
 
-/* Points so near each other that their squared distance is 0 in a double give no direction. */
+/* Points whose squared distance underflows to 0 in a double give no direction. */
 static void impact_on_ground_with_points_next_to_each_other_is_found(void **state) {
     (void)state;
     const thud_pos points[4] = {{-5.0, 0.0}, {0.0, 0.0}, {1e-200, 0.0}, {5.0, 0.0}};
@@ -151,7 +151,7 @@ static void sum_of_needles_near_parallel_loses_no_face(void **state) {
         double f, nx, ny;
         OK(thud_minkowski_sum(&a, &b, &m));
         assert_int_equal(m.count, 8);
-        /* Straight down on it, everywhere along its upper side. */
+        /* Casts straight down onto it, everywhere along its upper side, all hit. */
         for (double x = -1.99; x < 2.0; x += 0.0398) {
             OK(thud_minkowski_cast(&m, x * cos(angle), 5.0, 0.0, -10.0, &hit, &f, &nx, &ny));
             assert_true(hit);

@@ -1,6 +1,6 @@
-/* test_pairs_closest.c: overlap and closest features of every pair of kinds against long double, to
- * eight roundings of the lengths that go into the answer. Far from the origin that is no worse for
- * the distance; points are as coarse as their coordinates. */
+/* test_pairs_closest.c: overlap and closest features of every pair of kinds against long double,
+ * within eight roundings of the lengths that go into the answer. Far from the origin the distance
+ * is as exact; points are as coarse as their coordinates. */
 #include "geometry_pairs.h"
 
 #include <setjmp.h>
@@ -9,7 +9,9 @@
 
 #include <cmocka.h>
 
+/* Cases of a quick run for each pair of kinds. */
 enum { QUICK = 20000 };
+/* Tolerance, in roundings of those lengths. Chosen. */
 #define BOUND 8.0
 
 static bool on_outline(const solid *s, const thud_shape_instance *origin, double x, double y,
@@ -50,6 +52,7 @@ static void check_either_way_round(const pair *p) {
     CHECK_PAIR(p, fabs(there.distance - back.distance) <= BOUND * pair_rounding(p));
 }
 
+/* Calls `check` for every pair of kinds and family. */
 static void each_pair(uint64_t seed, void check(const pair *p)) {
     int count = case_count(QUICK);
     for (int kinds = 0; kinds < PAIR_KINDS; kinds++) {

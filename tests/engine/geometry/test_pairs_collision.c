@@ -1,5 +1,6 @@
-/* test_pairs_collision.c: time of collision by bisection, of every pair of kinds in random motion,
- * against distances in long double. */
+/* test_pairs_collision.c: time of collision by bisection of every pair of kinds in random motion,
+ * against distances in long double: at the time the shapes are apart, and within the tolerance
+ * after it they overlap. */
 #include "geometry_pairs.h"
 
 #include <setjmp.h>
@@ -9,11 +10,13 @@
 #include <cmocka.h>
 
 enum { QUICK = 12000 };
+/* Tolerance, in roundings of the lengths that an answer is computed from. Chosen. */
 #define BOUND 16.0
 
 static int collisions;
 
-/* Where the shapes may or may not touch at an end of the motion, anything goes. */
+/* Where the shapes may or may not touch at the start or the end, within rounding, either answer is
+ * accepted. */
 static void check_collision(const moving *m, double tolerance) {
     double slack = BOUND * (moving_rounding(m) + place_rounding(&m->p)), time;
     bool collided;
@@ -30,7 +33,7 @@ static void check_collision(const moving *m, double tolerance) {
     }
     CHECK_PAIR(&m->p, time >= 0.0 && time < 1.0);
     CHECK_PAIR(&m->p, moving_distance(m, time) >= -slack);
-    /* Halvings of the motion leave a power of two. */
+    /* Halving the motion leaves an interval that is a power of two. */
     double left = exp2(floor(log2(tolerance)));
     CHECK_PAIR(&m->p, moving_distance(m, (real)time + left) <= slack);
     collisions++;
@@ -50,7 +53,7 @@ static void collision_of_every_pair_is_between_apart_and_together(void **state) 
     }
 }
 
-/* Through the middle: at some time both centres are in one place. */
+/* Motions in which both centres are in one place at some time. */
 static void bisectable_motion_through_the_middle_is_never_missed(void **state) {
     (void)state;
     int count = case_count(QUICK), bisectable = 0;
@@ -73,7 +76,8 @@ static void bisectable_motion_through_the_middle_is_never_missed(void **state) {
                 CHECK_PAIR(&m.p,
                            moving_distance(&m, 0.0L) <= 0.0L || moving_distance(&m, 1.0L) <= 0.0L);
             }
-            /* Thickness is twice the half extent: speed in units of that, less rounding, tells. */
+            /* The thickness is twice the half extent: the motion is bisectable below that, but for
+             * rounding. */
             CHECK_PAIR(&m.p, fabs(speed - 2.0) < 1e-9 ||
                                  thud_motion_is_bisectable(a, m.a, b, m.b) == (speed < 2.0));
         }

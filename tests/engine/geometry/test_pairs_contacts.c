@@ -1,5 +1,5 @@
-/* test_pairs_contacts.c: contact points of every pair of kinds. The first must be the closest
- * features; for a second the faces are clipped against each other in long double. */
+/* test_pairs_contacts.c: contact points of every pair of kinds. The first must be at the closest
+ * features; for the second, the faces are clipped against each other in long double. */
 #include "geometry_pairs.h"
 
 #include <setjmp.h>
@@ -9,9 +9,10 @@
 #include <cmocka.h>
 
 enum { QUICK = 30000 };
+/* Tolerance, in roundings of the lengths that an answer is computed from. Chosen. */
 #define BOUND 16.0
-/* Faces that are turned against each other by no more, in radians, are parallel; between this and
- * ten times more the engine may see it one way or the other. */
+/* Sine of the angle up to which faces are parallel for the engine; up to ten times more, either
+ * answer is accepted. */
 #define ALIGNED 3e-8
 
 /* A place in the frame of the normal: along the face, and above it. */
@@ -19,18 +20,20 @@ typedef struct spot {
     real along, above;
 } spot;
 
+/* The place p in the frame of the normal n. */
 static spot spot_of(vec n, vec p) {
     return (spot){n.x * p.y - n.y * p.x, dot(n, p)};
 }
 
-/* How much the side's outward normal, turned into the direction n, is off, as a sine. */
+/* By how much the side's outward normal differs from the direction n, as a sine; 2 where it points
+ * away from n. */
 static real off_normal(const solid *s, int side, vec n) {
     vec d = unit(minus(s->v[(side + 1) % 4], s->v[side]));
     return cross(n, d) > 0.0L ? fabsl(dot(n, d)) : 2.0L;
 }
 
-/* May the engine's second point, or its absence, come from this side as the face that looks along n
- * and that side of the other box as the one over it? */
+/* Whether the engine's second point, or its absence (null), is explained by clipping the other
+ * box's side `over` to the side `side` of `face`, whose normal is n. */
 static bool explains(const solid *face, int side, const solid *other, int over, vec n, vec first,
                      real margin, real slack, const vec *second) {
     spot p = spot_of(n, minus(face->v[side], first));
@@ -62,7 +65,8 @@ static bool explains(const solid *face, int side, const solid *other, int over, 
     return false;
 }
 
-/* All the ways to take a face and what is over it. n points from `face`; `first` is on it. */
+/* Tries all sides that may be the face and the one opposite. n points away from `face`; `first` is
+ * a point on it. */
 static bool some_side_explains(const solid *face, const solid *other, vec n, vec first, real margin,
                                real slack, const vec *second) {
     vec back = {-n.x, -n.y};
@@ -82,6 +86,7 @@ static bool some_side_explains(const solid *face, const solid *other, vec n, vec
     return false;
 }
 
+/* Whether a side of the box has the normal n. */
 static bool has_face_along(const solid *s, vec n, real slack) {
     for (int i = 0; i < 4 && s->count == 4; i++) {
         if (off_normal(s, i, n) <= slack) {
@@ -91,6 +96,7 @@ static bool has_face_along(const solid *s, vec n, real slack) {
     return false;
 }
 
+/* Asserts that the second point, or its absence, is explained by clipping some face. */
 static void check_second(const pair *p, const thud_contacts *c, real margin, real slack) {
     const thud_closest *one = &c->point[0], *two = &c->point[1];
     double x = p->a.x, y = p->a.y;
@@ -117,6 +123,7 @@ static void check_second(const pair *p, const thud_contacts *c, real margin, rea
     }
 }
 
+/* How many pairs had a second point. */
 static int seconds;
 
 static void check_contacts(const pair *p, double margin) {

@@ -1,11 +1,10 @@
-/* test_pairs_impact.c: time of impact and time of collision of every pair of kinds in random
- * motion.
+/* test_pairs_impact.c: time of impact of every pair of kinds in random motion.
  *
- * Without turning, the exact time is that at which a point enters the pair's rounded sum, in long
- * double. Whether shapes that graze each other meet is a rounding's choice, so the time is held
- * between those of shapes a few roundings thicker and thinner. With turning there is no closed
- * form: at the time that is found the shapes must be as near as they should be, and steps through
- * the time before, none longer than the distance allows, must find them further apart. */
+ * Without rotation, the exact time is that at which a point enters the pair's rounded Minkowski
+ * difference, in long double. Whether grazing shapes meet depends on rounding, so the time is
+ * bounded by those of shapes that are a few roundings thicker and thinner. With rotation there is
+ * no closed form: at the time that is found the shapes must be at the target distance, and sampled
+ * at steps no longer than the distance allows, they must be farther apart before. */
 #include "geometry_pairs.h"
 
 #include <setjmp.h>
@@ -14,19 +13,23 @@
 
 #include <cmocka.h>
 
+/* Cases for each pair of kinds in a quick run, without and with rotation; the shortest step of a
+ * search is 1/STEPS of the motion. */
 enum { QUICK = 12000, QUICK_TURNING = 600, STEPS = 1000 };
+/* Tolerance, in roundings of the lengths that an answer is computed from. Chosen. */
 #define BOUND 16.0
 
-/* ---- without turning ---- */
+/* ---- without rotation ---- */
 
 static int hits;
 
+/* Asserts that the time is between those of the thicker and the thinner pair. */
 static void check_translating(const moving *m) {
     double slack = BOUND * moving_rounding(m), time;
     bool hit;
     solid a = solid_of(&m->p.a, m->p.a.x, m->p.a.y), b = solid_of(&m->p.b, m->p.a.x, m->p.a.y);
     sum h = sum_of(&a, &b);
-    /* b comes nearer by what the origin moves towards the sum. */
+    /* b approaches a as the origin moves towards the Minkowski difference. */
     vec way = {(real)m->a.dx - m->b.dx, (real)m->a.dy - m->b.dy};
     real early = enters(&h, h.radius + m->target + slack, way);
     real late = enters(&h, h.radius + m->target - slack, way);
@@ -53,8 +56,8 @@ static void impact_without_turning_is_that_of_long_double(void **state) {
     }
 }
 
-/* Faces that are parallel but for a rounding: b lies over all places of a's, within the target; and
- * falls to there from 1 above. */
+/* Faces that are parallel but for rounding. b falls from 1 above a, at any place along it, to
+ * within the target. */
 static void impact_of_flush_boxes_with_a_target_is_never_missed(void **state) {
     (void)state;
     for (int i = 1; i < 400; i++) {
@@ -81,9 +84,9 @@ static void impact_of_flush_boxes_with_a_target_is_never_missed(void **state) {
     }
 }
 
-/* ---- with turning ---- */
+/* ---- with rotation ---- */
 
-/* The fastest that the shapes' distance may change. */
+/* An upper bound of the rate at which the shapes' distance changes. */
 static real fastest(const moving *m) {
     real reach_a = m->p.a.kind == THUD_OBB ? hypotl(m->p.a.hx, m->p.a.hy) : 0.0L;
     real reach_b = m->p.b.kind == THUD_OBB ? hypotl(m->p.b.hx, m->p.b.hy) : 0.0L;
@@ -91,8 +94,8 @@ static real fastest(const moving *m) {
            fabsl(m->b.turn) * reach_b;
 }
 
-/* Are the shapes no nearer than `least` until `end`? Steps that the distance allows, but no shorter
- * than a thousandth: where they graze each other, what is nearer for less time is not seen. */
+/* Whether the shapes stay at least `least` apart until `end`, by steps that the distance allows,
+ * but at least 1/STEPS: grazing that lasts less is not seen. */
 static bool apart_until(const moving *m, real least, real end) {
     real speed = fastest(m);
     for (real t = 0.0L; t < end;) {
@@ -105,8 +108,10 @@ static bool apart_until(const moving *m, real least, real end) {
     return true;
 }
 
+/* Impacts at which the search ended farther away than the target. */
 static int stopped_early;
 
+/* Asserts that the shapes are at the target distance at the time, and farther apart before. */
 static void check_turning(const moving *m) {
     double size = m->p.a.hx + m->p.a.hy + m->p.b.hx + m->p.b.hy;
     double slack = 1.1e-10 * size + BOUND * moving_rounding(m), time;
@@ -135,7 +140,7 @@ static void impact_with_turning_comes_no_later_and_no_earlier(void **state) {
             check_turning(&m);
         }
         assert_true(hits > count / 5 && hits < count);
-        /* Shapes that turn close by each other for long may use up the search's jumps. */
+        /* Shapes that rotate close to each other for long may use up the search's iterations. */
         assert_true(stopped_early * 5000 <= hits);
     }
 }

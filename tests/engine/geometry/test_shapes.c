@@ -1,4 +1,4 @@
-/* test_shapes.c: circles and boxes against answers worked out by hand, and what is refused. */
+/* test_shapes.c: circles and boxes against answers derived by hand, and input that is refused. */
 #include "thud/thud_shapes.h"
 #include "base/trig.h"
 
@@ -29,6 +29,7 @@ static thud_closest closest(thud_shape_instance a, thud_shape_instance b) {
     return c;
 }
 
+/* The time of impact with a shape b at rest, or 2 where there is none. */
 static double impact(thud_shape_instance a, thud_motion ma, thud_shape_instance b, double target) {
     bool hit;
     double time;
@@ -84,7 +85,7 @@ static void placed_check_refuses_what_no_shape_can_be(void **state) {
     bad[2].hx = 0.0;
     bad[3].hy = -1.0;
     bad[4].hx = NAN;
-    bad[5].c = 1.0; /* with that sine no unit vector */
+    bad[5].c = 1.0; /* with that sine not a unit vector */
     bad[6].kind = THUD_TERRAIN;
     bad[7].kind = (thud_shape_kind)-1;
     bad[8].hy = INFINITY;
@@ -238,7 +239,8 @@ static void ray_from_a_million_away_finds_a_small_circle_edge(void **state) {
 
 static void impact_of_circles_is_exact(void **state) {
     (void)state;
-    /* Off-centre by 1 with radii 1 + 1: they touch where the centres are sqrt(3) apart in x. */
+    /* With an offset of 1 and radii 1 and 1, they touch where the centres are sqrt(3) apart in
+     * x. */
     NEAR(impact(circle(-5, 1, 1), (thud_motion){10, 0, 0}, circle(0, 0, 1), 0.0),
          (5.0 - sqrt(3.0)) / 10.0);
     NEAR(impact(circle(-5, 0, 1), (thud_motion){10, 0, 0}, circle(0, 0, 1), 0.5), 0.25);
@@ -260,7 +262,7 @@ static void impact_of_shapes_within_target_is_at_zero(void **state) {
 
 static void impact_of_turning_bar_is_when_its_end_comes_down(void **state) {
     (void)state;
-    /* A bar of half length 2 turns through half a turn above a floor 1 below its centre. */
+    /* A bar of half length 2 rotates by half a turn above a floor that is 1 below its centre. */
     double time = impact(turned(0, 1, 2, 1e-6, 0.0), (thud_motion){0, 0, -3.14159265358979},
                          box(0, -1, 9, 1), 0.0);
     assert_true(fabs(time - 1.0 / 6.0) < 1e-5);
@@ -273,7 +275,7 @@ static void impact_heeds_turn_of_obb_alone(void **state) {
 
 static void results_far_away_are_those_at_home(void **state) {
     (void)state;
-    /* Whole numbers are exact at a million: the same bits come out. */
+    /* Whole numbers are exact at a million, so the results have the same bits. */
     thud_closest home = closest(turned(0, 0, 1, 2, 0.7), box(4, 1, 0.5, 0.25));
     thud_closest away =
         closest(turned(1048576, -1048576, 1, 2, 0.7), box(1048580, -1048575, 0.5, 0.25));

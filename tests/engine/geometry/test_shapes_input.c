@@ -1,5 +1,5 @@
-/* test_shapes_input.c: every function of thud_shapes.h refuses what it cannot work with, with its
- * result code or with false, and then leaves its outputs as they were. */
+/* test_shapes_input.c: every function of thud_shapes.h refuses invalid input with its result code
+ * or with false, and leaves its outputs unchanged. */
 #include "thud/thud_shapes.h"
 
 #include <math.h>
@@ -29,7 +29,7 @@ static const thud_shape_instance bad_shapes[] = {
     {.kind = THUD_AABB, .c = 1.0, .hx = 1.0, .hy = -1.0},
     {.kind = THUD_AABB, .c = 1.0, .hx = NAN, .hy = 1.0},
     {.kind = THUD_AABB, .c = 1.0, .hx = 1.0, .hy = INFINITY},
-    {.kind = THUD_AABB, .c = 0.6, .s = 0.8, .hx = 1.0, .hy = 1.0}, /* turned */
+    {.kind = THUD_AABB, .c = 0.6, .s = 0.8, .hx = 1.0, .hy = 1.0}, /* rotated, as an AABB is not */
     {.kind = THUD_AABB, .x = INFINITY, .c = 1.0, .hx = 1.0, .hy = 1.0},
     {.kind = THUD_OBB, .c = 1.0, .hx = 0.0, .hy = 1.0},
     {.kind = THUD_OBB, .c = 1.0, .hx = 1.0, .hy = NAN},
@@ -49,7 +49,7 @@ static const thud_motion bad_motions[] = {
 static const double bad_lengths[] = {-1.0, -1e-300, NAN, INFINITY, -INFINITY};
 static const double bad_tolerances[] = {0.0, -1.0, 1e-16, 1.001, NAN, INFINITY};
 
-/* What every function sees at once; what thud_terrain_check alone looks for comes below. */
+/* Invalid for every function; what only thud_terrain_check finds is below. */
 static const thud_terrain bad_terrains[] = {
     {.kind = (thud_terrain_kind)-1, .points = hill, .count = 3},
     {.kind = (thud_terrain_kind)3, .points = hill, .count = 3},
@@ -74,7 +74,7 @@ static const thud_terrain without_points[] = {
     {.kind = THUD_TERRAIN_IRREGULAR, .count = 3},
 };
 
-/* All outputs that there are, filled with a pattern that no call writes. */
+/* All outputs of the functions, filled with a byte pattern to detect writes. */
 typedef struct outputs {
     thud_closest closest;
     thud_contacts contacts;
@@ -201,6 +201,7 @@ static void functions_of_terrain_refuse_impossible_shapes(void **state) {
     }
 }
 
+/* Asserts that every function of terrains refuses this one. */
 static void refuse_ground(const thud_terrain *t, thud_result code) {
     int first = 5, last = 9;
     REFUSES(code, thud_terrain_check(t));
@@ -211,7 +212,7 @@ static void refuse_ground(const thud_terrain *t, thud_result code) {
     REFUSES(code, thud_terrain_contacts(t, &ball, 0.0, &out.contacts));
     REFUSES(code, thud_terrain_time_of_impact(t, &ball, still, 0.0, &out.hit, &out.time));
     REFUSES(code, thud_terrain_time_of_collision(t, &ball, still, 0.1, &out.hit, &out.time));
-    /* This one has no code; it names no segment. */
+    /* This function has no result code; it returns an empty range. */
     thud_terrain_segments(t, 0.0, 9.0, &first, &last);
     assert_true(first > last);
 }
@@ -240,7 +241,7 @@ static void terrain_check_refuses_lines_that_go_back_or_are_no_number(void **sta
         t.spacing = 1.0;
         bool height = isfinite(lines[i][0].y + lines[i][1].y + lines[i][2].y);
         assert_int_equal(thud_terrain_check(&t), height ? THUD_OK : THUD_ERROR_INVALID);
-        /* The others do not look at every vertex, but they come to an end. */
+        /* The other functions do not check every vertex, but they terminate. */
         for (int k = 0; k < 2; k++, t.kind = THUD_TERRAIN_IRREGULAR) {
             for (int y = -2; y <= 2; y++) {
                 thud_shape_instance low = ball;

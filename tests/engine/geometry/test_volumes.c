@@ -1,7 +1,7 @@
-/* test_volumes.c: bounding volumes of random shapes, motions, points and ground lines against what
- * they are around, sampled; against the smallest there are, by brute force; and against each other.
- * Nothing that is in a volume may be missed, not for a rounding: those checks have no tolerance.
- * THUD_CASES sets the cases a pair. */
+/* test_volumes.c: bounding volumes of random shapes, motions, points and terrains: against samples
+ * of what they enclose, against the smallest volume by brute force, and against each other.
+ * Everything enclosed must be inside, also within rounding: those checks have no tolerance.
+ * THUD_CASES of the environment sets the number of cases for each pair. */
 #include "geometry_pairs.h"
 #include "thud/thud_volumes.h"
 
@@ -11,10 +11,13 @@
 
 #include <cmocka.h>
 
+/* Cases for each pair of kinds; kinds of volumes; points of a cloud at most; angles of the search
+ * for the smallest box. */
 enum { CASES = 20000, KINDS = THUD_OBB + 1, CLOUD = 40, ANGLES = 720 };
 
 #define OK(call) assert_int_equal(call, THUD_OK)
 
+/* Whether volumes overlap, which must not depend on their order. */
 static bool overlap(const thud_volume *a, const thud_volume *b) {
     bool yes, back;
     OK(thud_volumes_overlap(a, b, &yes));
@@ -39,7 +42,7 @@ static double area(const thud_volume *v) {
     return v->kind == THUD_CIRCLE ? 3.141592653589793 * v->hx * v->hx : 4.0 * v->hx * v->hy;
 }
 
-/* How large roundings are where the shape is. */
+/* A bound of rounding errors at the shape's place. */
 static double rounding(const thud_shape_instance *shape) {
     return 1e-14 * (1.0 + fabs(shape->x) + fabs(shape->y) + shape->hx + shape->hy);
 }
@@ -51,7 +54,7 @@ static thud_volume around_shape(thud_shape_kind kind, const thud_shape_instance 
     return v;
 }
 
-/* Calls the check with every pair of kinds, every family, and as many cases as are asked for. */
+/* Calls `check` for every pair of kinds, every family and that many cases. */
 static void each_pair(uint64_t seed, int cases, void (*check)(source *r, const pair *p)) {
     for (int kinds = 0; kinds < PAIR_KINDS; kinds++) {
         source r = {seed + kinds};
@@ -81,7 +84,7 @@ static void overlap_of_every_pair_is_that_of_long_double(void **state) {
     each_pair(1, case_count(CASES), check_overlap);
 }
 
-/* Of each kind around either, the volumes overlap if the shapes do. */
+/* Where shapes overlap, volumes of every kind around them overlap. */
 static void check_no_miss(source *r, const pair *p) {
     (void)r;
     bool touch = exact_distance(p) <= 0.0L;
@@ -101,7 +104,7 @@ static void check_contains(source *r, const pair *p) {
     const thud_shape_instance *a = &p->a, *b = &p->b;
     bool inside = contains(a, b);
     double eps = rounding(a) + rounding(b), most = -1e300;
-    /* The most that b reaches out of a: at a corner, or on the far side of a circle. */
+    /* How far b extends beyond a at most: at a corner, or on the far side of a circle. */
     for (int i = 0; i < 64; i++) {
         thud_pos o = outline(b, i / 64.0);
         most = fmax(most, point_distance(a, b->x - a->x + o.x, b->y - a->y + o.y));
@@ -135,7 +138,7 @@ static void check_around_shape(source *r, const pair *p) {
         height = fmax(height, fabs(o.y));
         far = fmax(far, sqrt(o.x * o.x + o.y * o.y));
     }
-    /* All touch it, so that none could be smaller about the same centre. */
+    /* The shape touches all of them, so none could be smaller about the same centre. */
     assert_true(fabs(upright.hx - width) < eps && fabs(upright.hy - height) < eps);
     assert_true(fabs(circle.hx - far) < eps);
     double smallest = a->kind == THUD_CIRCLE ? 4.0 * a->hx * a->hx : area(a);
@@ -147,12 +150,14 @@ static void volumes_of_every_shape_are_the_smallest(void **state) {
     each_pair(4, case_count(CASES / 4), check_around_shape);
 }
 
+/* A random motion, with up to some turns of rotation. */
 static thud_motion draw_motion(source *r) {
     const double turns[] = {0.0, 0.1, 1.5, 4.0, 30.0};
     double reach = draw_below(r, 4) ? 3.0 : 0.0, turn = turns[draw_below(r, 5)];
     return (thud_motion){draw(r, -reach, reach), draw(r, -reach, reach), draw(r, -turn, turn)};
 }
 
+/* Volumes around a motion contain the shape at sampled times, and are not much larger. */
 static void check_around_motion(source *r, const pair *both) {
     const thud_shape_instance *shape = &both->a;
     thud_motion m = draw_motion(r);
@@ -171,7 +176,8 @@ static void check_around_motion(source *r, const pair *both) {
         p.x += m.dx * t;
         p.y += m.dy * t;
         for (int kind = 0; kind < KINDS; kind++) {
-            /* The sampled place is rounded far from the origin, and the check leaves no room. */
+            /* The sampled place is rounded far from the origin, and the check itself has no
+             * tolerance: the sample is made smaller by that. */
             thud_shape_instance middle = p;
             middle.hx -= fmin(eps, 0.5 * p.hx);
             middle.hy -= fmin(eps, 0.5 * p.hy);
@@ -183,7 +189,7 @@ static void check_around_motion(source *r, const pair *both) {
     }
     assert_true(v[THUD_AABB].hx >= width + 0.5 * fabs(m.dx) - eps);
     assert_true(area(&v[THUD_OBB]) <= area(&v[THUD_AABB]) + eps);
-    if (fabs(m.turn) < 0.1) { /* dense enough to find the widest within a percent */
+    if (fabs(m.turn) < 0.1) { /* sampled densely enough to find the greatest width within 1 % */
         double thick = shape->hx + shape->hy;
         assert_true(v[THUD_AABB].hx <= width + 0.5 * fabs(m.dx) + 0.01 * thick + eps);
         assert_true(v[THUD_AABB].hy <= height + 0.5 * fabs(m.dy) + 0.01 * thick + eps);
@@ -195,6 +201,7 @@ static void volumes_of_random_motions_hold_every_place_on_the_way(void **state) 
     each_pair(5, case_count(CASES / 20), check_around_motion);
 }
 
+/* Merged volumes contain both. */
 static void check_merge(source *r, const pair *p) {
     (void)r;
     const thud_shape_instance *a = &p->a, *b = &p->b;
@@ -225,7 +232,8 @@ static void merged_volumes_of_random_pairs_hold_both(void **state) {
     each_pair(6, case_count(CASES / 8), check_merge);
 }
 
-/* Points anywhere, in one place, on a line, on a ring, on a grid, in a needle, far away. */
+/* Random points: anywhere, in one place, on a line, on a ring, on a grid, in a needle, or far
+ * away. */
 static int draw_cloud(source *r, int family, thud_pos *points) {
     int count = 1 + draw_below(r, CLOUD);
     double angle = draw(r, -4.0, 4.0), c = cos(angle), s = sin(angle);
@@ -258,7 +266,8 @@ static int draw_cloud(source *r, int family, thud_pos *points) {
     return count;
 }
 
-/* A circle through two or three of the points that holds all is the smallest of those that do. */
+/* By brute force: of the circles through two or three of the points that contain all, the
+ * smallest. */
 static double smallest_radius(const thud_pos *p, int count) {
     double best = count > 1 ? 1e300 : 0.0;
     for (int i = 0; i < count; i++) {
@@ -282,6 +291,7 @@ static double smallest_radius(const thud_pos *p, int count) {
     return best;
 }
 
+/* The smallest area of a box around the points, over ANGLES angles. */
 static double smallest_sampled_area(const thud_pos *p, int count) {
     double best = 1e300;
     for (int i = 0; i < ANGLES; i++) {
@@ -323,7 +333,7 @@ static void volumes_of_random_points_hold_all_and_are_the_smallest(void **state)
         if (i % 16 == 1) {
             assert_true(area(&v[THUD_OBB]) <= smallest_sampled_area(p, count) + eps);
         }
-        if (family == 1 || family == 2) { /* a place and a line have no area */
+        if (family == 1 || family == 2) { /* a point and a line have no area */
             assert_true(v[THUD_OBB].hy < eps || v[THUD_OBB].hx < eps);
         }
     }
@@ -356,7 +366,7 @@ static void volumes_of_random_ground_hold_every_height(void **state) {
                     seen++;
                     least = fmin(least, at.height);
                     most = fmax(most, at.height);
-                    /* Between vertices, the height is a rounding off the straight line. */
+                    /* Between vertices, the height differs from the straight line by rounding. */
                     thud_volume v_near = v;
                     v_near.hx += 1e-13 + 4e-16 * far;
                     v_near.hy += 1e-13 + 4e-16 * far;
@@ -365,7 +375,8 @@ static void volumes_of_random_ground_hold_every_height(void **state) {
             }
             assert_true(result == THUD_OK || (seen == 0 && v.hx == -1.0));
             if (result == THUD_OK && kind == THUD_AABB && seen == 201) {
-                /* Between two samples the line rises by no more than its steepest segment does. */
+                /* Between two samples the line rises by no more than its steepest segment
+                 * allows. */
                 double steep = (high - low) / 200.0 * (t.kind == THUD_TERRAIN_FLAT ? 0.0 : 90.0);
                 assert_true(fabs(v.hx - 0.5 * (high - low)) < 1e-7);
                 assert_true(fabs(v.hy - 0.5 * (most - least)) < steep + 1e-7);

@@ -1,4 +1,4 @@
-/* test_volumes_by_hand.c: bounding volumes worked out by hand, degenerate ones, and what is
+/* test_volumes_by_hand.c: bounding volumes derived by hand, degenerate ones, and input that is
  * refused. */
 #include "volumes_support.h"
 
@@ -25,8 +25,8 @@ static void obb_around_obb_is_itself(void **state) {
 
 static void aabb_around_turning_bar_is_widest_on_the_way(void **state) {
     (void)state;
-    /* A bar of half length 2 from 45 degrees before to 45 degrees after level: it is widest, 2, in
-     * the middle, where neither of its ends shows it. */
+    /* A bar of half length 2 rotates from -45 to +45 degrees: its extent is greatest, 2, in the
+     * middle and not at an end of the motion. */
     thud_shape_instance bar = turned(2.0, 1e-9, -0.78539816339744831);
     thud_volume v;
     OK(thud_volume_around_motion(THUD_AABB, &bar, (thud_motion){0.0, 0.0, 1.5707963267948966}, &v));
@@ -174,7 +174,7 @@ static void merge_into_an_input_is_allowed(void **state) {
     OK(thud_volume_merge(THUD_CIRCLE, &a, &b, &a));
     NEAR(a.x, 2.5);
     NEAR(a.hx, 3.5);
-    OK(thud_volume_merge(THUD_CIRCLE, &a, &b, &b)); /* one in the other */
+    OK(thud_volume_merge(THUD_CIRCLE, &a, &b, &b)); /* one is inside of the other */
     NEAR(b.x, 2.5);
     NEAR(b.hx, 3.5);
 }
@@ -187,7 +187,7 @@ static void merged_obbs_in_a_row_stay_as_thin_as_they_are(void **state) {
     OK(thud_volume_merge(THUD_OBB, &a, &b, &v));
     NEAR(v.hx, 4.5);
     NEAR(v.hy, 0.5);
-    /* Side by side: in their own direction, across the line from centre to centre. */
+    /* Side by side: the merged box keeps their direction, across the line between their centres. */
     b.x = -0.8 + 0.06;
     b.y = 0.6 + 0.08;
     OK(thud_volume_merge(THUD_OBB, &a, &b, &v));

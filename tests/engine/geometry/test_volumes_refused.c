@@ -1,9 +1,10 @@
-/* test_volumes_refused.c: volumes that cannot be, and calls that lack something, change nothing. */
+/* test_volumes_refused.c: invalid volumes and calls with invalid arguments are refused and change
+ * nothing. */
 #include "volumes_support.h"
 
 static const thud_pos corner = {1.0, 1.0};
 
-/* Calls every function with the volume among its input; all must refuse and change nothing. */
+/* Calls every function with this volume as an input; all must refuse it and change nothing. */
 static void refused_by_all(const thud_volume *bad) {
     thud_volume out = square;
     bool yes = true;
@@ -35,9 +36,9 @@ static void volumes_that_cannot_be_are_refused_and_change_nothing(void **state) 
     bad[2].hx = -1.0;
     bad[3].hy = NAN;
     bad[4].hx = 1e17;
-    bad[5].c = 1.0; /* with that sine no unit vector */
+    bad[5].c = 1.0; /* with that sine not a unit vector */
     bad[6].kind = THUD_TERRAIN;
-    bad[7].kind = THUD_AABB; /* which does not turn */
+    bad[7].kind = THUD_AABB; /* rotated, as an AABB is not */
     for (int i = 0; i < 8; i++) {
         refused_by_all(&bad[i]);
     }
@@ -48,7 +49,7 @@ static void values_out_of_range_are_refused_and_change_nothing(void **state) {
     thud_volume out = square;
     thud_shape_instance flat = square;
     bool yes = true;
-    flat.hy = 0.0; /* a volume, but no shape */
+    flat.hy = 0.0; /* valid as a volume, but not as a shape */
     OK(thud_volume_check(&flat));
     thud_terrain ground = {.kind = THUD_TERRAIN_FLAT}, short_line = {.kind = THUD_TERRAIN_UNIFORM};
     const thud_pos points[2] = {{0.0, 0.0}, {1.0, NAN}}, level[2] = {{0.0, 1.0}, {9.0, 1.0}};

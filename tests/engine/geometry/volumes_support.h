@@ -1,4 +1,4 @@
-/* volumes_support.h: shapes whose bounding volumes are known. */
+/* volumes_support.h: shapes whose bounding volumes are known, for the tests of volumes. */
 #ifndef VOLUMES_SUPPORT_H
 #define VOLUMES_SUPPORT_H
 

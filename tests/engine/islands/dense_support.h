@@ -1,5 +1,5 @@
-/* dense_support.h: symmetric positive definite matrices on graphs of any form, and their factors by
- * Cholesky in full: what sparse ones have to agree with. */
+/* dense_support.h: symmetric positive definite matrices on graphs of any form, and a dense Cholesky
+ * solver in long double, as the reference for the sparse factorisation. */
 #ifndef DENSE_SUPPORT_H
 #define DENSE_SUPPORT_H
 
@@ -7,18 +7,19 @@
 
 enum { NODES_MOST = 80, EDGES_MOST = NODES_MOST * NODES_MOST };
 
-/* Which nodes are tied. */
+/* Edges: which nodes are coupled. */
 typedef struct graph {
     int nodes, edges;
     int edge[EDGES_MOST][2];
 } graph;
 
-/* The same matrix in full, and a right side. */
+/* The same matrix as a dense one, and a right-hand side. */
 typedef struct dense {
-    int size; /* numbers a row */
+    int size; /* rows */
     long double at[3 * NODES_MOST][3 * NODES_MOST], right[3 * NODES_MOST];
 } dense;
 
+/* The current graph, and its dense matrix. */
 static graph g;
 static dense full;
 
@@ -41,7 +42,8 @@ static inline void make_ring(int nodes) {
     tie(nodes - 1, 0);
 }
 
-/* The middle one comes first, where an order by number would fill in everything. */
+/* A star whose hub is node 0: eliminating nodes in the order of their numbers would fill in
+ * everything. */
 static inline void make_star(int nodes) {
     g = (graph){.nodes = nodes};
     for (int i = 1; i < nodes; i++) {
@@ -70,7 +72,7 @@ static inline void make_grid(int side) {
     }
 }
 
-/* Some of its nodes may stand alone. */
+/* Some nodes may have no edge. */
 static inline void make_random(int nodes, double share, uint64_t *seed) {
     g = (graph){.nodes = nodes};
     for (int i = 0; i < nodes; i++) {
@@ -84,8 +86,7 @@ static inline void make_random(int nodes, double share, uint64_t *seed) {
 
 /* ---- matrices ---- */
 
-/* Each row outweighs what stands beside its diagonal; nodes weigh up to 10^4 times as much as
- * others. */
+/* Fills a matrix with a dominant diagonal; nodes' scales differ by up to 10^4. */
 static inline void fill_dense(uint64_t *seed) {
     full = (dense){.size = 3 * g.nodes};
     double scale[NODES_MOST];
@@ -113,7 +114,7 @@ static inline void fill_dense(uint64_t *seed) {
     }
 }
 
-/* Cholesky's, in place of `at`, and the solution in place of `right`. */
+/* Cholesky: the factor replaces `at`, and the solution replaces `right`. */
 static inline void solve_dense(void) {
     for (int i = 0; i < full.size; i++) {
         for (int k = 0; k <= i; k++) {

@@ -1,7 +1,7 @@
-/* test_direct.c: the direct solver on problems whose answers are known. */
+/* test_direct.c: the direct solver on problems whose impulses and velocities are known by hand. */
 #include "direct_support.h"
 
-/* A problem of so many boxes of mass 1, each on the one before, the first on the ground. */
+/* A column of boxes of mass 1, each on the one before, the first on the ground. */
 static void make_column(problem *p, int boxes, double friction) {
     begin_problem(p);
     for (int i = 0; i < boxes; i++) {
@@ -25,7 +25,7 @@ static void direct_column_bears_what_is_above(void **state) {
     make_column(&p, 30, 0.6);
     assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
     assert_solved(&p, TOLERANCE);
-    /* Each may sink into the one below as fast as the tolerance says. */
+    /* Each contact may close by the tolerance. */
     assert_at_rest(&p, 30 * TOLERANCE);
     for (int i = 0; i < 30; i++) {
         near_to(load_of(&p.contacts[i]), (30 - i) * UNIT_SPEED, 30 * 30 / 2 * TOLERANCE);
@@ -33,7 +33,7 @@ static void direct_column_bears_what_is_above(void **state) {
     end_problem(&p);
 }
 
-/* From the impulses of the step before. */
+/* Warm-started with the impulses of the first solution. */
 static void direct_column_at_rest_takes_one_matrix(void **state) {
     (void)state;
     problem p;
@@ -46,8 +46,8 @@ static void direct_column_at_rest_takes_one_matrix(void **state) {
     end_problem(&p);
 }
 
-/* Light under heavy, with ratios of up to 10^6: to a thousandth of what the light one's own weight
- * would be. */
+/* A light box under a heavy one, with mass ratios up to 10^6. The tolerance is a thousandth of the
+ * velocity that gravity gives the light one. */
 static void direct_heavy_on_light_rests(void **state) {
     (void)state;
     for (double mass = 1; mass <= 1e6; mass *= 10) {
@@ -66,8 +66,8 @@ static void direct_heavy_on_light_rests(void **state) {
     }
 }
 
-/* A box of mass 4 on two small ones of 1, at -1 and at 1, with its centre at 0.5: by the lever law
- * a quarter of it rests on the left one. */
+/* A plank of mass 4 on two boxes of mass 1, at -1 and 1, with its centre at 0.5: by the lever law
+ * the left one carries a quarter. */
 static void direct_plank_shares_its_load_by_the_lever_law(void **state) {
     (void)state;
     for (int interior = 0; interior < 2; interior++) {
@@ -93,7 +93,7 @@ static void direct_plank_shares_its_load_by_the_lever_law(void **state) {
     }
 }
 
-/* A box that slides: its friction is the coefficient times its weight, against the motion. */
+/* Friction on a sliding box is the coefficient times its weight, against the motion. */
 static void direct_slider_loses_what_friction_takes(void **state) {
     (void)state;
     for (int side = -1; side <= 1; side += 2) {
@@ -109,7 +109,8 @@ static void direct_slider_loses_what_friction_takes(void **state) {
     }
 }
 
-/* What is slow enough stops, and what pushes less than friction holds does not begin to move. */
+/* A box that is slow enough stops, and one that is pushed by less than the friction bound does not
+ * move. */
 static void direct_box_sticks_below_the_bound_of_friction(void **state) {
     (void)state;
     problem p;
@@ -120,7 +121,7 @@ static void direct_box_sticks_below_the_bound_of_friction(void **state) {
     end_problem(&p);
 }
 
-/* A belt that runs at 0.1 takes along at once what is slow, by friction enough. */
+/* A belt at 0.1 takes along a slow box at once, with enough friction. */
 static void direct_belt_takes_a_box_along(void **state) {
     (void)state;
     problem p;
@@ -132,7 +133,7 @@ static void direct_belt_takes_a_box_along(void **state) {
     end_problem(&p);
 }
 
-/* The ground rises at 3, and all goes with it. */
+/* The ground rises at 3, and the column with it. */
 static void direct_known_speed_of_the_ground_is_taken_on(void **state) {
     (void)state;
     problem p;
@@ -157,7 +158,7 @@ static void direct_contacts_that_part_do_not_push(void **state) {
     end_problem(&p);
 }
 
-/* Two further contacts at the same points. */
+/* Two more contacts at the same points. */
 static void direct_redundant_contacts_change_nothing(void **state) {
     (void)state;
     problem p;
@@ -175,7 +176,8 @@ static void direct_redundant_contacts_change_nothing(void **state) {
     end_problem(&p);
 }
 
-/* What presses a box from both sides, by walls that want it gone at 1. */
+/* Two walls press a box from both sides and both have the target velocity 1: there is no solution,
+ * and the residual says so. */
 static void direct_wedge_that_cannot_be_says_so(void **state) {
     (void)state;
     problem p;
@@ -191,7 +193,7 @@ static void direct_wedge_that_cannot_be_says_so(void **state) {
     end_problem(&p);
 }
 
-/* By a wedge so narrow that much speed comes of little. */
+/* A wedge so narrow that a small velocity of its sides means a great one of the box. */
 static void direct_narrow_wedge_is_pushed_out(void **state) {
     (void)state;
     for (double angle = 0.1; angle >= 1e-3; angle *= 0.1) {
@@ -228,13 +230,14 @@ static void direct_solver_takes_no_more_matrices_than_it_may(void **state) {
     }
 }
 
-/* Twice the speeds, of what stands on the ground: the same matrix gives twice the impulses. */
+/* With twice the velocities, the same matrix gives twice the impulses, and no further factorisation
+ * is needed. */
 static void direct_same_rows_again_take_no_matrix(void **state) {
     (void)state;
     problem p;
     make_column(&p, 10, 0.6);
     assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
-    td_direct_update_friction(&p.d); /* from now on friction knows what it may bear */
+    td_direct_update_friction(&p.d); /* friction bounds now follow from the impulses */
     assert_true(td_direct_solve(&p.d, TOLERANCE) <= TOLERANCE);
     int factorings = p.d.factorings;
     for (int i = 0; i < 10; i++) {
@@ -252,7 +255,7 @@ static void direct_same_rows_again_take_no_matrix(void **state) {
     end_problem(&p);
 }
 
-/* The column's top flies off, which takes other rows. */
+/* The top of the column flies off, so that the active set changes. */
 static void direct_other_rows_are_not_solved_again(void **state) {
     (void)state;
     problem p;
@@ -263,7 +266,7 @@ static void direct_other_rows_are_not_solved_again(void **state) {
     end_problem(&p);
 }
 
-/* Loads never are just what they were, and neither are the bounds of friction. */
+/* Loads, and so friction bounds, differ a little from step to step. */
 static void direct_slider_whose_bound_grows_a_little_takes_one_matrix(void **state) {
     (void)state;
     problem p;
@@ -279,7 +282,8 @@ static void direct_slider_whose_bound_grows_a_little_takes_one_matrix(void **sta
     end_problem(&p);
 }
 
-/* A row of boxes that a wall pushes over the ground at 1: one matrix a step, from the second on. */
+/* A wall pushes a row of boxes over the ground at 1: one factorisation a step from the second step
+ * on. */
 static void direct_pushed_row_takes_one_matrix_a_step(void **state) {
     (void)state;
     problem p;
@@ -303,7 +307,8 @@ static void direct_pushed_row_takes_one_matrix_a_step(void **state) {
     end_problem(&p);
 }
 
-/* A box thrown to either side and, by less than the tolerance, up: nothing holds it. */
+/* A box is thrown sideways and, by less than the tolerance, up: its contact has no load, and so no
+ * friction. */
 static void direct_contact_without_load_slides_without_friction(void **state) {
     (void)state;
     for (int side = -1; side <= 1; side += 2) {
@@ -318,13 +323,14 @@ static void direct_contact_without_load_slides_without_friction(void **state) {
     }
 }
 
-/* Where it does not work out, impulses are as before: friction is not bounded by what penalties
- * made of them. A box that did not touch does now, and slides. */
+/* Where the quick solution with the old matrix fails, it leaves the impulses unchanged: friction
+ * must not be bounded by its intermediate ones. A box that did not touch touches now, and
+ * slides. */
 static void direct_rows_not_solved_again_keep_their_impulses(void **state) {
     (void)state;
     problem p;
     make_column(&p, 1, 0.4);
-    p.bodies[0].inverse_inertia = 0; /* nor does it tip */
+    p.bodies[0].inverse_inertia = 0; /* so that it does not tip over */
     for (int k = 0; k < TD_DIRECT_ROWS; k++) {
         p.contacts[0].row[k].b[2] = 0;
     }

@@ -1,9 +1,10 @@
-/* test_direct_equalities.c: rows of the direct solver that hold both ways, as joints have them. */
+/* test_direct_equalities.c: equality rows of the direct solver, which joints have, by both of its
+ * methods: active set and interior point. */
 #include "direct_support.h"
 
-/* Masses of 1 and of 1000 in a row, each held by an equality to the one before, the first to the
- * ground; one of the rows wants a speed. Each bears all after it. Beside them a box stands on the
- * ground, so that there are rows that push as well. */
+/* A row of masses of 1 and of 1000, each joined by an equality row to the one before and the first
+ * to the ground; one of the rows has a target velocity. Each row carries all masses after it.
+ * Beside them a box stands on the ground, so that there are unilateral rows as well. */
 static void direct_equalities_hold_by_both_methods(void **state) {
     (void)state;
     enum { HUNG = 4 };
@@ -21,7 +22,7 @@ static void direct_equalities_hold_by_both_methods(void **state) {
         add_mass(&p, 1, 1.0 / 6);
         stack(&p, GROUND, HUNG, 0.6);
         order_problem(&p);
-        td_direct_solve(&p.d, TOLERANCE); /* masses of the rows */
+        td_direct_solve(&p.d, TOLERANCE); /* computes the effective masses of rows */
         forget_impulses(&p);
         for (int i = 0; i < p.d.body_count; i++) {
             memcpy(p.bodies[i].velocity, p.bodies[i].free, sizeof p.bodies[i].velocity);
@@ -39,7 +40,7 @@ static void direct_equalities_hold_by_both_methods(void **state) {
     }
 }
 
-/* What only pushes would part at once. */
+/* A unilateral row would let the body fly off; an equality row holds it. */
 static void direct_equality_holds_what_flies_off(void **state) {
     (void)state;
     problem p;

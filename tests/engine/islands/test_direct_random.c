@@ -1,19 +1,20 @@
-/* test_direct_random.c: the direct solver's two methods on problems by chance, against what a
- * solution has to be, and against a search through all sets of contacts that may push. */
+/* test_direct_random.c: the direct solver's two methods on random problems, against the conditions
+ * of a solution, and against an exhaustive search through all active sets. */
 #include "direct_support.h"
 
 /* ---- problems ---- */
 
+/* How problems are drawn. */
 typedef struct mix {
     int bodies, contacts; /* at most */
-    double ratio;         /* of masses, log10 */
-    double friction;      /* at most */
-    double target_speed;  /* at most; 0 is always possible */
-    int points;           /* a contact, at most */
+    double ratio;         /* greatest mass ratio, log10 */
+    double friction;      /* greatest coefficient */
+    double target_speed;  /* greatest target velocity; 0 may always be drawn */
+    int points;           /* points of a contact, at most */
 } mix;
 
-/* Contacts between any two, with arms and normals of any direction: harder than bodies in a plane
- * can be. Every third is a copy of another one. */
+/* Contacts between any two bodies, with lever arms and normals of any direction, which is harder
+ * than what bodies in a plane can have. Every third one is a copy of another. */
 static void make_random(problem *p, mix m, uint64_t *seed) {
     begin_problem(p);
     int bodies = 1 + (int)random_in(seed, 0, m.bodies);
@@ -53,16 +54,18 @@ static void make_random(problem *p, mix m, uint64_t *seed) {
     order_problem(p);
 }
 
-/* ---- the answer without friction ---- */
+/* ---- reference without friction ---- */
 
 enum { ROWS_MOST = 8 };
 
+/* Normal rows of a problem, with their contacts. */
 typedef struct normals {
     const td_direct_constraint *contact[ROWS_MOST];
     const td_direct_row *row[ROWS_MOST];
     int count;
 } normals;
 
+/* All normal rows of a problem. */
 static normals normals_of(const problem *p) {
     normals n = {.count = 0};
     for (int i = 0; i < p->d.constraint_count; i++) {
@@ -76,7 +79,7 @@ static normals normals_of(const problem *p) {
     return n;
 }
 
-/* What an impulse along row k changes of the speed along row i. */
+/* The change of row i's velocity by a unit impulse of row k. */
 static long double coupling(const problem *p, const normals *n, int i, int k) {
     long double sum = 0;
     for (int body = 0; body < p->d.body_count; body++) {
@@ -94,6 +97,7 @@ static long double coupling(const problem *p, const normals *n, int i, int k) {
     return sum;
 }
 
+/* The velocity of row i without impulses. */
 static long double free_speed(const problem *p, const normals *n, int i) {
     long double sum = n->row[i]->known_speed;
     for (int j = 0; j < 3; j++) {
@@ -104,8 +108,9 @@ static long double free_speed(const problem *p, const normals *n, int i) {
     return sum;
 }
 
-/* Impulses of the rows of a set that give them just the target_speed speeds; false where they
- * depend on each other. */
+/* The impulses with which the rows of the set have exactly their target velocities; false where
+ * they are linearly dependent. `full` holds the couplings of all rows, and `lack` their target
+ * velocities less those without impulses. */
 static bool solve_set(const long double full[ROWS_MOST][ROWS_MOST], const long double *lack,
                       int count, unsigned set, long double *impulse) {
     long double m[ROWS_MOST][ROWS_MOST + 1];
@@ -139,8 +144,8 @@ static bool solve_set(const long double full[ROWS_MOST][ROWS_MOST], const long d
     return true;
 }
 
-/* The impulses of the set whose rows push, and whose other rows do not close: of all sets there is
- * one, and its velocities are the only ones. False where rounding hides it. */
+/* The impulses of the set of which no active row pulls and no other row closes: among all sets
+ * there is one with these velocities. False where rounding hides it. */
 static bool search(const problem *p, long double *impulse) {
     normals n = normals_of(p);
     long double full[ROWS_MOST][ROWS_MOST], lack[ROWS_MOST];
@@ -166,6 +171,7 @@ static bool search(const problem *p, long double *impulse) {
     return false;
 }
 
+/* Asserts that the problem's velocities are those of these impulses. */
 static void assert_same_velocities(const problem *p, const long double *impulse, double tolerance) {
     normals n = normals_of(p);
     for (int body = 0; body < p->d.body_count; body++) {
@@ -213,7 +219,7 @@ static mix many(double ratio, double friction) {
     return m;
 }
 
-/* Masses that rows feel, and bounds of friction for the impulses that are there. */
+/* Computes the effective masses of rows, and friction bounds for the present impulses. */
 static void weigh(problem *p) {
     p->d.factoring_budget = 0;
     assert_true(td_direct_solve(&p->d, TOLERANCE) > TOLERANCE);
@@ -233,8 +239,8 @@ static void direct_interior_point_solves_from_nothing(void **state) {
     }
 }
 
-/* Bounds of friction between next to nothing and a thousand times what moves. A few in a hundred
- * may be beyond it, and it has to know. */
+/* Friction bounds between almost zero and a thousand times the momentum. A few per cent of the
+ * problems may not be solved, and then the solver has to say so. */
 static void direct_interior_point_heeds_bounds_of_friction(void **state) {
     (void)state;
     uint64_t seed = 25;
@@ -255,7 +261,7 @@ static void direct_interior_point_heeds_bounds_of_friction(void **state) {
     assert_true(solved >= 600 * 97 / 100);
 }
 
-/* That of another problem whose free velocities were a little different. */
+/* The first guess is the solution of a problem with slightly different free velocities. */
 static void direct_active_set_solves_from_a_good_guess(void **state) {
     (void)state;
     uint64_t seed = 23;
@@ -279,7 +285,7 @@ static void direct_active_set_solves_from_a_good_guess(void **state) {
     assert_true(solved >= 600 * 97 / 100);
 }
 
-/* A pyramid of boxes with edges of 1, of any mass. */
+/* A pyramid of boxes of edge 1 with random masses. */
 static void make_heap(problem *p, int height, double ratio, uint64_t *seed) {
     int below[BODIES_MOST] = {0}, above[BODIES_MOST] = {0};
     begin_problem(p);
@@ -301,7 +307,7 @@ static void make_heap(problem *p, int height, double ratio, uint64_t *seed) {
     order_problem(p);
 }
 
-/* As step after step would: from the impulses of the one before. */
+/* As in successive steps: each solution is warm-started with the impulses of the one before. */
 static void direct_heaps_come_to_rest_within_their_cones(void **state) {
     (void)state;
     uint64_t seed = 26;
@@ -319,8 +325,8 @@ static void direct_heaps_come_to_rest_within_their_cones(void **state) {
     }
 }
 
-/* Friction of its own, and walls that want what cannot be: where it does not say infinite there is
- * what it says, and never a number that is none. */
+/* With friction and walls whose targets contradict each other: the solver returns an infinite
+ * residual, or the true one, and never NaN. */
 static void direct_solver_tells_what_is_missing(void **state) {
     (void)state;
     uint64_t seed = 24;
@@ -347,7 +353,7 @@ static void direct_solver_tells_what_is_missing(void **state) {
         }
         end_problem(&p);
     }
-    assert_true(solved > 300); /* all that can be are about as many */
+    assert_true(solved > 300); /* of 600; about as many have a solution */
 }
 
 int main(void) {

@@ -1,9 +1,11 @@
-/* test_islands.c: which islands are solved directly, what the statistics say of it, what limits it,
- * and that it is the same however it is done. */
+/* test_islands.c: which islands are solved directly, the statistics of that, the budgets that limit
+ * it, and that it does not depend on workers or memory. */
 #include "island_support.h"
 
-/* ---- which ---- */
+/* ---- which islands are solved directly ---- */
 
+/* At default a light box with a load of 1000 times its density is solved directly, an even column
+ * beside it is not. */
 static void islands_heavy_on_light_turns_hard_by_itself(void **state) {
     (void)state;
     thud_world *world = world_of(&thud_quality_default);
@@ -21,7 +23,8 @@ static void islands_heavy_on_light_turns_hard_by_itself(void **state) {
     thud_world_destroy(world);
 }
 
-/* A second after the load is gone, and not before: it might be about to come back. */
+/* An island is solved directly for one more second after its load is gone, as the load may come
+ * back. */
 static void islands_turn_soft_a_second_after_their_load_is_gone(void **state) {
     (void)state;
     thud_world *world = world_of(&thud_quality_default);
@@ -48,7 +51,7 @@ static void islands_of_equal_boxes_stay_soft_at_default(void **state) {
     thud_world_destroy(world);
 }
 
-/* A pyramid at rest has friction at its bounds, which is not to be found anew in each step. */
+/* In a pyramid at rest friction is at its bounds; they must not be searched anew in each step. */
 static void islands_pyramid_at_rest_takes_one_matrix_a_step(void **state) {
     (void)state;
     thud_world *world = world_of(&thud_quality_high);
@@ -66,7 +69,7 @@ static void islands_pyramid_at_rest_takes_one_matrix_a_step(void **state) {
     thud_world_destroy(world);
 }
 
-/* Three columns are three islands, though they share the floor; what flies is in none. */
+/* Three columns are three islands, though they share the floor; a flying body is in none. */
 static void islands_are_all_hard_where_the_limit_is_zero(void **state) {
     (void)state;
     const thud_quality *all[] = {&thud_quality_high, &thud_quality_exact};
@@ -86,6 +89,7 @@ static void islands_are_all_hard_where_the_limit_is_zero(void **state) {
     }
 }
 
+/* A quality without an island solver solves no island directly, whatever its load. */
 static void islands_are_none_without_a_solver(void **state) {
     (void)state;
     thud_world *world = world_of(&thud_quality_draft);
@@ -98,8 +102,8 @@ static void islands_are_none_without_a_solver(void **state) {
     thud_world_destroy(world);
 }
 
-/* A column of n takes 3 n - 2 operations a matrix, n for its bodies and 2 n for its contacts; and
- * at rest one matrix a step. */
+/* A column of n bodies takes 3 n - 2 operations a factorisation, n for its bodies and 2 n for its
+ * contacts, and at rest one factorisation a step. */
 static void islands_work_is_what_their_matrices_take(void **state) {
     (void)state;
     thud_world *world = world_of(&thud_quality_exact);
@@ -113,7 +117,7 @@ static void islands_work_is_what_their_matrices_take(void **state) {
     thud_world_destroy(world);
 }
 
-/* ---- limits ---- */
+/* ---- budgets ---- */
 
 static void islands_of_more_bodies_than_the_limit_stay_soft(void **state) {
     (void)state;
@@ -130,7 +134,7 @@ static void islands_of_more_bodies_than_the_limit_stay_soft(void **state) {
     thud_world_destroy(world);
 }
 
-/* So much that one of two columns at rest can be had. */
+/* The work budget suffices for one of two columns at rest. */
 static void islands_for_which_no_work_is_left_stay_soft(void **state) {
     (void)state;
     thud_quality little = thud_quality_exact;
@@ -152,6 +156,7 @@ static void islands_for_which_no_work_is_left_stay_soft(void **state) {
     thud_world_destroy(world);
 }
 
+/* With no work budget every island that would be solved directly is left to the soft solver. */
 static void islands_without_any_work_stay_soft(void **state) {
     (void)state;
     thud_quality none = thud_quality_exact;
@@ -167,8 +172,8 @@ static void islands_without_any_work_stay_soft(void **state) {
     thud_world_destroy(world);
 }
 
-/* Steps of 240 in which boxes that are thrown together were solved directly, and the most of them
- * in succession. */
+/* Of 240 steps in which thrown boxes collide, those with direct solutions; *longest is the longest
+ * sequence of them. */
 static int direct_steps(int factoring_budget, int *longest) {
     thud_quality quality = thud_quality_exact;
     quality.island_patience = factoring_budget;
@@ -192,6 +197,8 @@ static int direct_steps(int factoring_budget, int *longest) {
     return steps;
 }
 
+/* With a patience of one step, islands that exceed the budget of factorisations are solved directly
+ * in fewer steps, and fewer in succession, than with unlimited patience. */
 static void islands_that_strain_are_left_alone_once_patience_is_out(void **state) {
     (void)state;
     int long_one, short_one;
@@ -200,8 +207,8 @@ static void islands_that_strain_are_left_alone_once_patience_is_out(void **state
     assert_true(long_one > short_one);
 }
 
-/* Work on islands in ten seconds, in which boxes and discs fall on rolling ground and come to rest.
- */
+/* Work on islands in ten seconds in which boxes and discs fall on rolling ground and come to
+ * rest. */
 static int64_t work_of_heap(const thud_quality *quality, int substeps, uint64_t seed) {
     enum { POINTS = 61, BODIES = 150 };
     thud_world_def def = thud_world_def_of(quality);
@@ -231,8 +238,8 @@ static int64_t work_of_heap(const thud_quality *quality, int substeps, uint64_t 
     return work;
 }
 
-/* Whoever asks for less pays no more: over a few heaps, since one takes this course, one that. And
- * of what default may take, a heap in motion leaves most alone. */
+/* Fewer substeps must not cost more work, summed over six heaps, since single ones vary. And in a
+ * moving heap default uses little of its budget. */
 static void heap_takes_no_more_work_at_fewer_substeps(void **state) {
     (void)state;
     int64_t sum[3] = {0};
@@ -248,6 +255,7 @@ static void heap_takes_no_more_work_at_fewer_substeps(void **state) {
 
 /* ---- the caller's quality ---- */
 
+/* A world copies the caller's quality: later changes of that struct have no effect. */
 static void islands_follow_a_copy_of_the_callers_quality(void **state) {
     (void)state;
     thud_quality mine = thud_quality_draft;
@@ -266,6 +274,7 @@ static void islands_follow_a_copy_of_the_callers_quality(void **state) {
     thud_world_destroy(world);
 }
 
+/* A column stands while the quality changes back and forth. */
 static void islands_follow_the_quality_back_and_forth(void **state) {
     (void)state;
     thud_world *world = world_of(&thud_quality_exact);

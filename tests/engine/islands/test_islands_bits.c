@@ -1,4 +1,5 @@
-/* test_islands_bits.c: islands that are solved directly give the same bits anywhere, and sleep
+/* test_islands_bits.c: islands that are solved directly have the same bits with any number of
+ * workers, without AVX2, after failed allocations, and far from the origin; and they sleep and wake
  * without loss. */
 #include "island_support.h"
 
@@ -7,7 +8,7 @@
 
 /* ---- the same bits ---- */
 
-/* A column, heavy on light and rubble that falls: islands of all sizes. */
+/* A column, a heavy box on a light one, and falling rubble: islands of all sizes. */
 static void fill_yard(thud_world *world, double x) {
     add_column(world, x, 12, NULL);
     add_box(world, x + 5, 0.5, 0.5f, 0.5f);
@@ -19,6 +20,7 @@ static void fill_yard(thud_world *world, double x) {
     }
 }
 
+/* Runs the world, and asserts that bodies were solved directly. */
 static void run_hard(thud_world *world, int steps) {
     int64_t bodies = 0;
     for (int i = 0; i < steps; i++) {
@@ -63,7 +65,8 @@ static void islands_are_the_same_without_avx2(void **state) {
     }
 }
 
-/* Each allocation of each step fails once; the step is then as if it had not been tried. */
+/* Each allocation of each step fails once; the step then gives the same bits as if it had succeeded
+ * at once. */
 static void islands_are_the_same_after_memory_failed(void **state) {
     (void)state;
     thud_world_def def = def_of(&thud_quality_exact);
@@ -99,7 +102,7 @@ static void islands_are_the_same_after_memory_failed(void **state) {
     assert_int_equal(memory_held, 0);
 }
 
-/* The floor goes along; places are on a grid that is fine enough there. */
+/* The whole scene is shifted; positions are on a grid that is exact there. */
 static void islands_are_the_same_far_from_the_origin(void **state) {
     (void)state;
     enum { BODIES = 75 };

@@ -1,4 +1,5 @@
-/* test_islands_corner.c: what stands on a corner falls over, whichever of its points touches. */
+/* test_islands_corner.c: a box that stands on a corner falls over, whichever of its contact points
+ * touches, at every quality and detection. */
 #include "island_support.h"
 
 static const thud_detection *const detections[] = {&thud_detection_overlap,

@@ -1,5 +1,5 @@
-/* test_islands_forces.c: what bodies at rest press on each other with, in islands that are solved
- * directly, against the oracle's forces. */
+/* test_islands_forces.c: contact forces of bodies at rest, in islands that are solved directly,
+ * against those of the oracle, an independent reference simulation. */
 #include "engine_support.h"
 
 #include "build_thud.h"
@@ -10,6 +10,7 @@
 
 enum { PAIRS_MOST = 64 };
 
+/* The force of a pair of bodies; body_a is the one with the lower number. */
 typedef struct force {
     int body_a, body_b;
     double x, y; /* N, on b */
@@ -20,6 +21,7 @@ typedef struct forces {
     int count;
 } forces;
 
+/* Adds a force on b to that of the pair. */
 static void add_force(forces *f, int a, int b, double x, double y) {
     int sign = a < b ? 1 : -1, low = a < b ? a : b, high = a < b ? b : a, i = 0;
     while (i < f->count && (f->at[i].body_a != low || f->at[i].body_b != high)) {
@@ -33,7 +35,7 @@ static void add_force(forces *f, int a, int b, double x, double y) {
     f->at[i].y += sign * y;
 }
 
-/* Worlds number their bodies in the scene's order. */
+/* A world numbers its bodies in the order of the scene. */
 static void note(thud_world *world, const thud_contact *c, void *context) {
     (void)world;
     double n = (double)c->normal_impulse / STEP, t = (double)c->tangent_impulse / STEP;
@@ -42,6 +44,7 @@ static void note(thud_world *world, const thud_contact *c, void *context) {
               n * y - t * x);
 }
 
+/* The contact forces in one step after 180 steps, when the scene is at rest. */
 static forces forces_of_thud(const scene *s, const thud_quality *quality) {
     forces found = {.count = 0};
     thud_world_def def = thud_default_world_def();
@@ -60,6 +63,7 @@ static forces forces_of_thud(const scene *s, const thud_quality *quality) {
     return found;
 }
 
+/* The oracle's contact forces after one second. */
 static forces forces_of_oracle(const scene *s) {
     forces found = {.count = 0};
     oracle *o = oracle_create(s, &(oracle_settings){1.0 / 240, 0.01});
@@ -77,7 +81,7 @@ static forces forces_of_oracle(const scene *s) {
     return found;
 }
 
-/* To a thousandth of the greatest, between each two bodies. */
+/* Asserts that the forces between each two bodies agree within a thousandth of the greatest. */
 static void assert_same_forces(const scene *s) {
     const thud_quality *const direct[] = {&thud_quality_high, &thud_quality_exact};
     forces right = forces_of_oracle(s);
@@ -121,7 +125,7 @@ static void islands_press_as_in_the_oracle_where_heavy_is_on_light(void **state)
     scene_free(&s);
 }
 
-/* A plank on two balls that stand still, with a load that is not in the middle. */
+/* A plank on two static balls, with a load off its centre. */
 static void islands_press_as_in_the_oracle_under_a_plank(void **state) {
     (void)state;
     scene s;
@@ -137,7 +141,8 @@ static void islands_press_as_in_the_oracle_under_a_plank(void **state) {
     scene_free(&s);
 }
 
-/* One ball on two in a groove of 90 degrees; without friction, which leaves it open who holds. */
+/* One ball on two in a groove of 90 degrees; without friction, since with it the forces would not
+ * be unique. */
 static void islands_press_as_in_the_oracle_in_a_wedge(void **state) {
     (void)state;
     scene s;

@@ -1,5 +1,5 @@
-/* test_islands_motion.c: how bodies move and press on each other in islands that are solved
- * directly, against what mechanics says. */
+/* test_islands_motion.c: motion and contact impulses in islands that are solved directly, against
+ * mechanics: loads, friction, moving ground, edits, bounces. */
 #include "island_support.h"
 
 static const thud_quality *const direct[] = {&thud_quality_high, &thud_quality_exact};
@@ -31,7 +31,8 @@ static void islands_heavy_on_light_sinks_little_at_default(void **state) {
     thud_world_destroy(world);
 }
 
-/* Its top falls freely for a third of a second before the sag is seen, and hits. */
+/* The top falls freely for a third of a second before the solver finds that the column sags, and
+ * lands. */
 static void islands_tall_columns_stand_at_default(void **state) {
     (void)state;
     enum { MOST = 200, SEEN = 60 };
@@ -81,7 +82,7 @@ static void islands_column_of_fifty_keeps_its_height(void **state) {
 
 /* ---- friction ---- */
 
-/* From v to rest in v^2 / (2 mu g). */
+/* A box that slides at v stops after v^2 / (2 mu g). */
 static void islands_box_slides_as_far_as_friction_lets_it(void **state) {
     (void)state;
     for (int q = 0; q < DIRECT; q++) {
@@ -103,7 +104,8 @@ static void islands_box_slides_as_far_as_friction_lets_it(void **state) {
     }
 }
 
-/* A box on a box that slides on ice: the lower one is slowed as much as the upper one gains. */
+/* A box on a box that slides on ice: momentum is conserved while friction makes their velocities
+ * equal. */
 static void islands_friction_keeps_momentum(void **state) {
     (void)state;
     for (int q = 0; q < DIRECT; q++) {
@@ -123,8 +125,8 @@ static void islands_friction_keeps_momentum(void **state) {
     }
 }
 
-/* A disk of mass m that slides on a plank of mass M, on ice: friction turns it until it rolls, by
- * an impulse of v / (3 / m + 1 / M). */
+/* A disk of mass m slides on a plank of mass M, on ice, until it rolls: the impulse of friction is
+ * v / (3 / m + 1 / M). */
 static void islands_sliding_disk_comes_to_roll(void **state) {
     (void)state;
     for (int disk_first = 0; disk_first < 2; disk_first++) {
@@ -149,14 +151,16 @@ static void islands_sliding_disk_comes_to_roll(void **state) {
     }
 }
 
+/* What an epilogue counts. */
 typedef struct ledger {
     double impulse; /* into the floor */
-    double over;    /* the most by which friction exceeds its bound, of the greatest load */
+    /* greatest excess of friction over its bound, as a share of the greatest load */
+    double over;
     double load;
     int contacts;
 } ledger;
 
-/* Of a floor that is at y = 0, and friction of 0.6 everywhere. */
+/* An epilogue, for a floor at y = 0 and friction 0.6 everywhere. */
 static void note(thud_world *world, const thud_contact *contact, void *context) {
     ledger *l = context;
     double bound = 0.6 * (double)contact->normal_impulse;
@@ -197,7 +201,7 @@ static void islands_at_rest_keep_friction_within_its_bound(void **state) {
     }
 }
 
-/* All that the floor gives is all that gravity takes. */
+/* The sum of the impulses into the floor is the weight times the time. */
 static void islands_epilogue_adds_up_to_the_weight(void **state) {
     (void)state;
     for (int q = 0; q < DIRECT; q++) {
@@ -217,7 +221,7 @@ static void islands_epilogue_adds_up_to_the_weight(void **state) {
     }
 }
 
-/* ---- what moves by itself ---- */
+/* ---- moving ground and walls ---- */
 
 static void islands_belt_carries_boxes_at_its_speed(void **state) {
     (void)state;
@@ -253,7 +257,7 @@ static void islands_kinematic_wall_pushes_a_row_at_its_speed(void **state) {
         }
         run(world, 180);
         if (direct[q]->island_patience ==
-            0) { /* what slides evenly takes as little as what rests */
+            0) { /* a sliding row takes as few factorisations as a resting one */
             assert_in_range(thud_world_stats(world).factorings, 1, 2);
         }
         double front = state_of(world, wall).position.x + 0.5;
@@ -265,6 +269,7 @@ static void islands_kinematic_wall_pushes_a_row_at_its_speed(void **state) {
     }
 }
 
+/* A column on a rising kinematic body has its velocity and keeps its height. */
 static void islands_lift_takes_a_column_along(void **state) {
     (void)state;
     for (int q = 0; q < DIRECT; q++) {
@@ -284,8 +289,9 @@ static void islands_lift_takes_a_column_along(void **state) {
     }
 }
 
-/* ---- what comes and goes ---- */
+/* ---- vetoes and edits ---- */
 
+/* The body whose contacts the prologue vetoes. */
 static thud_body_id vetoed;
 
 static bool veto(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
@@ -294,7 +300,8 @@ static bool veto(thud_world *world, const thud_contact *contact, thud_contact_se
     return contact->body_a.index1 != vetoed.index1 && contact->body_b.index1 != vetoed.index1;
 }
 
-/* The middle box of three falls as if alone, and the upper one comes down on the lower one. */
+/* The prologue vetoes all contacts of the middle box of three: it falls alone, and the upper one
+ * comes to rest on the lower one. */
 static void islands_leave_out_what_a_prologue_vetoes(void **state) {
     (void)state;
     for (int q = 0; q < DIRECT; q++) {
@@ -316,7 +323,7 @@ static void islands_leave_out_what_a_prologue_vetoes(void **state) {
     }
 }
 
-/* One is destroyed, another one switched off: what stood on them falls down, and stays up. */
+/* One body is destroyed and another disabled: the bodies above them come down, and stay there. */
 static void islands_go_on_without_bodies_that_vanish(void **state) {
     (void)state;
     for (int q = 0; q < DIRECT; q++) {
@@ -341,7 +348,8 @@ static void islands_go_on_without_bodies_that_vanish(void **state) {
 
 /* ---- bounces ---- */
 
-/* A ball dropped by h on the floor, and on a block of 10^4 times its density, comes up to e^2 h. */
+/* A ball that is dropped from height h onto the floor, or onto a block of 10^4 times its density,
+ * rises to e^2 h. */
 static void islands_ball_bounces_to_the_square_of_its_restitution(void **state) {
     (void)state;
     for (int q = 0; q < DIRECT; q++) {

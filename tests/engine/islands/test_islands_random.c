@@ -1,24 +1,26 @@
-/* test_islands_random.c: random heaps in a closed room, at all qualities in turn: circles, boxes
- * and bodies of several shapes, of densities that differ by up to ten thousand, with and without
- * restitution, in columns and in heaps, edited while islands merge and split. However islands are
- * solved, everything stays finite and inside, no energy is gained, what a step tells of itself is
- * true, and plain SIMD gives the same bits. */
+/* test_islands_random.c: random heaps in a closed room at all qualities in turn: circles, boxes and
+ * bodies of several shapes, with density ratios up to 10^4, with and without restitution, in
+ * columns and heaps, edited while islands merge and split. Everything stays finite and inside the
+ * room, no energy is gained, the statistics of a step are right, and baseline SIMD gives the same
+ * bits. */
 #include "engine_support.h"
 
 #include "geometry_random.h"
 
 #include <inttypes.h>
 
+/* Bodies of a room at most, and steps of each room. */
 enum { BODIES_MOST = 24, STEPS = 100 };
 
 #define ROOM 6.0 /* half its width; its walls are 2 thick */
 #define GRAVITY 10.0
 
+/* A random world; its mass, and its energy at the start. */
 typedef struct room {
     thud_world *world;
     thud_body_id bodies[BODIES_MOST];
     int count, quality;
-    source random; /* what edits draw from */
+    source random; /* generator of the edits */
     double mass, energy;
     bool edits;
 } room;
@@ -54,7 +56,7 @@ static void add_shapes(source *r, thud_world *world, thud_body_id body, float ra
     }
 }
 
-/* Nothing overlaps at first: each body has a cell of its own. */
+/* Each body begins in a cell of its own, so nothing overlaps. */
 static void make_room(room *m, uint64_t seed, int quality, bool plain_simd) {
     source r = {seed};
     thud_world_def def = thud_default_world_def();
@@ -86,7 +88,7 @@ static void make_room(room *m, uint64_t seed, int quality, bool plain_simd) {
     m->energy = start.kinetic_energy + start.potential_energy;
 }
 
-/* Takes bodies away, out of the world and back, and changes the quality. */
+/* Destroys, disables and enables bodies, and changes the quality. */
 static void edit(room *m, int step) {
     source *r = &m->random;
     thud_body_id body = m->bodies[draw_below(r, m->count)];
@@ -118,7 +120,8 @@ static void check_bodies(const room *m, uint64_t seed, int step) {
         }
         thud_body_state s = state_of(m->world, m->bodies[i]);
         assert_true(isfinite((double)(s.velocity.x + s.velocity.y + s.angular_velocity)));
-        /* What is crushed against a wall may sink in, but not halfway through. */
+        /* A body that is pressed against a wall may overlap it, but not by half of its
+         * thickness. */
         if (!(fabs(s.center.x) <= ROOM + 1 && fabs(s.center.y) <= ROOM + 1)) {
             fail_msg("room %016" PRIx64 " at %s, step %d: body %d is out at %g, %g", seed,
                      qualities[m->quality]->name, step, i, s.center.x, s.center.y);
@@ -126,7 +129,7 @@ static void check_bodies(const room *m, uint64_t seed, int step) {
     }
 }
 
-/* Overlap that is pushed apart lifts what lies on it: a part of what the room could give is
+/* Separating overlaps lifts the bodies above: 3 % of the greatest potential energy of the room is
  * allowed. */
 static void check_energy(const room *m, uint64_t seed, int step) {
     thud_measure now = thud_world_measure(m->world);
@@ -138,8 +141,8 @@ static void check_energy(const room *m, uint64_t seed, int step) {
     }
 }
 
-/* The error of a step is that of what is awake, and detection may change things after it was
- * counted. */
+/* The error of a step covers awake bodies alone, and detection may change motions after it is
+ * measured: it is compared where all are awake and none was stopped. */
 static void check_telling(const room *m) {
     thud_stats stats = thud_world_stats(m->world);
     assert_in_range(stats.soft_islands, 0, stats.direct_islands);
@@ -148,7 +151,7 @@ static void check_telling(const room *m) {
     if (stats.direct_islands == 0) {
         assert_int_equal(stats.factorings, 0);
     }
-    bool all_awake = stats.awake_bodies == stats.bodies - 1; /* but for the walls */
+    bool all_awake = stats.awake_bodies == stats.bodies - 1; /* all but the body of the walls */
     if (all_awake && stats.held_bodies == 0 && stats.impacts == 0) {
         near_to(thud_world_error(m->world).penetration_max,
                 thud_world_measure(m->world).penetration_max, 2e-3);

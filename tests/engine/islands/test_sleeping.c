@@ -1,4 +1,5 @@
-/* test_sleeping.c: islands fall asleep and wake as a whole. */
+/* test_sleeping.c: islands fall asleep and wake as a whole, by every cause of waking, and sleeping
+ * needs no further memory. */
 #include "engine_support.h"
 
 static thud_world *stack(thud_body_id boxes[5], thud_body_id *floor) {
@@ -86,7 +87,7 @@ static void body_that_may_not_sleep_keeps_its_island_awake(void **state) {
     thud_world_destroy(world);
 }
 
-/* Something static that comes while a body sleeps is found when it wakes. */
+/* A static body that is created next to a sleeping body is found when that wakes. */
 static void woken_body_meets_what_came_meanwhile(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -103,10 +104,11 @@ static void woken_body_meets_what_came_meanwhile(void **state) {
     thud_world_destroy(world);
 }
 
-/* Sleepers take the blocks that they leave: there is no need for as many again. */
+/* Sleeping bodies keep the lanes of their contacts: falling asleep takes less memory than another
+ * lane for each box. */
 static void many_fall_asleep_in_the_room_that_they_have(void **state) {
     (void)state;
-    enum { BOXES = 6000, LANE = 192 }; /* bytes of a lane of two points */
+    enum { BOXES = 6000, LANE = 192 }; /* bytes of a lane with two points */
     thud_world *world = make_world(thud_default_world_def());
     thud_body_id floor = add_body(world, THUD_STATIC, 0, -1, 0);
     add_shape(world, floor, 2 * BOXES, 1, true, NULL);

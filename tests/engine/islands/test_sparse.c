@@ -1,10 +1,12 @@
-/* test_sparse.c: block-sparse factors against dense ones in long double. */
+/* test_sparse.c: the block-sparse factorisation against dense Cholesky in long double: solutions,
+ * operations by the elimination order, several systems, and failures. */
 #include <limits.h>
 #include "dense_support.h"
 
 #include "hostile_memory.h"
 #include "direct/sparse.h"
 
+/* Begins the system of the current graph and orders it; false where an allocation fails. */
 static bool order(td_memory *memory, td_sparse *s) {
     if (!td_sparse_begin(memory, s, g.nodes)) {
         return false;
@@ -15,7 +17,7 @@ static bool order(td_memory *memory, td_sparse *s) {
     return td_sparse_order(memory, s, INT_MAX);
 }
 
-/* The upper half of diagonal blocks is not to be read. */
+/* The upper half of diagonal blocks must not be read, so it is filled with NaN. */
 static void fill_sparse(td_sparse *s) {
     td_sparse_clear(s);
     for (int i = 0; i < g.nodes; i++) {
@@ -57,7 +59,7 @@ static void assert_wide_kernels_agree(td_sparse *s, double (*solved)[4]) {
 #endif
 }
 
-/* The present system is solved as the dense one is. */
+/* Asserts that the sparse and the dense system have the same solution. */
 static void assert_solves(td_sparse *s, uint64_t *seed) {
     double x[NODES_MOST][4] = {{0}}, work[NODES_MOST][4], most = 0;
     fill_dense(seed);
@@ -87,6 +89,7 @@ static void assert_order_is_permutation(const td_sparse *s) {
     }
 }
 
+/* A sparse solver with its memory. */
 typedef struct fixture {
     td_memory memory;
     td_sparse s;
@@ -106,7 +109,7 @@ static void end(fixture *f) {
     assert_int_equal(memory_held, 0);
 }
 
-/* Work of the graph at hand, whose system was solved. */
+/* Operations of one factorisation of the current graph, whose system is solved and checked. */
 static int64_t work_of_graph(uint64_t *seed) {
     fixture f = begin(g.nodes);
     assert_true(order(&f.memory, &f.s));
@@ -126,8 +129,8 @@ static void sparse_single_node_is_solved(void **state) {
     assert_int_equal(work_of_graph(&seed), 1);
 }
 
-/* Nothing fills in: a column of a block each, but for the last. Work is 1 a diagonal, 1 an entry
- * and 1 a pair of entries. */
+/* Without fill-in each column has one block, except the last. An operation is counted for each
+ * diagonal, each entry and each pair of entries. */
 static void sparse_chain_takes_three_operations_a_node(void **state) {
     (void)state;
     uint64_t seed = 2;
@@ -137,6 +140,7 @@ static void sparse_chain_takes_three_operations_a_node(void **state) {
     }
 }
 
+/* The elimination order begins at the leaves of a star, which causes no fill-in. */
 static void sparse_star_begins_at_its_points(void **state) {
     (void)state;
     uint64_t seed = 3;
@@ -144,7 +148,7 @@ static void sparse_star_begins_at_its_points(void **state) {
     assert_int_equal(work_of_graph(&seed), 3 * 70 - 2);
 }
 
-/* Columns of two, until two nodes are left. */
+/* Each column has two entries, until two nodes are left. */
 static void sparse_ring_fills_in_one_block_a_node(void **state) {
     (void)state;
     uint64_t seed = 4;
@@ -163,7 +167,7 @@ static void sparse_full_matrix_is_solved(void **state) {
     assert_int_equal(work_of_graph(&seed), work);
 }
 
-/* By rows, each column would have as many entries as a row of the grid. */
+/* In the order of rows, each column would have as many entries as a row of the grid has nodes. */
 static void sparse_grid_takes_less_than_row_by_row(void **state) {
     (void)state;
     uint64_t seed = 6;
@@ -185,7 +189,7 @@ static void sparse_random_graphs_are_solved(void **state) {
     work_of_graph(&seed);
 }
 
-/* Numbers of one at a time, in any order. */
+/* The numbers of one system at a time are kept, in any order of systems. */
 static void sparse_several_systems_are_kept_at_once(void **state) {
     (void)state;
     enum { SYSTEMS = 6 };
@@ -214,7 +218,7 @@ static void sparse_several_systems_are_kept_at_once(void **state) {
     end(&f);
 }
 
-/* What was there before leaves nothing behind. */
+/* A new system does not depend on earlier ones. */
 static void sparse_forgotten_systems_make_room(void **state) {
     (void)state;
     uint64_t seed = 9;
@@ -228,7 +232,8 @@ static void sparse_forgotten_systems_make_room(void **state) {
     end(&f);
 }
 
-/* A chain of blocks that are `diagonal` times the identity, with `beside` times it between them. */
+/* Whether a chain is factored whose blocks are `diagonal` times the identity on the diagonal, and
+ * `beside` times it between neighbours. */
 static bool chain_is_factored(int nodes, double diagonal, double beside) {
     make_chain(nodes);
     fixture f = begin(nodes);
@@ -247,7 +252,7 @@ static bool chain_is_factored(int nodes, double diagonal, double beside) {
     return factored;
 }
 
-/* The eigenvalues of n such blocks are diagonal + 2 beside cos(k pi / (n + 1)). */
+/* The eigenvalues of a chain of n such blocks are diagonal + 2 beside cos(k pi / (n + 1)). */
 static void sparse_matrix_that_is_not_positive_definite_is_refused(void **state) {
     (void)state;
     double limit = 2 * cos(3.14159265358979323846 / 11);
@@ -266,14 +271,15 @@ static void sparse_matrix_that_is_not_finite_is_refused(void **state) {
     assert_false(chain_is_factored(3, 1, (double)INFINITY));
 }
 
-/* Of each try one allocation more is had than of the one before, up to the last. */
+/* The first attempt may allocate nothing, each later one once more than the one before, whose
+ * memory it keeps, until one succeeds. */
 static void sparse_failing_memory_leaves_it_usable(void **state) {
     (void)state;
     uint64_t seed = 10;
     fixture f = begin(1);
     int failures = 0;
     for (bool done = false; !done; failures += !done) {
-        make_random(NODES_MOST, 0.3, &seed); /* more than there is room for from the start */
+        make_random(NODES_MOST, 0.3, &seed); /* more than is reserved at first */
         td_sparse_forget(&f.s);
         memory_allowed = failures > 0;
         done = td_sparse_reserve(&f.memory, &f.s, g.nodes) && order(&f.memory, &f.s);

@@ -1,5 +1,6 @@
-/* test_rollback.c: late inputs in any order end as if all had come in time; what cannot be is
- * refused; steps and memory that fail do no harm. */
+/* test_rollback.c: rollback (thud_rollback.h): inputs that arrive late, in any order, end with the
+ * same bits as inputs in time; impossible inputs are refused; failing steps and allocations do no
+ * harm. */
 #include "engine_support.h"
 
 #include "hostile_memory.h"
@@ -9,17 +10,21 @@
 #include <thud/thud_reads.h>
 #include <thud/thud_rollback.h>
 
+/* Options of the rollback; IDLE is the input of a player before its first known one. */
 enum { PLAYERS = 3, STEPS = 200, DEPTH = 8, IDLE = 4 };
 
-/* What goes back with the world: each input makes a ball of its own, now and then. */
+/* The game's own state, which is rolled back with the world. The input makes new balls now and
+ * then. */
 typedef struct game {
     thud_body_id player[PLAYERS];
     int64_t steps;
-    uint64_t sum; /* of all that was held */
+    uint64_t sum; /* hash of all inputs */
 } game;
 
+/* fails_at: the step that fails once; played: how often `play` was called. */
 static int fails_at = -1, played;
 
+/* The step function of the rollback: applies the inputs, and steps. */
 static thud_result play(thud_world *world, const uint64_t *inputs, void *state) {
     game *g = state;
     played++;
@@ -71,11 +76,12 @@ static thud_rollback *make_rollback(thud_world *world, game *g) {
     return made;
 }
 
+/* The input of a player in a step: one of nine directions. */
 static uint64_t input_of(int player, int64_t step) {
-    return (uint64_t)(step / 7 * 5 + player * 3) % 9; /* held for a while, as inputs are */
+    return (uint64_t)(step / 7 * 5 + player * 3) % 9; /* each input is held for 7 steps */
 }
 
-/* The hash before each step, with every input in time. */
+/* Reference: the hash before each step, with every input in time. */
 static void play_straight(uint64_t hashes[STEPS + 1], game *end) {
     game g;
     thud_world *world = make_game(&g);
@@ -92,7 +98,7 @@ static void play_straight(uint64_t hashes[STEPS + 1], game *end) {
     thud_world_destroy(world);
 }
 
-/* Each player's inputs come as late as they may, in an order of their own, and some twice. */
+/* Gives each player's inputs as late as allowed, in a random order, some of them twice. */
 static void hear(thud_rollback *r, int64_t now, uint64_t *seed) {
     for (int p = 0; p < PLAYERS; p++) {
         for (int64_t step = now < DEPTH ? 0 : now - DEPTH + 1; step <= now; step++) {
@@ -104,6 +110,7 @@ static void hear(thud_rollback *r, int64_t now, uint64_t *seed) {
     }
 }
 
+/* Gives all inputs of the last steps. */
 static void tell_all(thud_rollback *r) {
     for (int p = 0; p < PLAYERS; p++) {
         for (int64_t step = STEPS - DEPTH; step < STEPS; step++) {
@@ -112,6 +119,8 @@ static void tell_all(thud_rollback *r) {
     }
 }
 
+/* At each time the confirmed step has the hash of the reference, and so has the end, with ten
+ * random orders of inputs. */
 static void late_inputs_end_as_if_all_had_come_in_time(void **state) {
     (void)state;
     static uint64_t hashes[STEPS + 1];
@@ -145,6 +154,7 @@ static void late_inputs_end_as_if_all_had_come_in_time(void **state) {
     }
 }
 
+/* Where all inputs are in time, each step is played once. */
 static void inputs_in_time_are_played_once(void **state) {
     (void)state;
     game g;
@@ -153,7 +163,7 @@ static void inputs_in_time_are_played_once(void **state) {
     played = 0;
     for (int64_t now = 0; now < 30; now++) {
         for (int p = 0; p < PLAYERS; p++) {
-            OK(thud_rollback_input(r, p, now + p, 7)); /* some ahead of time */
+            OK(thud_rollback_input(r, p, now + p, 7)); /* some inputs are for later steps */
         }
         for (int64_t ahead = 0; now == 0 && ahead < PLAYERS; ahead++) {
             for (int p = 0; p < PLAYERS; p++) {
@@ -168,6 +178,8 @@ static void inputs_in_time_are_played_once(void **state) {
     thud_world_destroy(world);
 }
 
+/* Where a player's input is missing for more than `depth` steps, thud_rollback_advance makes no
+ * step until all inputs of the oldest step are there. */
 static void who_is_not_heard_of_is_waited_for(void **state) {
     (void)state;
     game g;
@@ -190,7 +202,7 @@ static void who_is_not_heard_of_is_waited_for(void **state) {
     thud_world_destroy(world);
 }
 
-/* A prediction that proves right is not played again. */
+/* Steps whose predicted inputs prove right are not played again. */
 static void prediction_holds_what_was_held(void **state) {
     (void)state;
     game g;
@@ -217,8 +229,10 @@ static void prediction_holds_what_was_held(void **state) {
     thud_world_destroy(world);
 }
 
-/* ---- what goes wrong ---- */
+/* ---- failures and wrong calls ---- */
 
+/* A step function that fails is called again by the next call, from the same state; the end is the
+ * reference's. */
 static void failed_step_is_made_again(void **state) {
     (void)state;
     static uint64_t hashes[STEPS + 1];
@@ -247,6 +261,8 @@ static void failed_step_is_made_again(void **state) {
     thud_world_destroy(world);
 }
 
+/* Creating and advancing with failing allocations has an effect only where it succeeds; the end is
+ * the reference's. */
 static void memory_that_fails_is_asked_again(void **state) {
     (void)state;
     static uint64_t hashes[STEPS + 1];
@@ -294,8 +310,10 @@ static void memory_that_fails_is_asked_again(void **state) {
     assert_int_equal(memory_held, 0);
 }
 
+/* The rollback whose step function calls it. */
 static thud_rollback *inner;
 
+/* A step function inside of which calls of the rollback are refused. */
 static thud_result ask_inside(thud_world *world, const uint64_t *inputs, void *state) {
     bool made;
     (void)inputs, (void)state;
@@ -351,7 +369,8 @@ static void wrong_calls_are_refused(void **state) {
         }
         OK(thud_rollback_advance(r, NULL));
     }
-    OK(thud_rollback_input(r, 0, 0, 6)); /* long known, and nothing of it is kept */
+    /* an input that was given long ago and is not kept any more */
+    OK(thud_rollback_input(r, 0, 0, 6));
     OK(thud_rollback_at(r, 2 * DEPTH, &hash, NULL));
     OK(thud_rollback_at(r, 3 * DEPTH, &hash, NULL));
     assert_true(hash == thud_world_hash(world));

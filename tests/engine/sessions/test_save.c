@@ -1,5 +1,5 @@
-/* test_save.c: a world in a file goes on to the same bits; what is no such file, or not whole, is
- * refused, and nothing has changed. */
+/* test_save.c: a world that is saved to a file and loaded continues with the same bits; a damaged
+ * or foreign file is refused and changes nothing, and a failed save leaves the old file. */
 #include "snapshot_support.h"
 
 #include "hostile_memory.h"
@@ -8,11 +8,13 @@
 
 #define PATH "test_save.thud"
 
+/* A game's own data, which is saved with the world. */
 typedef struct score {
     int lives;
     thud_body_id hero;
 } score;
 
+/* The last message of the log. */
 static char heard[128];
 
 static void keep(thud_result result, const char *message, void *context) {
@@ -78,10 +80,10 @@ static void loaded_world_goes_on_to_the_same_bits(void **state) {
         run(other, 1);
         assert_true(digest_of(world) == digest_of(other));
     }
-    OK(thud_world_load(world, PATH, &back, sizeof back)); /* and back, in the world itself */
+    OK(thud_world_load(world, PATH, &back, sizeof back)); /* into the same world */
     OK(thud_world_load(other, PATH, &back, sizeof back));
     assert_true(digest_of(world) == digest_of(other));
-    OK(thud_world_save(world, PATH, NULL, 0)); /* over what is there */
+    OK(thud_world_save(world, PATH, NULL, 0)); /* over the existing file */
     OK(thud_world_load(other, PATH, NULL, 0));
     remove(PATH);
     thud_world_destroy(world);
@@ -89,6 +91,8 @@ static void loaded_world_goes_on_to_the_same_bits(void **state) {
     assert_int_equal(memory_held, 0);
 }
 
+/* Asserts that the file is refused with a message that contains `word`, and that nothing has
+ * changed. */
 static void refused(thud_world *world, const char *word) {
     score back = {.lives = -77};
     uint64_t before = digest_of(world);
@@ -96,11 +100,12 @@ static void refused(thud_world *world, const char *word) {
     heard[0] = 0;
     assert_int_equal(thud_world_load(world, PATH, &back, sizeof back), THUD_ERROR_INVALID);
     if (!strstr(heard, word)) {
-        fail_msg("'%s' does not tell of '%s'", heard, word);
+        fail_msg("'%s' does not contain '%s'", heard, word);
     }
     assert_true(back.lives == -77 && digest_of(world) == before && memory_held == held);
 }
 
+/* A file with any changed byte, cut short, lengthened, or of another kind of world is refused. */
 static void every_damage_is_refused(void **state) {
     (void)state;
     score own;
@@ -144,6 +149,8 @@ static void every_damage_is_refused(void **state) {
     thud_world_destroy(world);
 }
 
+/* A save that fails for a wrong path or for memory leaves the old file, and the world,
+ * unchanged. */
 static void failed_save_leaves_the_file_as_it_was(void **state) {
     (void)state;
     score own;

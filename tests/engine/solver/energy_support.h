@@ -1,16 +1,19 @@
-/* energy_support.h: bodies without friction, a room for them, and a count of their energy. */
+/* energy_support.h: worlds with elastic or rough bodies, a closed room for them, and the sum of
+ * their energy, for tests of energy under `swept`. */
 #ifndef ENERGY_SUPPORT_H
 #define ENERGY_SUPPORT_H
 
 #include "engine_support.h"
 
+/* Kinds of bodies (circle, AABB, OBB); bodies at most; steps of a minute. */
 enum { CIRCLE, UPRIGHT, TURNED, KINDS, MOST_BODIES = 100, MINUTE = 3600 };
 
+/* A world and its bodies. */
 typedef struct bodies {
     thud_world *world;
     thud_body_id id[MOST_BODIES];
     int count;
-    double gravity; /* along y */
+    double gravity; /* along y, in m/s^2 */
 } bodies;
 
 static inline bodies make_bodies(double gravity, int substeps) {
@@ -28,7 +31,7 @@ static inline thud_shape_def surface(float restitution, float friction) {
     return def;
 }
 
-/* hx: a circle's radius, or half the width of a square. */
+/* Adds a body of a kind. hx: the radius of a circle, or the half extent of a square. */
 static inline thud_body_id add(bodies *b, int kind, double x, double y, float hx,
                                const thud_shape_def *def) {
     thud_body_id id = add_body(b->world, THUD_DYNAMIC, x, y, 0);
@@ -36,7 +39,7 @@ static inline thud_body_id add(bodies *b, int kind, double x, double y, float hx
     return b->id[b->count++] = id;
 }
 
-/* Potential energy is 0 at y = 0. */
+/* Kinetic and potential energy of the bodies; potential energy is 0 at y = 0. */
 static inline double energy_of(const bodies *b) {
     double energy = 0;
     for (int i = 0; i < b->count; i++) {
@@ -48,6 +51,7 @@ static inline double energy_of(const bodies *b) {
     return energy;
 }
 
+/* Walls around a square room, whose half width is `half`. */
 static inline void add_room(bodies *b, double half, const thud_shape_def *def) {
     thud_body_id walls = add_body(b->world, THUD_STATIC, 0, 0, 0);
     for (int side = 0; side < 4; side++) {

@@ -1,4 +1,4 @@
-/* error_support.h: the energy of a world, and the error that a step reports. */
+/* error_support.h: the energy of a world, and one step with the error that it reports. */
 #ifndef ERROR_SUPPORT_H
 #define ERROR_SUPPORT_H
 

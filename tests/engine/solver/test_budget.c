@@ -1,7 +1,9 @@
-/* test_budget.c: quality against a time budget, by a clock that says what it is told. */
+/* test_budget.c: the time budget of a world, which lowers and raises the number of substeps. Times
+ * come from a clock that the test controls. */
 #include "engine_support.h"
 
-/* Each step takes so long by this clock, all of it in the solver. */
+/* The world's clock: each step takes `fixed` seconds and `per_substep` for each substep, all in the
+ * solver's stage. */
 typedef struct fake {
     thud_world *world;
     double now, fixed, per_substep;
@@ -16,6 +18,7 @@ static double read_fake(void *context) {
     return f->now;
 }
 
+/* A def with this time budget, and the controlled clock. */
 static thud_world_def budget_of(double seconds, int substeps, fake *f) {
     thud_world_def def = thud_default_world_def();
     def.time_budget = seconds;
@@ -26,6 +29,7 @@ static thud_world_def budget_of(double seconds, int substeps, fake *f) {
     return def;
 }
 
+/* The number of substeps after that many steps. */
 static int substeps_after(fake *f, int steps) {
     run(f->world, steps);
     return thud_world_stats(f->world).substeps;
@@ -69,6 +73,7 @@ static void substeps_rise_again_when_there_is_time_and_not_beyond_the_quality(vo
     thud_world_destroy(f.world);
 }
 
+/* A single step over the budget among eight that are within it does not change the substeps. */
 static void one_slow_step_changes_nothing(void **state) {
     (void)state;
     fake f = {.fixed = 1e-3};
@@ -80,6 +85,8 @@ static void one_slow_step_changes_nothing(void **state) {
     thud_world_destroy(f.world);
 }
 
+/* Where four substeps are 5 % over the budget, with noise, the number changes once and then
+ * stays. */
 static void load_about_the_budget_does_not_make_quality_flutter(void **state) {
     (void)state;
     uint64_t seed = 3;
@@ -114,6 +121,7 @@ static double fastest_in(thud_world *world, const thud_body_id *box, int count) 
     return fastest;
 }
 
+/* A stack at rest stays at rest while the budget lowers and raises the substeps. */
 static void stack_stays_calm_while_substeps_change(void **state) {
     (void)state;
     fake f = {.per_substep = 1e-4};
@@ -124,16 +132,17 @@ static void stack_stays_calm_while_substeps_change(void **state) {
         box[i] = add_box(f.world, 0, 0.5 + i, 0.5f, 0.5f);
     }
     assert_int_equal(substeps_after(&f, 120), 4);
-    f.per_substep = 1.2e-3; /* 4.8 ms: falls to 2 */
+    f.per_substep = 1.2e-3; /* 4.8 ms a step: falls to 2 substeps */
     double fastest = 0;
     for (int i = 0; i < 60; i++) {
         run(f.world, 1);
         fastest = fmax(fastest, fastest_in(f.world, box, 5));
-        f.per_substep = i == 30 ? 1e-4 : f.per_substep; /* ... and rises again */
+        f.per_substep = i == 30 ? 1e-4 : f.per_substep; /* and rises again */
         assert_true(i != 30 || thud_world_stats(f.world).substeps == 2);
     }
     assert_int_equal(thud_world_stats(f.world).substeps, 4);
-    assert_true(fastest < 0.1); /* it settles a little; with impulses of the wrong scale it jumps */
+    /* it settles a little; with impulses scaled for the wrong substep it would jump */
+    assert_true(fastest < 0.1);
     thud_world_destroy(f.world);
 }
 

@@ -1,6 +1,5 @@
-/* test_energy.c: in swept worlds elastic bodies keep their energy and momentum, free ones fly
- * parabolas, and nothing ever gains energy, whatever the substeps. At draft, default and high
- * nothing gains any either, and elastic bodies keep nearly all. */
+/* test_energy.c: under `swept` elastic bodies keep their energy and momentum, free bodies fly
+ * parabolas, and no world gains energy, at any number of substeps. */
 #include "energy_support.h"
 
 /* ---- one ball ---- */
@@ -45,7 +44,7 @@ static void elastic_ball_keeps_its_height_for_a_minute(void **state) {
     }
 }
 
-/* Over ground of all kinds, in metres and in pixels, at long steps and short ones. */
+/* Over ground of all kinds, in metres and in pixels, at long and short time steps. */
 static void elastic_bodies_keep_their_energy_over_any_ground(void **state) {
     (void)state;
     static const struct {
@@ -85,7 +84,7 @@ static void elastic_bodies_keep_their_energy_over_any_ground(void **state) {
     }
 }
 
-/* Restitution e: after the first bounce it rises e^2 as high. */
+/* With restitution e, a ball rises to e^2 of its height after the first bounce. */
 static void bounce_rises_by_the_square_of_restitution(void **state) {
     (void)state;
     for (float e = 0.3f; e < 0.95f; e += 0.15f) {
@@ -101,16 +100,17 @@ static void bounce_rises_by_the_square_of_restitution(void **state) {
             }
             thud_body_state s = state_of(b.world, id);
             double rise = s.position.y - 0.5 + (double)(s.velocity.y * s.velocity.y) / 20;
-            near_to(rise, (double)(e * e) * drop, 0.003); /* it meets up to 2 mm above the floor */
+            /* contact is up to 2 mm above the floor */
+            near_to(rise, (double)(e * e) * drop, 0.003);
             assert_int_equal(hits, 1);
             thud_world_destroy(b.world);
         }
     }
 }
 
-/* ---- many ---- */
+/* ---- many bodies ---- */
 
-/* A hundred in a room of 10 by 10, which may turn at first by `spin`. */
+/* A hundred bodies in a room of 10 by 10, with a random rotation up to `spin`. */
 static bodies make_gas(double gravity, int substeps, int kind, double speed, double spin,
                        const thud_shape_def *def) {
     bodies b = make_bodies(gravity, substeps);
@@ -140,12 +140,12 @@ static void elastic_gas_keeps_its_energy_for_a_minute(void **state) {
         bodies b = make_gas(cases[k].gravity, cases[k].substeps, cases[k].kind, cases[k].speed, 3,
                             &elastic);
         double floor = 0;
-        for (int i = 0; i < b.count; i++) { /* potential energy from the floor on */
+        for (int i = 0; i < b.count; i++) { /* potential energy relative to the floor */
             floor -= (double)state_of(b.world, b.id[i]).mass * b.gravity * 4.8;
         }
         double before = energy_of(&b) + floor;
         double minutes =
-            cases[k].kind == TURNED ? 0.25 : 1; /* boxes that turn take the most time */
+            cases[k].kind == TURNED ? 0.25 : 1; /* rotating boxes take the most computing time */
         run(b.world, (int)(minutes * MINUTE));
         double drift = (energy_of(&b) + floor) / before - 1;
         if (!(fabs(drift) < 1e-4 * minutes)) {
@@ -155,8 +155,8 @@ static void elastic_gas_keeps_its_energy_for_a_minute(void **state) {
     }
 }
 
-/* Thrown together and falling, with friction and spin: at no time is there more than at the start.
- */
+/* Bodies thrown together, falling, with friction and spin: at no time is there more energy than at
+ * the start. */
 static void nothing_gains_energy(void **state) {
     (void)state;
     static const float restitutions[] = {0, 0.5f, 0.95f, 1};
@@ -180,8 +180,8 @@ static void nothing_gains_energy(void **state) {
     }
 }
 
-/* A box that spins, slides and lands on a corner, with friction: Newton's restitution and Coulomb's
- * friction, each by itself, would give it energy (Kane and Levinson 1985). */
+/* A box that rotates, slides and lands on a corner, with friction: Newton's restitution and
+ * Coulomb's friction, each applied alone, would add energy (Kane and Levinson 1985). */
 static void rough_elastic_impact_never_gains_energy(void **state) {
     (void)state;
     uint64_t seed = 99;
@@ -204,7 +204,8 @@ static void rough_elastic_impact_never_gains_energy(void **state) {
 
 /* ---- touching chains ---- */
 
-/* Of five circles that touch, the first `moving` come in at 2: as many leave at the other end. */
+/* Of five circles in contact, the first `moving` come in at 2 m/s, and as many must leave at the
+ * other end. */
 static void cradle_hands_on(double gravity, int moving, double gap) {
     thud_shape_def elastic = surface(1, 0);
     bodies b = make_bodies(gravity, 4);

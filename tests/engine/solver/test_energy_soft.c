@@ -1,8 +1,10 @@
-/* test_energy_soft.c: energy at the qualities that are solved soft, as they detect. */
+/* test_energy_soft.c: elastic bodies at draft, default and high, with the detection of each: how
+ * much energy they keep and gain. */
 #include "energy_support.h"
 
-/* ---- at the other qualities, as they detect ---- */
+/* ---- soft qualities with their own detection ---- */
 
+/* Qualities whose substeps solve contacts softly. */
 static const thud_quality *const SOFT[] = {&thud_quality_draft, &thud_quality_default,
                                            &thud_quality_high};
 
@@ -13,7 +15,8 @@ static bodies make_soft(const thud_quality *quality, double gravity) {
     return (bodies){.world = make_world(def), .gravity = gravity};
 }
 
-/* A hundred in a room of 10 by 10, of sizes that differ by `spread`; 10 s. */
+/* A hundred bodies in a room of 10 by 10 for 10 s, with sizes that differ by `spread`. *kept is the
+ * energy at the end, and *gained the greatest gain, as shares of the energy at the start. */
 static void soft_gas(const thud_quality *quality, double gravity, int kind, double spread,
                      double *kept, double *gained) {
     thud_shape_def elastic = surface(1, 0);
@@ -49,7 +52,8 @@ static void soft_elastic_gas_keeps_its_energy_and_gains_none(void **state) {
         for (int falls = 0; falls < 2; falls++) {
             double kept, gained;
             soft_gas(SOFT[q], falls ? -10 : 0, CIRCLE, 0, &kept, &gained);
-            /* Falling bodies' speeds are half a substep's fall behind their places. */
+            /* The velocity of a falling body lags behind its position by half a substep, which
+             * shows as energy. */
             double least = SOFT[q] == &thud_quality_default ? 0.99 : 0.97;
             if (!(kept > least && gained < (falls ? 5e-3 : 1e-5))) {
                 fail_msg("%s, falling %d: kept %g, gained %g", SOFT[q]->name, falls, kept, gained);
@@ -71,7 +75,7 @@ static void soft_elastic_boxes_of_many_sizes_gain_no_energy(void **state) {
     }
 }
 
-/* Of rows of five and of a hundred. */
+/* Rows of five and of a hundred balls. */
 static void soft_cradle_hands_on_all_momentum(void **state) {
     (void)state;
     thud_shape_def elastic = surface(1, 0);
@@ -94,8 +98,8 @@ static void soft_cradle_hands_on_all_momentum(void **state) {
     }
 }
 
-/* Free fall as a height is v^2 / 20: the ball meets the floor deep, and fast enough to be stopped.
- */
+/* The ball falls 5 m, so that it overlaps the floor deeply and is fast enough that the detection
+ * stops it. */
 static void soft_elastic_ball_keeps_its_height_for_a_minute(void **state) {
     (void)state;
     thud_shape_def elastic = surface(1, 0);
@@ -119,7 +123,7 @@ static void soft_elastic_ball_keeps_its_height_for_a_minute(void **state) {
     }
 }
 
-/* A ball that falls on a box that stands on the ground, neither of which bounces by itself. */
+/* A ball falls on a box that rests on the ground; neither box nor ground is elastic. */
 static void soft_ball_bounces_off_what_stands_and_stack_stays_at_rest(void **state) {
     (void)state;
     thud_shape_def elastic = surface(1, 0.6f), dull = surface(0, 0.6f);

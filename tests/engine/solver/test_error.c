@@ -1,5 +1,5 @@
-/* test_error.c: the errors that every step reports, against figures by hand and thud_world_measure.
- */
+/* test_error.c: the errors that every step reports (penetration, residual), against values derived
+ * by hand and thud_world_measure. */
 #include "error_support.h"
 
 #include "build_thud.h"
@@ -20,6 +20,7 @@ static void error_before_the_first_step_and_without_a_world_is_zero(void **state
     thud_world_destroy(world);
 }
 
+/* The reported penetration is the depth that the ball has at the end of the step. */
 static void penetration_of_a_sunk_ball_is_how_deep_it_ends(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -34,6 +35,7 @@ static void penetration_of_a_sunk_ball_is_how_deep_it_ends(void **state) {
     thud_world_destroy(world);
 }
 
+/* The mean penetration counts all touching points, also those that do not overlap. */
 static void mean_counts_points_that_do_not_overlap(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -79,6 +81,8 @@ static void penetration_agrees_with_the_measure_in_every_scene(void **state) {
     }
 }
 
+/* td_error_recount, which computes the report from the final state, agrees with what the step has
+ * counted. */
 static void recount_finds_what_the_step_found(void **state) {
     (void)state;
     static const char *const names[] = {"pyramid", "circle_pit"};
@@ -124,7 +128,8 @@ static void contacts_of_sleepers_and_vetoed_ones_do_not_count(void **state) {
     }
 }
 
-/* In the step in which it is quarantined, islands that are solved directly are counted anew. */
+/* In the step in which a body is quarantined, the errors of islands that are solved directly are
+ * counted again. */
 static void body_that_is_no_number_leaves_no_trace_in_the_errors(void **state) {
     (void)state;
     for (int which = 0; which < 4; which++) {
@@ -146,6 +151,8 @@ static void body_that_is_no_number_leaves_no_trace_in_the_errors(void **state) {
     }
 }
 
+/* At draft, the residual is small under a box of the same mass and large under one of 10^4 times
+ * its mass. */
 static void residual_is_large_where_the_solver_does_not_get_done(void **state) {
     (void)state;
     double residual[2];
@@ -167,6 +174,8 @@ static void residual_is_large_where_the_solver_does_not_get_done(void **state) {
     assert_true(residual[1] > 0.1);
 }
 
+/* `overlaps` counts points deeper than 0.005 length scales: none in a stack under a light box,
+ * several under a heavy one. */
 static void points_of_a_stack_overlap_under_a_weight_that_crushes_it(void **state) {
     (void)state;
     int overlaps[2];
@@ -208,7 +217,7 @@ static void report_of_a_step_that_quarantines_is_finite(void **state) {
     thud_world_destroy(world);
 }
 
-/* ---- one report, whoever works it out ---- */
+/* ---- the same report with any workers and SIMD ---- */
 
 static void same_as(thud_step_error a, thud_step_error b) {
     assert_true(a.penetration_max == b.penetration_max);

@@ -1,4 +1,5 @@
-/* test_error_energy.c: the change of energy that a step reports. */
+/* test_error_energy.c: the change of energy that a step reports, against the energy before and
+ * after. */
 #include "error_support.h"
 
 /* ---- energy ---- */
@@ -45,6 +46,7 @@ static void fall_on_exact_parabolas_changes_no_energy(void **state) {
     thud_world_destroy(world);
 }
 
+/* The energy that a sliding box loses is the friction force times the distance. */
 static void slide_loses_what_friction_works(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();
@@ -55,7 +57,7 @@ static void slide_loses_what_friction_works(void **state) {
     thud_body_id box = add_body(world, THUD_DYNAMIC, 0, 0.25, 0);
     add_shape(world, box, 0.5f, 0.25f, false, &rough);
     OK(thud_body_set_velocity(world, box, (thud_vec2){5, 0}, 0));
-    run(world, 10); /* until it has settled */
+    run(world, 10); /* until its contact has settled */
     double x = state_of(world, box).position.x, lost = 0;
     for (int i = 0; i < 40; i++) {
         thud_step_error e = error_of_step(world);
@@ -68,7 +70,7 @@ static void slide_loses_what_friction_works(void **state) {
     thud_world_destroy(world);
 }
 
-/* Edits between steps are not the solver's doing. */
+/* Edits between steps are not part of the reported change. */
 static void energy_change_leaves_edits_out(void **state) {
     (void)state;
     uint64_t seed = 5;
@@ -125,6 +127,7 @@ static void energy_change_leaves_edits_out(void **state) {
     thud_world_destroy(world);
 }
 
+/* After an impact within the step, the reported change of energy is that of the whole step. */
 static void energy_counts_anew_after_a_collision_within_the_step(void **state) {
     (void)state;
     thud_world_def def = weightless();
@@ -137,7 +140,7 @@ static void energy_counts_anew_after_a_collision_within_the_step(void **state) {
     for (int i = 0; i < 10; i++) {
         double before = energy_of(world);
         thud_step_error e = error_of_step(world);
-        if (met) { /* it slides or rests now, and nothing is lost in one leap */
+        if (met) { /* from now on it slides or rests, and no single step loses much */
             assert_true(e.energy_change > -0.1 * before);
         }
         met |= thud_world_stats(world).impacts > 0;
@@ -146,7 +149,7 @@ static void energy_counts_anew_after_a_collision_within_the_step(void **state) {
     thud_world_destroy(world);
 }
 
-/* Valid as numbers, and far beyond what a float's square or product holds. */
+/* Finite values whose squares or products overflow a float. */
 static void energies_are_told_whatever_acts(void **state) {
     (void)state;
     for (int pushed = 0; pushed < 2; pushed++) {

@@ -1,5 +1,5 @@
 /* test_error_held.c: the errors of a step in which detection stops bodies before its end, against
- * where the bodies are. */
+ * the bodies' positions. */
 #include "error_support.h"
 
 static const thud_detection *const detections[] = {&thud_detection_continuous,
@@ -9,8 +9,8 @@ static void move(thud_world *world, thud_body_id id, float x, float y) {
     OK(thud_body_set_velocity(world, id, (thud_vec2){x, y}, 0));
 }
 
-/* One ball follows another, which the wall stops: what one step then pushes them into each other
- * is as deep as their places say. */
+/* One ball follows another, which the wall stops: the penetration of the two after the step is
+ * reported as their positions give it. */
 static void ball_that_runs_into_a_held_one_is_as_deep_as_they_stand(void **state) {
     (void)state;
     bool ran_into = false;
@@ -34,6 +34,7 @@ static void ball_that_runs_into_a_held_one_is_as_deep_as_they_stand(void **state
     assert_true(ran_into);
 }
 
+/* shortfall is the greatest distance by which a held body is behind its free motion. */
 static void shortfall_is_the_way_that_the_held_ball_lacks(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());

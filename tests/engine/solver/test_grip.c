@@ -1,5 +1,5 @@
-/* test_grip.c: what a tyre does: it brings a point of its body to a speed along an axis, never
- * beyond, and never adds energy where that speed is 0. */
+/* test_grip.c: thud_body_apply_grip, the force of a tyre: it brings the velocity of a point of its
+ * body along an axis to a target, never beyond it, and adds no energy where the target is 0. */
 #include "engine_support.h"
 
 #include <thud/thud_fields.h>
@@ -15,7 +15,7 @@ static thud_body_id make_car(thud_world *world, double angle, thud_vec2 velocity
     return thud_body_make(world, thud_obb_at(1, 2, 1, 0.5, angle), &car);
 }
 
-/* Of the body's point along an axis, both in its frame. */
+/* Velocity of a point of the body along an axis, both in the body's frame. */
 static double speed_along(thud_world *world, thud_body_id body, thud_vec2 point, thud_vec2 axis) {
     thud_pos at;
     thud_vec2 velocity, along;
@@ -25,7 +25,8 @@ static double speed_along(thud_world *world, thud_body_id body, thud_vec2 point,
     return velocity.x * along.x + velocity.y * along.y;
 }
 
-/* The step turns the body a little, and its point and axis with it: with a short one, hardly. */
+/* The rotation during a step changes the point's place and axis; with a step of 1e-5 s that is
+ * negligible. */
 static thud_world *short_steps(thud_vec2 gravity) {
     thud_world_def def = weightless();
     def.gravity = gravity;
@@ -33,6 +34,8 @@ static thud_world *short_steps(thud_vec2 gravity) {
     return make_world(def);
 }
 
+/* With a sufficient force, any point of the car has the target velocity along the axis after one
+ * step, under gravity and another force; the length of the axis does not matter. */
 static void great_force_brings_any_point_to_its_speed_in_a_step(void **state) {
     (void)state;
     uint64_t seed = 7;
@@ -54,10 +57,12 @@ static void great_force_brings_any_point_to_its_speed_in_a_step(void **state) {
     }
 }
 
+/* A force that is too small is used completely: velocity changes by force * time / mass towards the
+ * target. */
 static void small_force_is_all_used_on_the_way_there(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
-    thud_body_id car = make_car(world, 0, (thud_vec2){0, 5}, 0); /* of mass 6 */
+    thud_body_id car = make_car(world, 0, (thud_vec2){0, 5}, 0); /* mass: 6 kg */
     thud_vec2 middle = {0, 0}, across = {0, 2};
     OK(thud_body_apply_grip(world, car, middle, across, 0, 36));
     run(world, 1);
@@ -75,7 +80,7 @@ static double energy_of(const thud_world *world, thud_body_id body) {
            0.5 * s.inertia * s.angular_velocity * s.angular_velocity;
 }
 
-/* Four tyres that each stop their point alone do not shake the car. */
+/* Four tyres that each stop their own point do not make the car oscillate. */
 static void holding_never_adds_energy(void **state) {
     (void)state;
     const thud_vec2 tyres[] = {{0.9f, 0.4f}, {0.9f, -0.4f}, {-0.9f, 0.4f}, {-0.9f, -0.4f}};
@@ -115,7 +120,7 @@ static void sleepers_and_who_is_switched_off_are_left_alone(void **state) {
     thud_world_destroy(world);
 }
 
-/* What has a fixed rotation shows its whole mass everywhere. */
+/* For a body with fixed rotation the effective mass is its mass at every point. */
 static void fixed_rotation_is_heeded(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());

@@ -1,9 +1,10 @@
-/* Worlds with a greatest error: quality rises where it is missed, and nowhere else. */
+/* test_max_error.c: worlds with a maximum error (max_error): islands that exceed it are solved
+ * directly, and no others. */
 #include "engine_support.h"
 
 #include <thud/thud_make.h>
 
-/* Draft, but for what `max_error` asks of it. */
+/* Draft with a direct solver, which is used only as `max_error` requires. */
 static thud_quality rough(void) {
     thud_quality q = thud_quality_draft;
     q.islands = &thud_islands_direct;
@@ -29,6 +30,8 @@ static void add_column(thud_world *world, double x, int boxes) {
     }
 }
 
+/* Without a maximum error a column of ten sinks by more than 5 mm, and nothing is solved
+ * directly. */
 static void error_without_limit_is_missed(void **state) {
     (void)state;
     thud_quality q = rough();
@@ -40,6 +43,8 @@ static void error_without_limit_is_missed(void **state) {
     thud_world_destroy(world);
 }
 
+/* A column of ten keeps a maximum error of 2 mm and is solved directly; a single box, which does
+ * not exceed it, is not. */
 static void column_keeps_the_limit_and_the_lone_box_stays_soft(void **state) {
     (void)state;
     thud_quality q = rough();
@@ -55,6 +60,7 @@ static void column_keeps_the_limit_and_the_lone_box_stays_soft(void **state) {
     thud_world_destroy(world);
 }
 
+/* Where all boxes but the lowest are destroyed, that is solved softly again. */
 static void quality_falls_again_when_the_load_is_gone(void **state) {
     (void)state;
     thud_quality q = rough();
@@ -74,6 +80,7 @@ static void quality_falls_again_when_the_load_is_gone(void **state) {
     thud_world_destroy(world);
 }
 
+/* A maximum error that is set while the world runs takes effect. */
 static void limit_set_later_takes_effect(void **state) {
     (void)state;
     thud_quality q = rough();
@@ -96,7 +103,7 @@ static void limit_that_cannot_be_kept_is_refused(void **state) {
         assert_int_equal(thud_world_create(&def, &world), THUD_ERROR_INVALID);
     }
     def.max_error = 0.01;
-    def.quality = &thud_quality_draft; /* has no solver that could */
+    def.quality = &thud_quality_draft; /* it has no island solver, which a maximum error needs */
     assert_int_equal(thud_world_create(&def, &world), THUD_ERROR_INVALID);
     def.quality = &thud_quality_default;
     world = make_world(def);
@@ -108,10 +115,11 @@ static void limit_that_cannot_be_kept_is_refused(void **state) {
     thud_world_destroy(world);
 }
 
-/* ---- columns whose bodies are stopped on the way ---- */
+/* ---- columns whose bodies detection stops ---- */
 
+/* A case: a column of boxes of this kind. */
 typedef struct column {
-    double scale, step; /* length scale; s */
+    double scale, step; /* length scale; time step in s */
     const thud_quality *quality;
     const thud_detection *detection;
     thud_shape_kind kind;
@@ -119,6 +127,7 @@ typedef struct column {
 
 enum { COLUMN = 16 };
 
+/* A column of COLUMN boxes at the case's scale. */
 static thud_world *make_column(const column *c, double max_error, thud_body_id *boxes) {
     thud_world_def def = thud_world_def_of(c->quality);
     float half = (float)(0.5 * c->scale);
@@ -141,8 +150,10 @@ static thud_world *make_column(const column *c, double max_error, thud_body_id *
     return world;
 }
 
+/* Checks one case. */
 typedef void column_fn(const column *c);
 
+/* Calls the check for columns of all scales, steps, qualities, detections and shapes. */
 static void try_columns(column_fn *try_it) {
     static const double scales[] = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.3,
                                     0.7,  1,    3,    10,   1e3,  1e6};
@@ -157,6 +168,7 @@ static void try_columns(column_fn *try_it) {
     }
 }
 
+/* Asserts that no step exceeds a maximum error of 0.0005 length scales. */
 static void keeps_max_error(const column *c) {
     thud_body_id boxes[COLUMN];
     const double most = 0.0005;
@@ -178,8 +190,8 @@ static void column_keeps_the_limit_in_each_step_where_boxes_are_stopped_on_the_w
     try_columns(keeps_max_error);
 }
 
-/* What is set down touching does not jump: no box gets more speed than gravity gives in two steps.
- */
+/* A column that is created touching does not jump: no box gets more velocity than gravity gives in
+ * two steps. */
 static void stays_on_the_ground(const column *c) {
     thud_body_id boxes[COLUMN];
     thud_world *world = make_column(c, 0, boxes);

@@ -1,4 +1,5 @@
-/* test_physics.c: motion against analytic answers. */
+/* test_physics.c: motion of simple scenes against analytic answers: parabola, restitution,
+ * friction, rolling, elastic collision, columns. */
 #include "engine_support.h"
 
 static void projectile_follows_the_parabola_to_first_order(void **state) {
@@ -8,7 +9,7 @@ static void projectile_follows_the_parabola_to_first_order(void **state) {
     OK(thud_body_set_velocity(world, ball, (thud_vec2){3, 20}, 0));
     run(world, 120);
     thud_body_state s = state_of(world, ball);
-    /* Semi-implicit Euler with substeps of h falls g t h / 2 short of v t - g t^2 / 2. */
+    /* Semi-implicit Euler with substeps of h is g t h / 2 below v t - g t^2 / 2. */
     double t = 2.0, h = 1.0 / 240.0;
     near_to(s.position.x, 3 * t, 1e-4);
     near_to(s.position.y, 20 * t - 5 * t * t - 10 * t * h / 2, 1e-3);
@@ -31,13 +32,13 @@ static void ball_bounces_by_its_restitution(void **state) {
             run(world, 1);
             after = (double)state_of(world, ball).velocity.y;
         }
-        /* Gravity of one step is all that may come between. */
+        /* The tolerance allows for gravity during one step. */
         near_to(after / before, 0.1 * i, 0.03);
         thud_world_destroy(world);
     }
 }
 
-/* A box on a plane of slope s with friction mu. */
+/* A box (radius 0) or a disc on a plane of this slope with friction mu, after some seconds. */
 static thud_body_state slide(double slope, float mu, float radius, double seconds) {
     thud_world_def def = thud_default_world_def();
     def.sleeping = false;
@@ -111,7 +112,7 @@ static void column_of_thirty_stands_for_twenty_seconds(void **state) {
     thud_world_destroy(world);
 }
 
-/* How deep a column of ten sinks into itself. */
+/* The greatest penetration depth in a column of ten boxes after 2 s, in metres. */
 static double depth_of_column(const thud_quality *quality) {
     thud_world_def def = thud_default_world_def();
     def.quality = quality;

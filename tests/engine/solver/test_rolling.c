@@ -1,15 +1,15 @@
-/* test_rolling.c: discs that roll down slopes, against the path of mechanics: a disc of inertia
- * m r^2 / 2 that does not slip gains 2/3 g sin(a), and no quality strays further than a lower one.
- */
+/* test_rolling.c: discs that roll down slopes, against mechanics: a disc of inertia m r^2 / 2 that
+ * does not slip accelerates by 2/3 g sin(a). No quality deviates more than a lower one. */
 #include "engine_support.h"
 
 enum { SECONDS = 4 };
 
-/* How far from its place the disc is after some seconds, and how fast it slips. */
+/* Deviation of the disc's position after SECONDS, and its slip velocity. */
 typedef struct off {
     double way, slip;
 } off;
 
+/* Rolls a disc down a slope, and measures its deviation. */
 static off roll(const thud_quality *quality, double degrees) {
     double angle = degrees * 3.14159265358979323846 / 180, c = cos(angle), s = sin(angle);
     thud_world_def def = thud_default_world_def();

@@ -1,4 +1,5 @@
-/* test_spin.c: how fast a body may spin, on every setting. */
+/* test_spin.c: bodies keep their angular velocity at every quality and detection, up to the maximum
+ * that a body may have. */
 #include "engine_support.h"
 #include "every_choice.h"
 
@@ -16,11 +17,12 @@ static thud_body_id add_spinning(thud_world *world, thud_body_kind kind, bool bo
     return id;
 }
 
-/* Radians within half a turn of each other. */
+/* Angle in radians between two angles, at most half a turn. */
 static double apart(double a, double b) {
     return fabs(remainder(a - b, 6.283185307179586));
 }
 
+/* Asserts that bodies with this angular velocity keep it and rotate by it. */
 static void spins_as_it_was_told(const thud_quality *quality, const thud_detection *detection,
                                  float spin) {
     thud_world_def def = thud_world_def_of(quality);
@@ -37,7 +39,7 @@ static void spins_as_it_was_told(const thud_quality *quality, const thud_detecti
         for (int i = 0; i < 4; i++) {
             thud_body_state s = state_of(world, bodies[i]);
             assert_true(s.angular_velocity == spin);
-            /* The motion of a step is summed up in single precision. */
+            /* The rotation of a step is summed in single precision. */
             double turned = (double)spin / 60;
             assert_true(apart(s.angle - before, turned) < 1e-6 + 1e-6 * fabs(turned));
         }
@@ -58,6 +60,7 @@ static void free_body_keeps_any_spin_at_every_quality_and_detection(void **state
     }
 }
 
+/* A greater angular velocity is limited to 1e8 rad/s with its sign. */
 static void spin_beyond_the_highest_is_held_there_with_its_sign(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -69,8 +72,8 @@ static void spin_beyond_the_highest_is_held_there_with_its_sign(void **state) {
     thud_world_destroy(world);
 }
 
-/* Radius 5 cm at 12 m/s: 240 rad/s. Within a hundredth: at exact it lands on a skin of a
- * millimetre. */
+/* A ball of radius 5 cm at 12 m/s rotates at 240 rad/s. The tolerance is 1 %: at exact it lands on
+ * a skin of a millimetre. */
 static void small_ball_rolls_on_forwards_at_every_quality_and_size(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {

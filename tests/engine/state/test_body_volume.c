@@ -1,5 +1,5 @@
-/* test_body_volume.c: the bounding volume of a body is around all its shapes, where they are now.
- */
+/* test_body_volume.c: the bounding volume of a body (thud_body_volume) encloses all its shapes at
+ * its present pose. */
 #include "engine_support.h"
 
 static void body_volume_is_around_all_shapes_wherever_the_body_is(void **state) {
@@ -12,7 +12,7 @@ static void body_volume_is_around_all_shapes_wherever_the_body_is(void **state) 
                              NULL));
     thud_pos origin = {1e6, -3};
     thud_volume v;
-    /* Turned by a quarter: the circle is 2 above, the box from 0 to 2 below. */
+    /* Rotated by a quarter turn: the circle is 2 above the origin, the box from 0 to 2 below. */
     OK(thud_body_volume(world, body, THUD_AABB, origin, &v));
     near_to(v.x, 0, 1e-6);
     near_to(v.y, 0.25, 1e-6);

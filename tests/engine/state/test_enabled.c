@@ -1,4 +1,5 @@
-/* test_enabled.c: bodies that are taken out of the world for a while, and come back. */
+/* test_enabled.c: bodies that are disabled leave the world, and come back unchanged when they are
+ * enabled. */
 #include "resolution_support.h"
 
 static bool found(thud_world *world, double x, double y) {
@@ -7,6 +8,8 @@ static bool found(thud_world *world, double x, double y) {
     return hit;
 }
 
+/* A disabled body has no contacts, is not found by queries, and keeps its pose; when it is enabled
+ * it continues with its velocity, awake. */
 static void disabled_body_meets_nothing_and_comes_back_as_it_was(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
@@ -42,6 +45,7 @@ static void disabled_body_meets_nothing_and_comes_back_as_it_was(void **state) {
     }
 }
 
+/* A body that sleeps on the ground wakes and falls when the ground is disabled. */
 static void disabled_ground_lets_fall_and_wakes_who_slept_on_it(void **state) {
     (void)state;
     for (int line = 0; line < 2; line++) {
@@ -66,7 +70,7 @@ static void disabled_ground_lets_fall_and_wakes_who_slept_on_it(void **state) {
     }
 }
 
-/* Side by side with a disabled box stands nothing: its neighbour has a face there again. */
+/* Next to a disabled box, the face of its neighbour is not covered any more. */
 static void disabled_box_hides_no_face_of_its_neighbour(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());

@@ -1,5 +1,5 @@
-/* test_handles.c: handles and bad input: refused with a result, told to the log, nothing changed.
- */
+/* test_handles.c: stale handles and wrong input are refused with a result and a log message, and
+ * change nothing. */
 #include "engine_support.h"
 
 static int logged;
@@ -46,6 +46,7 @@ static void handle_of_another_world_is_refused(void **state) {
     thud_world_destroy(two);
 }
 
+/* A handle is not valid in any of 20,000 worlds created after its own. */
 static void handle_is_refused_however_many_worlds_are_made_after_its_own(void **state) {
     (void)state;
     thud_world *one = make_world(thud_default_world_def());
@@ -155,7 +156,7 @@ static void bad_worlds_are_refused(void **state) {
 #undef REFUSED
 }
 
-/* Every call of the table must be refused, told to the log and leave the world as it was. */
+/* Every call of the table must be refused, logged, and leave the world unchanged. */
 static void bad_calls_change_nothing(void **state) {
     (void)state;
     thud_world *world = logging_world();

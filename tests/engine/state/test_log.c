@@ -1,5 +1,5 @@
-/* test_log.c: why a call was refused: a log that is ready to use, set when it is wanted, whose
- * reasons name the field that was wrong. */
+/* test_log.c: the log of refused calls: when it is set, its default, and that each message names
+ * the wrong field. */
 #include "engine_support.h"
 
 #include <thud/thud_casts.h>
@@ -11,6 +11,7 @@
 #include <math.h>
 #include <stdio.h>
 
+/* What the log was given last, and how many messages there were. */
 typedef struct heard {
     thud_result result;
     char message[200];
@@ -24,6 +25,7 @@ static void hear(thud_result result, const char *message, void *context) {
     h->count++;
 }
 
+/* Asserts that there was one message, with this result and word. */
 static void expect(heard *h, thud_result result, const char *word) {
     if (h->count != 1 || h->result != result || !strstr(h->message, word)) {
         fail_msg("%d messages, the last %d: %s; wanted %s", h->count, (int)h->result, h->message,
@@ -46,7 +48,7 @@ static void a_log_is_set_on_any_world(void **state) {
     thud_world_destroy(world);
 }
 
-/* The tests are built as the library is. */
+/* Tests are compiled with the same NDEBUG as the library. */
 static void without_NDEBUG_worlds_write_to_stderr(void **state) {
     (void)state;
 #if defined(NDEBUG)
@@ -64,7 +66,7 @@ static void without_NDEBUG_worlds_write_to_stderr(void **state) {
     remove("test_log.txt");
 }
 
-/* ---- reasons ---- */
+/* ---- messages ---- */
 
 static void worlds_name_the_field(void **state) {
     (void)state;
@@ -89,6 +91,7 @@ static void worlds_name_the_field(void **state) {
     }
 }
 
+/* A drive that is refused, and a part of the message. */
 typedef struct drive_case {
     thud_joint_kind kind;
     int direction;
@@ -96,6 +99,8 @@ typedef struct drive_case {
     const char *word;
 } drive_case;
 
+/* A joint with a wrong drive is refused with a message that names the field, its value and its
+ * range. */
 static void drives_name_the_field(void **state) {
     (void)state;
     const drive_case cases[] = {
@@ -119,7 +124,7 @@ static void drives_name_the_field(void **state) {
         {THUD_HINGE, THUD_TURN, {.motor_speed = 1e9f}, "motor_speed is 1e9"},
         {THUD_SLIDER, THUD_ALONG, {.motor_speed = NAN}, "motor_speed is NaN"},
         {THUD_HINGE, THUD_TURN, {.motor_force = -1}, "motor_force is -1"},
-        /* In a direction that the kind does not have. */
+        /* In a direction that the kind of joint cannot drive. */
         {THUD_HINGE, THUD_ALONG, {.frequency = 2}, "no drive along"},
         {THUD_SLIDER, THUD_TURN, {.motor_force = 2}, "no drive of turn"},
         {THUD_FILTER, THUD_ACROSS, {.limited = true}, "no drive across"},
@@ -139,7 +144,7 @@ static void drives_name_the_field(void **state) {
         assert_int_equal(thud_joint_create(world, &def, &joint), THUD_ERROR_INVALID);
         expect(&h, THUD_ERROR_INVALID, cases[i].word);
     }
-    /* A motor that is turned off is made, and told. */
+    /* A motor without force is created, with a message. */
     thud_joint_def def = thud_default_joint_def(THUD_HINGE);
     def.body_a = a;
     def.body_b = b;
@@ -151,6 +156,7 @@ static void drives_name_the_field(void **state) {
     thud_world_destroy(world);
 }
 
+/* Messages print numbers with as many digits as they need. */
 static void numbers_are_told_as_they_were_written(void **state) {
     (void)state;
     const struct {
@@ -183,6 +189,7 @@ static void numbers_are_told_as_they_were_written(void **state) {
     thud_world_destroy(world);
 }
 
+/* A terrain with a wrong field is refused with a message that names the field. */
 static void lines_name_the_field(void **state) {
     (void)state;
     thud_pos points[] = {{0, 0}, {1, 0}}, falling[] = {{0, 0}, {-1, 0}};
@@ -222,8 +229,7 @@ static bool none(thud_shape_id shape, void *context) {
     return true;
 }
 
-/* A filter that was zeroed instead of begun with the default one, and an explosion without a size.
- */
+/* A filter that was zeroed and not begun from its default, and an explosion without a size. */
 static void what_meets_nobody_is_refused(void **state) {
     (void)state;
     heard h = {.count = 0};

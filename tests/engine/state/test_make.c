@@ -1,5 +1,5 @@
-/* test_make.c: worlds and bodies in one expression: what zero means, what flags mean, and what is
- * refused. */
+/* test_make.c: worlds and bodies created in one expression (thud_make.h): options that are 0 mean
+ * the default, and wrong options create nothing. */
 #include "engine_support.h"
 
 #include "hostile_memory.h"
@@ -25,6 +25,7 @@ static thud_shape_state shape_of(const thud_world *world, thud_body_id body) {
     return state;
 }
 
+/* thud_world_make sets gravity and quality; NaN and null give no world. */
 static void world_has_the_gravity_and_quality_that_were_asked_for(void **state) {
     (void)state;
     thud_step_settings settings;
@@ -38,6 +39,8 @@ static void world_has_the_gravity_and_quality_that_were_asked_for(void **state) 
     assert_null(thud_world_make((thud_vec2){0, 0}, NULL));
 }
 
+/* A body made without options is static, and its shape has the defaults of
+ * thud_default_shape_def. */
 static void zero_is_the_default(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
@@ -85,7 +88,7 @@ static void options_are_those_of_body_and_shape(void **state) {
     thud_world_destroy(world);
 }
 
-/* What no state tells of is seen in the motion. */
+/* Options that no state contains are seen in the motion. */
 static void dampings_rotation_and_detection_are_as_of_a_def(void **state) {
     (void)state;
     thud_body_options options = {.kind = THUD_DYNAMIC,

@@ -1,4 +1,4 @@
-/* test_memory.c: failed allocations leave the world as it was, and a settled step makes none. */
+/* test_memory.c: failed allocations leave the world unchanged, and a settled step makes none. */
 #include "engine_support.h"
 
 #include "hostile_memory.h"
@@ -23,7 +23,8 @@ static thud_world *build(const char *name, int size) {
     return world;
 }
 
-/* Fails the first allocation of every step, then the second, until the step gets through. */
+/* Fails the first allocation of a step, then the second, until the step succeeds; returns how many
+ * attempts failed. */
 static long step_with_failures(thud_world *world) {
     for (long failures = 0;; failures++) {
         uint64_t before = thud_world_hash(world);
@@ -38,6 +39,8 @@ static long step_with_failures(thud_world *world) {
     }
 }
 
+/* A step that succeeds after failed attempts ends with the hash and events of a world whose memory
+ * never fails. */
 static void step_after_failed_ones_is_the_same_step(void **state) {
     (void)state;
     const struct {
@@ -66,6 +69,7 @@ static void step_after_failed_ones_is_the_same_step(void **state) {
     assert_int_equal(memory_held, 0);
 }
 
+/* Creating a world, body or shape that fails for memory changes no count and leaves no block. */
 static void creation_that_fails_leaves_nothing_behind(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();
@@ -125,8 +129,8 @@ static void settled_world_allocates_nothing(void **state) {
     }
 }
 
-/* A step in which much grows pays a page fault for each page that is written to, so that room in
- * arrays that nothing is in yet must not be. */
+/* Reserved memory must not be written before it is used: in a step in which arrays grow, each page
+ * that is written costs a page fault. */
 static void room_that_nothing_is_in_touches_no_page(void **state) {
     (void)state;
 #if defined(__linux__)
@@ -139,23 +143,24 @@ static void room_that_nothing_is_in_touches_no_page(void **state) {
     assert_int_equal(getrusage(RUSAGE_SELF, &after), 0);
     long faults = after.ru_minflt - before.ru_minflt;
     print_message("%ld page faults for %d MB of room\n", faults, BYTES >> 20);
-    assert_true(faults < BYTES / PAGE / 4); /* some are a sanitizer's, of its notes on the room */
+    assert_true(faults < BYTES / PAGE / 4); /* a sanitizer causes some for its own records */
     for (int i = 0; i < BYTES; i += PAGE) {
         assert_int_equal(((char *)array.data)[i], 0);
     }
     td_array_free(&memory, &array);
     assert_int_equal(memory.bytes, 0);
 #else
-    skip(); /* nothing else tells page faults alike */
+    skip(); /* other systems do not count page faults in this way */
 #endif
 }
 
+/* Blocks of all sizes are zeroed and aligned to 64 bytes, also where they were used before. */
 static void rooms_of_all_sizes_are_zeroed_and_begin_a_cache_line(void **state) {
     (void)state;
     enum { ROOMS = 200 };
     td_memory memory = td_memory_make((thud_allocator){0});
     for (int round = 0; round < 3;
-         round++) { /* what was released comes again, and was written to */
+         round++) { /* released blocks are used again, and were written to */
         char *rooms[ROOMS];
         for (int i = 0; i < ROOMS; i++) {
             size_t bytes = (size_t)(1 + i * i * 7);

@@ -1,5 +1,5 @@
-/* Bodies that are made with their shapes, shapes placed in one expression, and defs that do not
- * start from their default functions. */
+/* test_whole_bodies.c: bodies created together with their shapes, shapes placed in one expression,
+ * and defs that were not begun from their default functions. */
 #include "engine_support.h"
 #include "hostile_memory.h"
 
@@ -9,7 +9,7 @@
 #include <thud/thud_lists.h>
 #include <thud/thud_snapshot.h>
 
-/* ---- shapes in their places ---- */
+/* ---- placed shapes ---- */
 
 static void placed_shapes_are_what_their_names_say(void **state) {
     (void)state;
@@ -39,7 +39,7 @@ static thud_body_def body_def(thud_body_kind kind) {
     return def;
 }
 
-/* The same as one call after another makes, to the bit, through a hundred steps. */
+/* The result is the same as of single calls, to the bit, for a hundred steps. */
 static void bodies_with_shapes_are_those_of_single_calls(void **state) {
     (void)state;
     thud_world *worlds[2];
@@ -72,6 +72,7 @@ static void bodies_with_shapes_are_those_of_single_calls(void **state) {
     thud_world_destroy(worlds[1]);
 }
 
+/* The angle of a placed shape is recovered from its cosine and sine within 1e-9. */
 static void angles_come_back_from_cosine_and_sine(void **state) {
     (void)state;
     thud_world *w = make_world(thud_default_world_def());
@@ -90,7 +91,7 @@ static void angles_come_back_from_cosine_and_sine(void **state) {
     thud_world_destroy(w);
 }
 
-/* What a world is, but for the memory that it has. */
+/* A snapshot: everything of a world except its reserved memory. */
 typedef struct bytes {
     void *data;
     size_t size;
@@ -111,6 +112,7 @@ static void assert_unchanged(thud_world *w, bytes before) {
     free(after.data);
 }
 
+/* A body with one wrong shape is not created, and neither are its other shapes. */
 static void one_wrong_shape_leaves_nothing_behind(void **state) {
     (void)state;
     thud_world *w = make_world(thud_default_world_def());
@@ -165,12 +167,15 @@ static void one_wrong_shape_leaves_nothing_behind(void **state) {
 
 /* ---- without memory ---- */
 
+/* The context of a prologue that creates bodies: result, statistics around the call, and how many
+ * allocations succeed. */
 typedef struct try_made {
     thud_result result;
     thud_stats before, after;
     long allowed;
 } try_made;
 
+/* A prologue that creates a body with many shapes while an allocation fails. */
 static bool make_many(thud_world *w, const thud_contact *contact, thud_contact_settings *settings,
                       void *context) {
     (void)contact, (void)settings;
@@ -188,7 +193,7 @@ static bool make_many(thud_world *w, const thud_contact *contact, thud_contact_s
     return true;
 }
 
-/* Whichever allocation fails, inside a callback as well as outside. */
+/* For each allocation that fails, inside and outside of a callback. */
 static void bodies_without_memory_are_not_made(void **state) {
     (void)state;
     for (int inside = 0; inside < 2; inside++) {
@@ -219,8 +224,9 @@ static void bodies_without_memory_are_not_made(void **state) {
     }
 }
 
-/* ---- defs that do not start from their default functions ---- */
+/* ---- defs not begun from their defaults ---- */
 
+/* The last result and message of the log. */
 static thud_result heard;
 static char said[160];
 

@@ -1,5 +1,6 @@
-/* geometry_ground.h: random ground with a shape by it, in the families where geometry goes wrong,
- * and the answers in long double. Places of the answers are relative to the shape's centre. */
+/* geometry_ground.h: random terrains with a shape near them, in the families in which geometry code
+ * fails, and reference answers in long double. Places in the answers are relative to the shape's
+ * centre. */
 #ifndef GEOMETRY_GROUND_H
 #define GEOMETRY_GROUND_H
 
@@ -13,13 +14,14 @@ enum { MAX_VERTICES = 24 };
 typedef enum ground_family {
     ROUGH,
     GENTLE,
-    STRAIGHT,   /* all vertices on one line, to rounding */
-    CLIFFS,     /* some segments are a ten-thousandth as wide as they should be */
-    SPIKES,     /* needles up and down, a millionth as wide as high */
-    TWO_POINTS, /* the least there can be */
+    STRAIGHT,   /* all vertices on one line, but for rounding */
+    CLIFFS,     /* some segments are 10^-4 times as wide as the others */
+    SPIKES,     /* needles up and down, 10^-6 times as wide as high */
+    TWO_POINTS, /* the minimum of a terrain */
     GROUND_FAMILIES
 } ground_family;
 
+/* A terrain with its points, and a shape near it. */
 typedef struct ground {
     thud_terrain terrain;
     thud_pos points[MAX_VERTICES];
@@ -30,6 +32,7 @@ static inline double vertex_x(const thud_terrain *t, int i) {
     return t->kind == THUD_TERRAIN_UNIFORM ? t->x0 + i * t->spacing : t->points[i].x;
 }
 
+/* Draws the vertices of a line of a family. */
 static inline void draw_line(source *r, ground *g, ground_family family) {
     int count = family == TWO_POINTS ? 2 : 3 + draw_below(r, MAX_VERTICES - 2);
     double spacing = exp(draw(r, -2.5, 0.5)), rough = family == GENTLE ? 0.1 : 1.0;
@@ -51,13 +54,13 @@ static inline void draw_line(source *r, ground *g, ground_family family) {
     g->terrain.count = count;
 }
 
-/* A vertex seen from the shape's centre: exact, also far from the origin. */
+/* A vertex relative to the shape's centre: exact, also far from the origin. */
 static inline vec vertex_from(const thud_terrain *t, const thud_shape_instance *s, int i) {
     return (vec){(real)vertex_x(t, i) - s->x, (real)t->points[i].y - s->y};
 }
 
-/* Height of the line over the shape's centre at x from it, by a scan; -infinity where there is no
- * ground. */
+/* Height of the line above the shape's centre at distance x from it, by a scan of all segments;
+ * -infinity where there is no ground. */
 static inline real line_height(const thud_terrain *t, const thud_shape_instance *s, real x) {
     if (t->kind == THUD_TERRAIN_FLAT) {
         return t->slope * (s->x + x) - s->y;
@@ -72,12 +75,13 @@ static inline real line_height(const thud_terrain *t, const thud_shape_instance 
     return -HUGE_VALL;
 }
 
+/* Half of the shape's horizontal extent. */
 static inline real half_width(const thud_shape_instance *s) {
     return s->kind == THUD_CIRCLE ? (real)s->hx
                                   : fabsl((real)s->c * s->hx) + fabsl((real)s->s * s->hy);
 }
 
-/* The height of the shape's underside over its centre, at dx from it. */
+/* The height of the shape's underside relative to its centre, at distance dx from it. */
 static inline real underside(const thud_shape_instance *s, real dx) {
     real low = HUGE_VALL;
     if (s->kind == THUD_CIRCLE) {
@@ -94,9 +98,9 @@ static inline real underside(const thud_shape_instance *s, real dx) {
     return low < HUGE_VALL ? low : dx < 0.0L ? box.v[0].y : box.v[1].y;
 }
 
-/* How far the shape, moved by x to the side, must be lifted to be just out of the ground; negative
- * if it may sink, -infinity where no ground is under it. The ground is highest over the underside
- * at a vertex, at a corner of a box, or where a circle is parallel to a segment. */
+/* By how much the shape, moved sideways by x, must be lifted to be just out of the ground; negative
+ * where it may sink, -infinity where there is no ground below. The greatest lift is at a vertex, at
+ * a corner of a box, or where a circle is parallel to a segment. */
 static inline real lift_at(const ground *g, const thud_shape_instance *s, real x) {
     const thud_terrain *t = &g->terrain;
     real half = half_width(s), lift = -HUGE_VALL;
@@ -122,11 +126,11 @@ static inline real lift_at(const ground *g, const thud_shape_instance *s, real x
     return lift;
 }
 
-/* Of a solid from the line and the sides under its ends. Only a flat line knows what is below it.
- */
+/* Distance of a solid from the line and from the vertical sides below its ends. It does not tell
+ * inside from outside, except for a flat terrain. */
 static inline real outline_distance(const ground *g, const solid *s) {
     const thud_terrain *t = &g->terrain;
-    const real deep = 128.0L; /* further than any shape is in or over the ground */
+    const real deep = 128.0L; /* longer than any shape reaches into or above the ground */
     real least = HUGE_VALL;
     if (t->kind == THUD_TERRAIN_FLAT) {
         for (int i = 0; i < s->count; i++) {
@@ -145,7 +149,7 @@ static inline real outline_distance(const ground *g, const solid *s) {
     return least;
 }
 
-/* A shape by the ground: on it, in it, over it, beyond its ends, on one of its vertices. */
+/* Places the shape on the ground, in it, above it, beyond its ends, or on a vertex. */
 static inline void place_shape(source *r, ground *g) {
     thud_shape_instance *s = &g->shape;
     const thud_terrain *t = &g->terrain;
@@ -162,15 +166,16 @@ static inline void place_shape(source *r, ground *g) {
     if (where <= 2) {
         s->y += draw(r, -2.0, 3.0) * size;
     } else if (where <= 5) {
-        s->y += draw(r, -0.1, 0.05) * size; /* little in, or little over */
+        s->y += draw(r, -0.1, 0.05) * size; /* a little inside, or a little above */
     } else if (where == 6 && !flat) {       /* centre or corner on a vertex */
         int i = draw_below(r, t->count);
         thud_pos corner = outline(s, 0.25 * draw_below(r, 4));
         s->x = vertex_x(t, i) - (draw_below(r, 2) ? corner.x : 0.0);
         s->y = t->points[i].y - (draw_below(r, 2) ? corner.y : 0.0);
-    } /* or else just touching */
+    } /* else just touching */
 }
 
+/* Draws a terrain with a shape near it; `i` selects the family. */
 static inline ground *draw_ground_of(source *r, ground *g, thud_terrain_kind kind,
                                      thud_shape_kind shape, int i) {
     *g = (ground){.terrain = {.kind = kind}, .shape = {.kind = shape, .c = 1.0}};
@@ -185,7 +190,7 @@ static inline ground *draw_ground_of(source *r, ground *g, thud_terrain_kind kin
         kind == THUD_TERRAIN_FLAT || i % GROUND_FAMILIES == STRAIGHT ? atan(g->terrain.slope) : 0.0;
     set_angle(s, draw_below(r, 3) ? draw(r, -4.0, 4.0) : slope);
     place_shape(r, g);
-    if (draw_below(r, 8) == 0) { /* ten million units away, where doubles are coarse */
+    if (draw_below(r, 8) == 0) { /* up to ten million units away, where doubles are coarse */
         double x = draw(r, -1e7, 1e7), y = draw(r, -1e7, 1e7);
         y = kind == THUD_TERRAIN_FLAT ? g->terrain.slope * x : y;
         for (int k = 0; k < g->terrain.count; k++) {
@@ -199,8 +204,8 @@ static inline ground *draw_ground_of(source *r, ground *g, thud_terrain_kind kin
     return g;
 }
 
-/* What the engine's answers are rounded by: a unit of what it adds up; a flat line and heights on
- * it are as coarse as the place on it. */
+/* A unit of rounding of the engine's answers: ROUNDING times the lengths that it adds; on a flat
+ * terrain heights are as coarse as the place. */
 static inline double ground_rounding(const ground *g) {
     const thud_terrain *t = &g->terrain;
     double far = 0.0;
@@ -213,12 +218,13 @@ static inline double ground_rounding(const ground *g) {
     return ROUNDING * (far + g->shape.hx + g->shape.hy);
 }
 
-/* ... and its places, which are as coarse as their coordinates. */
+/* The same for places, which are as coarse as their coordinates. */
 static inline double spot_rounding(const ground *g) {
     return ground_rounding(g) + ROUNDING * (fabs(g->shape.x) + fabs(g->shape.y));
 }
 
-/* How far a place on the line may be off in height for a rounding sideways. */
+/* By how much the height at a place may change for a change of one sideways: the steepest slope, at
+ * least 1. */
 static inline double steepest(const thud_terrain *t) {
     double most = 1.0;
     for (int i = 0; i + 1 < t->count && t->kind != THUD_TERRAIN_FLAT; i++) {
@@ -240,7 +246,7 @@ static inline void print_ground(const ground *g) {
     }
 }
 
-/* As assert_true, with the ground for whoever wants to try it again. */
+/* As assert_true, but first prints the ground, so that a failure can be repeated. */
 #define CHECK_GROUND(g, condition) \
     do {                           \
         if (!(condition)) {        \

@@ -1,4 +1,4 @@
-/* ground_random.h: random ground, and how deep a shape is in it, by sampling. */
+/* ground_random.h: random terrains, and how deep a shape is in one, by sampling. */
 #ifndef GROUND_RANDOM_H
 #define GROUND_RANDOM_H
 
@@ -11,7 +11,9 @@
 
 #include <cmocka.h>
 
+/* Random terrains and cases on each; vertices at most; samples of a width; samples of a motion. */
 enum { LINES = 300, PER_LINE = 20, VERTICES = 40, SAMPLES = 800, TIMES = 200 };
+/* Distance up to which a contact is made, in metres. */
 #define MARGIN 0.02
 
 typedef struct ground {
@@ -19,7 +21,7 @@ typedef struct ground {
     thud_pos points[VERTICES];
 } ground;
 
-/* About x = 0; heights within a few units of 0. */
+/* A terrain about x = 0, with heights within a few units of 0. */
 static inline void draw_ground(source *r, ground *g) {
     int kind = draw_below(r, 8), count = 2 + draw_below(r, VERTICES - 1);
     double spacing = exp(draw(r, -2.5, 0.5)), rough = draw_below(r, 2) ? 1.0 : 0.1;
@@ -52,7 +54,7 @@ static inline double last_x(const thud_terrain *t) {
     return t->kind == THUD_TERRAIN_FLAT ? 1e9 : vertex_x(t, t->count - 1);
 }
 
-/* By a scan; -infinity where there is no ground. */
+/* Height by a scan of all segments; -infinity where there is no ground. */
 static inline double height(const thud_terrain *t, double x) {
     if (t->kind == THUD_TERRAIN_FLAT) {
         return t->slope * x;
@@ -67,11 +69,12 @@ static inline double height(const thud_terrain *t, double x) {
     return -INFINITY;
 }
 
+/* Half of the shape's horizontal extent. */
 static inline double half_width(const thud_shape_instance *s) {
     return s->kind == THUD_CIRCLE ? s->hx : fabs(s->c) * s->hx + fabs(s->s) * s->hy;
 }
 
-/* The lowest point of the shape at one x of it. */
+/* Height of the shape's lowest point at x. */
 static inline double underside(const thud_shape_instance *s, double x) {
     double dx = x - s->x, low = INFINITY;
     if (s->kind == THUD_CIRCLE) {
@@ -86,7 +89,7 @@ static inline double underside(const thud_shape_instance *s, double x) {
     return s->y + low;
 }
 
-/* How deep the shape reaches into the ground, straight down; negative above it. */
+/* How deep the shape is in the ground, vertically; negative above it. */
 static inline double sampled_depth(const thud_terrain *t, const thud_shape_instance *s) {
     double half = half_width(s), depth = -INFINITY;
     double from = fmax(s->x - half, first_x(t)), to = fmin(s->x + half, last_x(t));
@@ -103,6 +106,7 @@ static inline double sampled_depth(const thud_terrain *t, const thud_shape_insta
     return depth;
 }
 
+/* A random shape near the ground. */
 static inline thud_shape_instance draw_over(source *r, const thud_terrain *t) {
     thud_shape_instance s = draw_shape(r);
     s.hx = fmax(s.hx, 0.05);

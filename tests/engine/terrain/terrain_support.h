@@ -1,11 +1,12 @@
-/* terrain_support.h: ground to edit in tests, and what stands on it. */
+/* terrain_support.h: terrains that tests edit, and bodies on them. */
 #ifndef TERRAIN_SUPPORT_H
 #define TERRAIN_SUPPORT_H
 
 #include "engine_support.h"
 
-enum { ROOM = 4000 }; /* vertices of a line that is kept */
+enum { ROOM = 4000 }; /* vertices of a copied line at most */
 
+/* A world with a terrain. */
 typedef struct ground {
     thud_world *world;
     thud_body_id body;
@@ -21,7 +22,7 @@ static inline thud_shape_id add_line(thud_world *world, thud_body_id body, const
     return shape;
 }
 
-/* Level ground of height 0 from -50 to 50, a vertex every half. */
+/* Level ground at height 0 from -50 to 50, with a vertex every 0.5. */
 static inline ground level_ground(thud_terrain_kind kind, thud_world_def def) {
     thud_pos points[201];
     for (int i = 0; i < 201; i++) {
@@ -34,6 +35,7 @@ static inline ground level_ground(thud_terrain_kind kind, thud_world_def def) {
     return g;
 }
 
+/* The present line of the ground, which must be valid. */
 static inline thud_terrain line_of(const ground *g) {
     thud_terrain line;
     OK(thud_shape_terrain(g->world, g->shape, &line));
@@ -52,7 +54,7 @@ static inline double height_at(const ground *g, double x) {
     return height_of(&line, x);
 }
 
-/* A copy that outlives edits. */
+/* A copy of the line that stays valid after edits, with its points in `room`. */
 static inline thud_terrain keep_line(const ground *g, thud_pos room[ROOM]) {
     thud_terrain line = line_of(g);
     assert_in_range(line.count, 2, ROOM);
@@ -61,6 +63,7 @@ static inline thud_terrain keep_line(const ground *g, thud_pos room[ROOM]) {
     return line;
 }
 
+/* Asserts that the ground's line has these vertices exactly. */
 static inline void line_is(const ground *g, const thud_terrain *wanted) {
     thud_terrain line = line_of(g);
     assert_int_equal(line.count, wanted->count);
@@ -71,7 +74,7 @@ static inline bool awake(const ground *g, thud_body_id body) {
     return state_of(g->world, body).awake;
 }
 
-/* A pile of boxes of half extent 0.25, and the last of them. */
+/* A stack of boxes of half extent 0.25; returns the top one. */
 static inline thud_body_id add_stack(const ground *g, double x, int boxes) {
     thud_body_id top = {0, 0};
     for (int i = 0; i < boxes; i++) {
@@ -80,12 +83,13 @@ static inline thud_body_id add_stack(const ground *g, double x, int boxes) {
     return top;
 }
 
-/* So that nothing rolls off the ends. */
+/* Walls at both ends, so that nothing rolls off. */
 static inline void add_walls(const ground *g) {
     add_shape(g->world, add_body(g->world, THUD_STATIC, -30, 0, 0), 1, 30, true, NULL);
     add_shape(g->world, add_body(g->world, THUD_STATIC, 30, 0, 0), 1, 30, true, NULL);
 }
 
+/* Steps until every body sleeps, at most 601 steps. */
 static inline void run_to_sleep(const ground *g) {
     run(g->world, 1);
     for (int i = 0; i < 600 && thud_world_stats(g->world).awake_bodies; i++) {

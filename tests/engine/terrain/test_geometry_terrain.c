@@ -1,6 +1,6 @@
-/* test_geometry_terrain.c: random ground lines (gentle, rough, straight, with cliffs and spikes,
- * fine and coarse, ending under the shape) against dense sampling: look-up, rays, overlap, time of
- * impact, and the contacts of all segments together. */
+/* test_geometry_terrain.c: random terrains (gentle, rough, straight, with cliffs and spikes, fine
+ * and coarse, ending under the shape) against dense sampling: look-up, rays, overlap and time of
+ * impact. */
 #include "ground_random.h"
 
 static void sample_of_random_ground_agrees_with_a_scan(void **state) {
@@ -63,7 +63,7 @@ static void rays_at_random_ground_agree_with_marching(void **state) {
             double ox = draw(&r, -4.0, 4.0), oy = draw(&r, -2.0, 4.0);
             double dx = k % 5 ? draw(&r, -6.0, 6.0) : 0.0, dy = draw(&r, -6.0, 3.0), f, nx, ny;
             bool hit = thud_terrain_cast_ray(&g.terrain, ox, oy, dx, dy, &f, &nx, &ny);
-            /* Down through the line between two samples. */
+            /* The ray goes down through the line between two samples. */
             double first = 2.0, above = oy - height(&g.terrain, ox);
             bool below = above < 0.0;
             for (int s = 1; s <= SAMPLES && !below; s++) {
@@ -84,7 +84,7 @@ static void rays_at_random_ground_agree_with_marching(void **state) {
                 assert_true(nx * dx + ny * dy < 0.0);
                 double x = fmin(fmax(ox + f * dx, first_x(&g.terrain)), last_x(&g.terrain));
                 assert_int_equal(thud_terrain_sample_at(&g.terrain, x, &sample), THUD_OK);
-                /* On the line, as steep as it may be. */
+                /* The hit is on the line, within a tolerance that allows for its steepness. */
                 assert_true(fabs(oy + f * dy - sample.height) * ny < 1e-9);
             }
         }
@@ -106,7 +106,8 @@ static void overlap_with_random_ground_agrees_with_sampled_depth(void **state) {
             in += overlap;
             assert_false(depth > 1e-7 && !overlap);
             if (overlap && depth < -1e-7) {
-                /* Between two samples, or in the side alone: bigger by a little, it shows. */
+                /* Samples may miss an overlap between them, or with the side alone: a shape that is
+                 * a little larger shows it. */
                 thud_shape_instance more = s;
                 double step = 2.0 * half_width(&s) / SAMPLES;
                 more.hx += 1.5 * step + 1e-9;
@@ -142,7 +143,7 @@ static void impact_on_random_ground_agrees_with_sampled_times(void **state) {
                 if (s.kind == THUD_OBB) {
                     set_angle(&at, atan2(s.s, s.c) + m.turn * t);
                 }
-                /* A hair smaller: touching is left to rounding. */
+                /* Smaller by 1e-9: whether touching counts depends on rounding. */
                 at.hx -= 1e-9;
                 at.hy -= s.kind == THUD_CIRCLE ? 0.0 : 1e-9;
                 first = thud_terrain_overlap(&g.terrain, &at) ? t : 2.0;

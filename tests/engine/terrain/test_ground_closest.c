@@ -1,8 +1,8 @@
-/* test_ground_closest.c: distance from the ground, and the least way out of it, against long
- * double.
+/* test_ground_closest.c: distance of a shape from the ground, and the shortest way out of it,
+ * against long double.
  *
- * Where a shape fits a gap exactly, a rounding decides whether it must climb out or falls in. So
- * the way out is held between those of the shape a few roundings thicker and thinner. */
+ * Where a shape fits a gap exactly, rounding decides whether it has to climb out or falls in. So
+ * the way out is bounded by those of a shape that is a few roundings thicker and thinner. */
 #include "geometry_ground.h"
 
 #include <setjmp.h>
@@ -11,7 +11,10 @@
 
 #include <cmocka.h>
 
+/* Cases for each pair of kinds in a quick run; samples and refinements of the search for a way
+ * out. */
 enum { QUICK = 2000, SAMPLES = 48, REFINEMENTS = 40 };
+/* Tolerance, in roundings of the lengths that an answer is computed from. Chosen. */
 #define BOUND 16.0
 
 static thud_shape_instance thicker(const thud_shape_instance *s, double by) {
@@ -21,13 +24,14 @@ static thud_shape_instance thicker(const thud_shape_instance *s, double by) {
     return t;
 }
 
-/* Squared length of the way out over the outline at x; no ground there is a way straight aside. */
+/* Squared length of the way out that leads over the outline at x; where there is no ground it is
+ * straight sideways. */
 static real way_out(const ground *g, const thud_shape_instance *s, real x) {
     real lift = lift_at(g, s, x);
     return x * x + (lift > 0.0L ? lift * lift : 0.0L);
 }
 
-/* The shortest way out that a search finds: not shorter than the shortest there is. */
+/* The shortest way out that a search finds: at least as long as the shortest way. */
 static real searched_way_out(const ground *g, const thud_shape_instance *s, real within) {
     real step = 2.0L * within / SAMPLES, best = way_out(g, s, 0.0L), at = 0.0L;
     for (int i = 0; i <= SAMPLES; i++) {
@@ -46,8 +50,9 @@ static real searched_way_out(const ground *g, const thud_shape_instance *s, real
     return sqrtl(best);
 }
 
-/* From its place on the ground the normal leads out of it, as a step of many roundings shows. Far
- * from the origin that would be longer than the ground's features. */
+/* The normal leads out of the ground from the place on it: a step of many roundings along it is
+ * outside. Far from the origin such a step would be longer than the ground's features, and is not
+ * tested. */
 static void check_normal(const ground *g, const thud_closest *c, real coarse) {
     const real step = 1e3L * coarse;
     vec out = {(real)c->ax - g->shape.x + step * c->nx, (real)c->ay - g->shape.y + step * c->ny};
@@ -55,6 +60,7 @@ static void check_normal(const ground *g, const thud_closest *c, real coarse) {
     CHECK_GROUND(g, step > 1e-9L || line_height(&g->terrain, &g->shape, out.x) <= out.y + slack);
 }
 
+/* Shapes in the ground, and shapes apart from it. */
 static int ways, parted;
 
 static void check_closest(const ground *g) {

@@ -1,6 +1,6 @@
-/* test_ground_contacts.c: contact points of shapes and ground. The first must be the closest
- * features; the candidates for the second are found once more in long double, each as certain, or
- * as hanging on a rounding. */
+/* test_ground_contacts.c: contact points of shapes and ground. The first must be at the closest
+ * features. The candidates for the second are found again in long double, and each is either
+ * certain or depends on rounding. */
 #include "geometry_ground.h"
 
 #include <setjmp.h>
@@ -10,16 +10,18 @@
 #include <cmocka.h>
 
 enum { QUICK = 4000 };
+/* Tolerance, in roundings of the lengths that an answer is computed from. Chosen. */
 #define BOUND 32.0
 
-/* How far the candidates' places on the ground are from another: of all that may count, and of
- * those that must. */
+/* The greatest distance of candidates from the first point: of all that may count, and of those
+ * that must. */
 typedef struct reach {
     const ground *g;
     vec from;
     real margin, slack, may, must;
 } reach;
 
+/* Adds a candidate at `place`, with that separation. */
 static void offer(reach *k, real distance, vec place, bool certain) {
     real apart = length_of(minus(place, k->from));
     if (distance <= k->margin + k->slack) {
@@ -30,6 +32,7 @@ static void offer(reach *k, real distance, vec place, bool certain) {
     }
 }
 
+/* The point of the segment from a to b that is nearest to p. */
 static vec nearest_on(vec a, vec b, vec p) {
     vec d = minus(b, a);
     real t = dot(minus(p, a), d) / dot(d, d);
@@ -37,7 +40,8 @@ static vec nearest_on(vec a, vec b, vec p) {
     return vec_of(a.x + t * d.x, a.y + t * d.y);
 }
 
-/* A corner with its nearest places of the outline; a second one as near makes it uncertain. */
+/* A corner, with the nearest places on the outline; where a second place is as near, the candidate
+ * is uncertain. */
 static void offer_corner(reach *k, vec corner) {
     const thud_terrain *t = &k->g->terrain;
     const thud_shape_instance *s = &k->g->shape;
@@ -74,7 +78,7 @@ static void offer_corner(reach *k, vec corner) {
     }
 }
 
-/* The direction in which the shape would be moved off the place p. */
+/* The direction in which the shape would be moved away from the place p. */
 static vec way_off(const thud_shape_instance *s, vec p, real *distance) {
     solid shape = solid_of(s, s->x, s->y);
     *distance = solid_distance(&shape, p);
@@ -95,9 +99,9 @@ static vec way_off(const thud_shape_instance *s, vec p, real *distance) {
     return unit(vec_of(s->c * nu - s->s * nv, s->s * nu + s->c * nv));
 }
 
-/* Whether a ridge counts hangs on its sharpness, on the direction off it, and on whether that is
- * between the normals of both sides. The direction is a rounding's choice on the outline, in the
- * middle of the shape (where it may be no number), and where two faces are as near. */
+/* Whether a ridge counts depends on its sharpness, on the direction away from it, and on whether
+ * that is between the normals of its sides. The direction depends on rounding on the shape's
+ * outline, at its centre (where it may be NaN), and where two faces are equally near. */
 static void offer_ridge(reach *k, int i) {
     const thud_terrain *t = &k->g->terrain;
     const thud_shape_instance *s = &k->g->shape;
@@ -120,7 +124,7 @@ static void offer_ridge(reach *k, int i) {
     }
 }
 
-/* A segment under a circle whose centre is out of the ground by that much. */
+/* A segment below a circle whose centre is `out` outside of the ground. */
 static void offer_segment(reach *k, int i, real out) {
     vec p = vertex_from(&k->g->terrain, &k->g->shape, i);
     vec q = vertex_from(&k->g->terrain, &k->g->shape, i + 1), d = unit(minus(q, p));
@@ -132,6 +136,7 @@ static void offer_segment(reach *k, int i, real out) {
     }
 }
 
+/* Offers all candidates for the second point. */
 static reach search(const ground *g, const thud_closest *from, double depth, double margin,
                     double slack) {
     reach k = {.g = g,
@@ -153,6 +158,8 @@ static reach search(const ground *g, const thud_closest *from, double depth, dou
     return k;
 }
 
+/* Asserts that a contact's points are on the shape and on the ground, and the distance apart along
+ * the normal. */
 static void check_point(const ground *g, const thud_closest *c, double coarse) {
     const thud_shape_instance *s = &g->shape;
     solid shape = solid_of(s, s->x, s->y);
@@ -169,8 +176,8 @@ static real apart(const thud_closest *one, const thud_closest *two) {
     return length_of(vec_of((real)two->ax - one->ax, (real)two->ay - one->ay));
 }
 
-/* The second point is the furthest from the closest features. The first is the closest features, or
- * another place as deep, further from the second. */
+/* The second point is the candidate farthest from the closest features. The first is at the closest
+ * features, or at another place as deep and farther from the second. */
 static void check_second(const ground *g, const thud_contacts *c, const thud_closest *closest,
                          double margin, double slack) {
     const thud_closest *one = &c->point[0], *two = &c->point[1];
@@ -192,6 +199,7 @@ static void check_second(const ground *g, const thud_contacts *c, const thud_clo
     CHECK_GROUND(g, apart(one, two) <= fmaxl(back.may, apart(closest, two)) + placed);
 }
 
+/* How many cases had a second point. */
 static int seconds;
 
 static void check_contacts(const ground *g, double margin) {

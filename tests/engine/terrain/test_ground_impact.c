@@ -1,5 +1,5 @@
 /* test_ground_impact.c: overlap, time of impact and time of collision of every kind of shape with
- * every kind of ground, against long double, in the way of test_pairs_impact.c. */
+ * every kind of terrain, against long double, by the method of test_pairs_impact.c. */
 #include "geometry_ground.h"
 
 #include <setjmp.h>
@@ -8,7 +8,10 @@
 
 #include <cmocka.h>
 
+/* Cases for each pair of kinds in a quick run, without and with rotation; the shortest step of a
+ * search is 1/STEPS of the motion. */
 enum { QUICK = 6000, QUICK_TURNING = 200, STEPS = 1000 };
+/* Tolerance, in roundings of the lengths that an answer is computed from. Chosen. */
 #define BOUND 16.0
 
 static thud_shape_instance thicker(const thud_shape_instance *s, double by) {
@@ -20,7 +23,7 @@ static thud_shape_instance thicker(const thud_shape_instance *s, double by) {
 
 typedef enum answer { NO, YES, EITHER } answer;
 
-/* In the ground, touching included; either where a few roundings decide. */
+/* Whether the shape is in the ground or touches it; EITHER where a few roundings decide. */
 static answer in_ground(const ground *g, double slack) {
     thud_shape_instance more = thicker(&g->shape, slack), less = thicker(&g->shape, -slack);
     return lift_at(g, &less, 0.0L) > 0.0L ? YES : lift_at(g, &more, 0.0L) < 0.0L ? NO : EITHER;
@@ -44,8 +47,8 @@ static double motion_rounding(const ground *g, thud_motion m) {
     return ground_rounding(g) + ROUNDING * (fabs(m.dx) + fabs(m.dy)) * (1.0 + slope);
 }
 
-/* Piece i of the ground's outline as the shape's centre sees it; false if there is none. A flat
- * line is long enough for the motion, but no longer: its far ends are rounded, too. */
+/* Segment i of the ground's outline, relative to the shape's centre; false if there is none. A flat
+ * terrain is as long as the motion needs and no longer, since its far ends are rounded, too. */
 static bool outline_piece(const ground *g, thud_motion m, int i, solid *out) {
     const thud_terrain *t = &g->terrain;
     const real way = fabsl(m.dx) + fabsl(m.dy) + g->shape.hx + g->shape.hy;
@@ -65,6 +68,7 @@ static bool outline_piece(const ground *g, thud_motion m, int i, solid *out) {
     return i <= t->count;
 }
 
+/* Counts of shapes in the ground, of impacts, and of searches that ended early. */
 static int in, hits, stopped_early;
 
 static void check_overlap(const ground *g) {
@@ -98,6 +102,7 @@ static void check_translating(const ground *g, thud_motion m, double target) {
     hits += hit;
 }
 
+/* Distance of the shape from the ground's outline after the share t of the motion. */
 static real ground_distance(const ground *g, thud_motion m, real t) {
     solid shape = solid_after(&g->shape, m, t, g->shape.x, g->shape.y), piece;
     real least = HUGE_VALL, reach = (real)g->shape.hx + g->shape.hy;
@@ -110,7 +115,7 @@ static real ground_distance(const ground *g, thud_motion m, real t) {
     return least;
 }
 
-/* Is the shape no nearer to the ground than `least` until `end`? */
+/* Whether the shape stays at least `least` from the ground until `end`. */
 static bool apart_until(const ground *g, thud_motion m, real least, real end) {
     real reach = g->shape.kind == THUD_OBB ? hypotl(g->shape.hx, g->shape.hy) : 0.0L;
     real speed = hypotl(m.dx, m.dy) + fabsl(m.turn) * reach;
@@ -124,8 +129,9 @@ static bool apart_until(const ground *g, thud_motion m, real least, real end) {
     return true;
 }
 
-/* The longest straight piece of the outline that a motion may meet, which the engine's tolerance
- * goes by: a segment, an end's upright side, or what a flat slope has beside the motion. */
+/* The longest straight segment of the outline that a motion may meet, on which the engine's
+ * tolerance depends: a segment, a vertical side at an end, or the part of a flat slope along the
+ * motion. */
 static double longest_piece(const ground *g, thud_motion m, double reach) {
     const thud_terrain *t = &g->terrain;
     if (t->kind == THUD_TERRAIN_FLAT) {
@@ -165,6 +171,7 @@ static void check_turning(const ground *g, thud_motion m, double target) {
 
 /* ---- time of collision ---- */
 
+/* Whether the shape is in the ground after the share t of the motion. */
 static answer in_ground_after(const ground *g, thud_motion m, double t, double slack) {
     ground moved = *g;
     thud_shape_instance *s = &moved.shape;
@@ -193,7 +200,7 @@ static void check_collision(const ground *g, thud_motion m, double tolerance) {
     if (collided) {
         CHECK_GROUND(g, time >= 0.0 && time < 1.0);
         CHECK_GROUND(g, in_ground_after(g, m, time, slack) != YES);
-        /* Halvings of the motion leave a power of two. */
+        /* Halving the motion leaves an interval that is a power of two. */
         double left = exp2(floor(log2(tolerance)));
         CHECK_GROUND(g, in_ground_after(g, m, time + left, slack) != NO);
         hits++;

@@ -1,7 +1,8 @@
-/* test_long_ground.c: one box as ground for a whole level, 40,000 length scales long: far from its
- * middle everything is as on a small one. */
+/* test_long_ground.c: a single box as the ground of a whole level, 40,000 length scales long: far
+ * from its centre, contacts, stacks, detection and queries are as precise as on a small box. */
 #include "engine_support.h"
 
+/* Half of the ground's length, and a place near its end. */
 #define HALF 20000.0f
 #define FAR 19700.0
 
@@ -10,7 +11,7 @@ static const thud_broadphase *const broadphases[] = {&thud_broadphase_grid, &thu
 
 typedef enum shape_of_test { BALL, UPRIGHT, ORIENTED, SHAPES } shape_of_test;
 
-/* Its top is at y = 0. */
+/* A ground with its top at y = 0. */
 static thud_world *make_ground(thud_world_def def, float half_x, bool oriented,
                                const thud_shape_def *shape) {
     thud_world *world = make_world(def);
@@ -72,6 +73,7 @@ static void stack_stands_at_the_end_as_on_a_small_box(void **state) {
     }
 }
 
+/* A bullet does not pass the ground far from its centre, and a ball beyond its end falls. */
 static void nothing_fast_passes_and_what_leaves_the_end_falls(void **state) {
     (void)state;
     const thud_detection *const detections[] = {&thud_detection_continuous, &thud_detection_swept};
@@ -113,6 +115,7 @@ static void body_slides_from_one_long_box_to_the_next(void **state) {
     }
 }
 
+/* Rays and closest points find the ground along its whole length. */
 static void queries_find_it_all_along(void **state) {
     (void)state;
     for (int p = 0; p < 3; p++) {

@@ -1,4 +1,5 @@
-/* test_terrain.c: ground lines against answers worked out by hand, and what is refused. */
+/* test_terrain.c: terrains against answers derived by hand (look-up, rays, overlap, impact), and
+ * input that is refused. */
 #include "thud/thud_shapes.h"
 
 #include <math.h>
@@ -10,7 +11,7 @@
 
 #define NEAR(a, b) assert_true(fabs((a) - (b)) < 1e-12)
 
-/* Up, a peak at 2, down, a valley at 6, up again. */
+/* Up to a peak at 2, down to a valley at 6, up again. */
 static const thud_pos hills[] = {{0, 0}, {2, 2}, {6, -2}, {10, 0}};
 static const thud_terrain irregular = {.kind = THUD_TERRAIN_IRREGULAR, .points = hills, .count = 4};
 
@@ -28,6 +29,7 @@ static thud_shape_instance box(double x, double y, double hx, double hy) {
     return (thud_shape_instance){.kind = THUD_AABB, .x = x, .y = y, .c = 1.0, .hx = hx, .hy = hy};
 }
 
+/* The time of impact, or 2 where there is none. */
 static double impact(const thud_terrain *t, thud_shape_instance shape, double dx, double dy,
                      double target) {
     bool hit;
@@ -169,9 +171,9 @@ static void ray_that_starts_below_or_comes_from_below_hits_nothing(void **state)
     (void)state;
     double f, nx, ny;
     assert_false(thud_terrain_cast_ray(&irregular, 2, 1, 0, 5, &f, &nx, &ny));
-    /* Out of one hill and down onto the next. */
+    /* It starts inside a hill and comes down on the next one. */
     assert_false(thud_terrain_cast_ray(&irregular, 2, 1, 8, -1.5, &f, &nx, &ny));
-    /* In through the side, up through the line. */
+    /* It enters through the side and leaves through the line. */
     assert_false(thud_terrain_cast_ray(&irregular, -1, -1, 4, 8, &f, &nx, &ny));
     assert_false(thud_terrain_cast_ray(&flat, 0, -1, 0, -5, &f, &nx, &ny));
     /* Beyond the ends, and too short. */
@@ -193,8 +195,9 @@ static void ray_at_a_vertex_does_not_slip_through(void **state) {
 
 static void overlap_sees_line_ground_and_sides(void **state) {
     (void)state;
-    assert_true(overlaps(&irregular, circle(5, 0, 1)));     /* leans on the slope */
-    assert_false(overlaps(&irregular, circle(6, 0, 1)));    /* fits into the valley's mouth */
+    assert_true(overlaps(&irregular, circle(5, 0, 1))); /* leans on the slope */
+    /* fits between the slopes of the valley */
+    assert_false(overlaps(&irregular, circle(6, 0, 1)));
     assert_true(overlaps(&irregular, circle(5, -50, 1)));   /* deep below */
     assert_true(overlaps(&irregular, box(5, -50, 100, 1))); /* deep below and wider */
     assert_true(overlaps(&irregular, box(2, 4, 3, 2)));     /* touches the peak */
@@ -214,10 +217,10 @@ static void impact_on_ground_is_when_the_shape_comes_down(void **state) {
     NEAR(impact(&irregular, box(2, 8, 0.5, 1), 0, -10, 0.0), 0.5);
     NEAR(impact(&irregular, box(2, 8, 0.5, 1), 0, -10, 1.0), 0.4);
     assert_true(impact(&irregular, box(2, 8, 0.5, 1), 0, -4.9, 0.0) > 1.0);
-    /* Past the left end, beside the ground, and into its side. */
+    /* Beyond the left end, beside the ground, and into its side. */
     assert_true(impact(&irregular, circle(-2, 8, 1), 0, -100, 0.0) > 1.0);
     NEAR(impact(&irregular, circle(-2, -8, 1), 10, 0, 0.0), 0.1);
-    /* Away from the ground is no impact, in the ground is at once. */
+    /* A motion away from the ground has no impact; one that starts in the ground has it at once. */
     assert_true(impact(&flat, circle(0, 3, 1), 0, 10, 0.0) > 1.0);
     assert_true(impact(&flat, circle(0, -3, 1), 0, 10, 0.0) == 0.0);
 }

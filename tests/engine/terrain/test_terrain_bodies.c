@@ -1,6 +1,8 @@
-/* test_terrain_bodies.c: what becomes of bodies whose ground is edited. */
+/* test_terrain_bodies.c: bodies on ground that is edited: which of them wake, where they come to
+ * rest, and that their contacts and events are right. */
 #include "terrain_support.h"
 
+/* Makes one of four edits at x: dig, raise, or replace a range. */
 static void edit_by_number(const ground *g, int which, double x) {
     const thud_pos bumps[] = {{x - 0.9, 0.2}, {x - 0.3, -0.1}, {x, 0.1}, {x + 0.8, 0.3}};
     switch (which % 4) {
@@ -19,6 +21,7 @@ static void edit_by_number(const ground *g, int which, double x) {
     }
 }
 
+/* Asserts that the body sleeps and has not moved. */
 static void sleeps_as_it_was(const ground *g, thud_body_id body, const thud_body_state *was) {
     thud_body_state now = state_of(g->world, body);
     assert_false(now.awake);
@@ -26,6 +29,7 @@ static void sleeps_as_it_was(const ground *g, thud_body_id body, const thud_body
                 now.angle == was->angle);
 }
 
+/* An edit wakes the stack at its place, and leaves stacks 20 m away asleep and in place. */
 static void edit_wakes_what_rests_there_and_nothing_far_away(void **state) {
     (void)state;
     for (int which = 0; which < 4; which++) {
@@ -41,7 +45,7 @@ static void edit_wakes_what_rests_there_and_nothing_far_away(void **state) {
         run(g.world, 300);
         sleeps_as_it_was(&g, left, &was_left);
         sleeps_as_it_was(&g, right, &was_right);
-        /* Their supports have the right numbers: nothing moves when they wake. */
+        /* Their contacts have the indices of the edited line: nothing moves when they wake. */
         OK(thud_body_set_awake(g.world, right, true));
         OK(thud_body_set_awake(g.world, left, true));
         run(g.world, 60);
@@ -51,7 +55,7 @@ static void edit_wakes_what_rests_there_and_nothing_far_away(void **state) {
     }
 }
 
-/* Far from an edit a running world goes on as if there were none, bit for bit. */
+/* Far from an edit, a running world continues with the same bits as one without the edit. */
 static void edit_of_bare_ground_does_not_touch_the_motion_elsewhere(void **state) {
     (void)state;
     thud_world_def def = thud_default_world_def();
@@ -116,6 +120,8 @@ static void bodies_inside_raised_ground_are_pushed_out(void **state) {
     }
 }
 
+/* A sleeping plank lies on a shelf above the ground that is raised into it; a ball on a high perch
+ * is out of reach, and sleeps on. */
 static void raised_ground_wakes_a_body_that_did_not_touch_it(void **state) {
     (void)state;
     ground g = level_ground(THUD_TERRAIN_UNIFORM, thud_default_world_def());
@@ -134,6 +140,7 @@ static void raised_ground_wakes_a_body_that_did_not_touch_it(void **state) {
     thud_world_destroy(g.world);
 }
 
+/* Two edits between steps wake the bodies at both places, and not those between them. */
 static void two_edits_between_steps_wake_only_their_own_places(void **state) {
     (void)state;
     ground g = level_ground(THUD_TERRAIN_IRREGULAR, thud_default_world_def());
@@ -152,6 +159,8 @@ static void two_edits_between_steps_wake_only_their_own_places(void **state) {
     thud_world_destroy(g.world);
 }
 
+/* Edits a terrain among sensors in 400 steps, and compares the number of pairs after each with that
+ * after the terrain was set to its own place, which makes its pairs anew. */
 static void edit_among_sensors(const thud_broadphase *broadphase) {
     uint64_t seed = 21;
     thud_world_def def = weightless();
@@ -184,7 +193,7 @@ static void edit_among_sensors(const thud_broadphase *broadphase) {
     thud_world_destroy(g.world);
 }
 
-/* Sensors do not move: after any edit they have exactly the pairs that a new line would give. */
+/* Sensors do not move, so after any edit they must have the pairs that a new terrain would have. */
 static void pairs_after_random_edits_are_those_of_a_new_line(void **state) {
     (void)state;
     edit_among_sensors(&thud_broadphase_grid);
@@ -192,7 +201,7 @@ static void pairs_after_random_edits_are_those_of_a_new_line(void **state) {
     edit_among_sensors(&thud_broadphase_all);
 }
 
-/* Whom each shape touches, by its slot, as the events tell. */
+/* Counts the shapes that each shape touches, by its slot, according to the events. */
 static void count_touches(const thud_world *world, int touches[256]) {
     thud_events e = thud_world_events(world);
     for (int i = 0; i < e.begin_count; i++) {
@@ -205,7 +214,7 @@ static void count_touches(const thud_world *world, int touches[256]) {
     }
 }
 
-/* Through a thousand edits in a crowd every touch has its begin and its end, and nobody is lost. */
+/* In a thousand edits under a crowd each begin has its end, and no body is lost. */
 static void edits_under_a_crowd_lose_no_event_and_no_body(void **state) {
     (void)state;
     uint64_t seed = 33;

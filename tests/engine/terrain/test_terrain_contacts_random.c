@@ -1,9 +1,11 @@
 /* test_terrain_contacts_random.c: the contacts of a shape with all segments of random ground
- * together. */
+ * together: they exist where the shape is in the ground, lead out of it, and are not deeper than it
+ * is. */
 #include "ground_random.h"
 
 /* ---- contacts of all segments together ---- */
 
+/* The deepest contact: how many there were, its separation and its normal. */
 typedef struct deepest {
     int count;
     double separation, nx, ny;
@@ -13,7 +15,7 @@ static void segment_normal(const thud_terrain *t, int i, double *nx, double *ny)
     if (t->kind == THUD_TERRAIN_FLAT) {
         *nx = -t->slope;
         *ny = 1.0;
-    } else if (i < 0 || i + 1 >= t->count) { /* the upright sides */
+    } else if (i < 0 || i + 1 >= t->count) { /* the vertical sides at the ends */
         *nx = i < 0 ? -1.0 : 1.0;
         *ny = 0.0;
     } else {
@@ -25,9 +27,9 @@ static void segment_normal(const thud_terrain *t, int i, double *nx, double *ny)
     *ny /= length;
 }
 
-/* Normals turn clockwise from the left side's to the right side's, so an angle orders them. */
+/* From the left side to the right side normals turn clockwise, so their angles are in order. */
 static bool within_neighbours(const thud_terrain *t, int i, double nx, double ny) {
-    double low = 4.0, high = -4.0, angle = atan2(ny + 0.0, nx); /* no -0 */
+    double low = 4.0, high = -4.0, angle = atan2(ny + 0.0, nx); /* adding 0 turns -0 into +0 */
     for (int j = i - 1; j <= i + 1; j++) {
         double x, y;
         segment_normal(t, t->kind == THUD_TERRAIN_FLAT ? 0 : j, &x, &y);
@@ -38,6 +40,7 @@ static bool within_neighbours(const thud_terrain *t, int i, double nx, double ny
     return angle >= low - 1e-9 && angle <= high + 1e-9;
 }
 
+/* The deepest contact of the shape with any segment near it. */
 static deepest meet(const thud_terrain *t, const thud_shape_instance *s) {
     deepest d = {0, 1e300, 0.0, 1.0};
     double reach = half_width(s) + MARGIN;
@@ -63,7 +66,8 @@ static deepest meet(const thud_terrain *t, const thud_shape_instance *s) {
     return d;
 }
 
-/* Neither a needle nor wider than half the ground, its centre over or in the ground. */
+/* A shape that is neither a needle nor wider than half the ground, with its centre above or in the
+ * ground. */
 static thud_shape_instance draw_body_over(source *r, const thud_terrain *t) {
     double width = last_x(t) - first_x(t);
     thud_shape_instance s = draw_over(r, t);
@@ -76,7 +80,8 @@ static thud_shape_instance draw_body_over(source *r, const thud_terrain *t) {
     return s;
 }
 
-/* No more than half of the shape is in the ground: what a world with sane steps may see. */
+/* Whether at most half of the shape's extent is in the ground, as in a world with reasonable
+ * steps. */
 static bool shallow(const thud_terrain *t, thud_shape_instance s) {
     s.hx *= 0.5;
     s.hy *= 0.5;
@@ -103,8 +108,8 @@ static void contacts_exist_whenever_a_shape_is_in_the_ground(void **state) {
         }
     }
     assert_true(in[0] > LINES && in[1] > LINES);
-    /* Only a plank that a peak or an end of the ground runs through, from face to face, may go
-     * unseen: no corner is in the ground then, and no vertex in the plank. */
+    /* Contacts are missed only where a peak or an end of the ground runs through a box from face to
+     * face: then no corner is in the ground, and no vertex in the box. */
     assert_true(missed[0] * 500 < in[0]);
     assert_true(missed[1] * 500 < in[1]);
 }
@@ -134,7 +139,7 @@ static void contacts_followed_out_leave_the_ground(void **state) {
         }
     }
     assert_true(in[0] > LINES && in[1] > LINES);
-    /* Again but for planks that are run through. */
+    /* Again except for boxes that the ground runs through. */
     assert_true(stuck[0] * 500 < in[0]);
     assert_true(stuck[1] * 200 < in[1]);
 }
@@ -154,7 +159,7 @@ static void contacts_of_parted_shapes_are_no_nearer_than_the_ground(void **state
             deepest d = meet(&g.terrain, &s);
             near += d.count > 0;
             assert_true(d.count == 0 || d.separation >= -1e-9);
-            /* Not within the margin: nothing at all. */
+            /* Beyond the margin there are no contacts. */
             more.hx += 1.5 * MARGIN;
             more.hy += s.kind == THUD_CIRCLE ? 0.0 : 1.5 * MARGIN;
             assert_false(d.count > 0 && !thud_terrain_overlap(&g.terrain, &more));

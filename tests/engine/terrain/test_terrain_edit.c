@@ -1,4 +1,4 @@
-/* test_terrain_edit.c: what digging, raising and replacing make of a line. */
+/* test_terrain_edit.c: the vertices of a terrain after digging, raising and replacing a range. */
 #include "terrain_support.h"
 
 static void dig_in_uniform_ground_puts_vertices_on_the_arc(void **state) {
@@ -71,7 +71,7 @@ static void dig_that_meets_no_ground_changes_nothing(void **state) {
     line_is(&g, &old);
     run(g.world, 1);
     assert_false(awake(&g, box));
-    /* Between two vertices of the grid. */
+    /* The circle lies between two vertices of the grid. */
     old = keep_line(&u, room);
     OK(thud_shape_dig(u.world, u.shape, (thud_pos){0.25, 0}, 0.2));
     line_is(&u, &old);
@@ -116,10 +116,13 @@ static void thousands_of_digs_keep_a_bounded_number_of_vertices(void **state) {
             OK(thud_shape_raise(g.world, g.shape, x, 1, 1));
         }
     }
-    assert_true(line_of(&g).count < 3000); /* 40 wide, none nearer than a sixtieth */
+    /* the ground is 40 wide, and vertices are at least 1/60 apart */
+    assert_true(line_of(&g).count < 3000);
     thud_world_destroy(g.world);
 }
 
+/* Raising adds height * (1 - u^2)^2, where u is the distance divided by the radius; a negative
+ * height lowers. */
 static void raise_adds_a_smooth_mound_and_a_negative_one_a_hollow(void **state) {
     (void)state;
     for (int kind = THUD_TERRAIN_UNIFORM; kind <= THUD_TERRAIN_IRREGULAR; kind++) {

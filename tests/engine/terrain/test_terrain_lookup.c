@@ -1,4 +1,5 @@
-/* test_terrain_lookup.c: what a look-up reads, texture coordinates, and a foot on the ground. */
+/* test_terrain_lookup.c: terrain look-up: how many vertices it reads, texture coordinates, and a
+ * foot placed on the ground. */
 #define _DEFAULT_SOURCE
 #include "engine_support.h"
 
@@ -10,7 +11,7 @@
 
 #define NEAR(a, b) near_to((a), (b), 1e-12)
 
-/* Up, a peak at 2, down, a valley at 6, up again. */
+/* Up to a peak at 2, down to a valley at 6, up again. */
 static const thud_pos hills[] = {{0, 0}, {2, 2}, {6, -2}, {10, 0}};
 static const thud_terrain irregular = {.kind = THUD_TERRAIN_IRREGULAR, .points = hills, .count = 4};
 
@@ -20,15 +21,17 @@ static const thud_terrain uniform = {
 
 static const thud_terrain flat = {.kind = THUD_TERRAIN_FLAT, .slope = 0.75};
 
-/* ---- what a look-up reads: each page of the points that is touched is counted ---- */
+/* ---- reads of a look-up: points are in protected memory, and each page that is touched is counted
+ * ---- */
 
 enum { VERTICES = 100000 };
 
+/* Points of the terrain in protected memory, and the pages that were touched. */
 static thud_pos *watched;
 static size_t watched_bytes, page_bytes;
 static volatile sig_atomic_t pages_read;
 
-/* The first touch of a page opens it and is counted. */
+/* Signal handler: makes the touched page accessible, and counts it. */
 static void open_page(int signal_number, siginfo_t *info, void *context) {
     (void)context;
     char *at = info->si_addr, *start = (char *)watched;
@@ -40,7 +43,7 @@ static void open_page(int signal_number, siginfo_t *info, void *context) {
     mprotect(start + (size_t)(at - start) / page_bytes * page_bytes, page_bytes, PROT_READ);
 }
 
-/* Vertices from x = 0 on, one to two apart, on a parabola. */
+/* Makes the protected vertices, from x = 0 on, one to two apart, on a parabola. */
 static int make_watched(void **state) {
     (void)state;
     uint64_t seed = 7;
@@ -62,9 +65,10 @@ static int free_watched(void **state) {
     return munmap(watched, watched_bytes);
 }
 
+/* How many pages of vertices one look-up reads. */
 static int pages_read_for(const thud_terrain *terrain, double x) {
     struct sigaction counting = {.sa_sigaction = open_page, .sa_flags = SA_SIGINFO};
-    struct sigaction segv, bus; /* which of the two comes depends on the system */
+    struct sigaction segv, bus; /* which signal it is depends on the system */
     thud_terrain_sample sample = {0};
     assert_int_equal(sigaction(SIGSEGV, &counting, &segv) | sigaction(SIGBUS, &counting, &bus), 0);
     assert_int_equal(mprotect(watched, watched_bytes, PROT_NONE), 0);
@@ -80,7 +84,8 @@ static int pages_read_for(const thud_terrain *terrain, double x) {
     return pages;
 }
 
-/* Halving 100,000 takes 17 comparisons; then both ends of the line and of the segment are read. */
+/* A binary search of 100,000 makes 17 comparisons; then both ends of the line and of the segment
+ * are read. */
 static void irregular_lookup_among_100000_vertices_reads_20_at_most(void **state) {
     (void)state;
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = watched, .count = VERTICES};

@@ -1,5 +1,6 @@
-/* test_terrain_manifold.c: contacts of circles and boxes with the segments of a ground line: that
- * they come from one segment each, with the normal that a smooth ride needs. */
+/* test_terrain_manifold.c: contacts of circles and boxes with the segments of a terrain, derived by
+ * hand: each contact belongs to one segment, with a normal that lets shapes slide smoothly over the
+ * vertices. */
 #include "terrain/terrain_manifold.h"
 
 #include <math.h>
@@ -11,8 +12,10 @@
 #include <cmocka.h>
 
 #define NEAR(a, b) assert_true(fabs((a) - (b)) < 1e-9)
+/* Distance up to which a contact is made, in metres. */
 #define MARGIN 0.02
 
+/* Contact points of all segments, each with its normal; how many segments had any. */
 typedef struct contacts {
     int count, segments;
     td_terrain_point point[64];
@@ -31,7 +34,7 @@ static thud_terrain line(const thud_pos *points, int count) {
     return (thud_terrain){.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = count};
 }
 
-/* What a world sees: the contacts with all segments near the shape. */
+/* The contacts that a world finds: those with all segments near the shape. */
 static contacts meet(const thud_terrain *t, thud_shape_instance shape) {
     contacts c = {0};
     double reach = shape.hx + shape.hy + MARGIN;
@@ -54,7 +57,7 @@ static contacts meet(const thud_terrain *t, thud_shape_instance shape) {
 static void circle_on_endless_slope_has_one_point_between_the_surfaces(void **state) {
     (void)state;
     thud_terrain flat = {.kind = THUD_TERRAIN_FLAT, .slope = 0.75};
-    /* Centre 0.99 over the line at the point (4, 3). */
+    /* The centre is 0.99 above the line at the point (4, 3). */
     contacts c = meet(&flat, circle(4 - 0.6 * 0.99, 3 + 0.8 * 0.99, 1));
     assert_int_equal(c.count, 1);
     NEAR(c.point[0].separation, -0.01);
@@ -130,7 +133,7 @@ static void box_in_one_segment_orders_its_points_along_the_ground(void **state) 
     assert_int_equal(c.point[1].id, 1);
     NEAR(c.point[0].px, -2.0);
     NEAR(c.point[0].py, -0.995);
-    /* On its head the same corners keep their names. */
+    /* Upside down, the same corners keep their ids. */
     c = meet(&flat, box(3, 0.99, 2, 1, 3.14159265358979323846));
     assert_int_equal(c.point[0].id, 2);
     assert_int_equal(c.point[1].id, 3);
@@ -152,7 +155,7 @@ static void corner_of_a_box_in_a_valley_touches_both_slopes_in_or_over_the_groun
     thud_terrain v = line(valley, 3), wall = line(cliff, 3);
     for (int i = -1; i <= 1; i += 2) {
         double gap = i * 0.002;
-        /* Balanced on one corner: both slopes hold it. */
+        /* Balanced on one corner, it touches both slopes. */
         contacts c = meet(&v, box(0.0001, sqrt(2.0) + gap, 1, 1, 0.78539816339744831));
         assert_true(c.count == 2 && c.point[0].id == 0 && c.point[1].id == 0);
         assert_true(c.nx[0] > 0.0 && c.nx[1] < 0.0);
@@ -256,7 +259,7 @@ static void circle_rolls_off_the_end_round_its_vertex(void **state) {
         NEAR(left.nx[0], -sin(angle));
         NEAR(right.nx[0], sin(angle));
     }
-    /* Beside the ground it slides down the upright side. */
+    /* Beside the ground, the circle touches the vertical side. */
     contacts c = meet(&t, circle(-0.99, -30, 1));
     assert_int_equal(c.count, 1);
     NEAR(c.nx[0], -1.0);
@@ -273,13 +276,13 @@ static void box_over_the_end_is_held_by_vertex_and_corner(void **state) {
     NEAR(c.point[0].px, -0.3);
     NEAR(c.point[1].px, 1.0);
     NEAR(c.ny[0], 1.0);
-    /* Tipped over, the vertex alone holds it, along its face. */
+    /* Tilted, only the vertex touches it, with the normal of its face. */
     double cs = cos(0.5), sn = sin(0.5);
     c = meet(&t, box(-0.2 * cs - 0.99 * sn, 0.99 * cs - 0.2 * sn, 1, 1, 0.5));
     assert_int_equal(c.count, 1);
     NEAR(c.nx[0], -sin(0.5));
     NEAR(c.point[0].separation, -0.01);
-    /* Beside the ground, both its corners meet the side. */
+    /* Beside the ground, both its corners touch the side. */
     c = meet(&t, box(-0.99, -30, 1, 1, 0));
     assert_int_equal(c.count, 2);
     NEAR(c.nx[0], -1.0);

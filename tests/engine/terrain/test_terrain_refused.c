@@ -1,8 +1,10 @@
-/* test_terrain_refused.c: edits of ground that are refused leave everything as it was. */
+/* test_terrain_refused.c: terrain edits that are refused (no memory, wrong input, inside a
+ * callback) leave everything unchanged. */
 #include "terrain_support.h"
 
 #include "hostile_memory.h"
 
+/* The result of edit number `which`. */
 static thud_result edit_result(const ground *g, int which) {
     const thud_pos more[] = {{0.1, 1}, {0.2, 2}, {0.3, 1}};
     const double heights[] = {1, 2, 3};
@@ -116,14 +118,14 @@ static void edit_with_bad_input_is_refused_with_a_message(void **state) {
         {thud_shape_set_heights(w, s, -1, heights, 1), THUD_ERROR_INVALID},
         {thud_shape_set_heights(w, flat, 0, heights, 1), THUD_ERROR_INVALID},
     };
-    int wordless = 0; /* without a world nobody can be told */
+    int wordless = 0; /* without a world there is no log */
     for (size_t i = 0; i < sizeof calls / sizeof *calls; i++) {
         if (calls[i].got != calls[i].wanted) {
             fail_msg("call %d: %d", (int)i, calls[i].got);
         }
         wordless += calls[i].got == THUD_ERROR_NULL;
     }
-    wordless -= 2; /* null points and heights are told */
+    wordless -= 2; /* null points and heights are logged */
     assert_int_equal(messages, (int)(sizeof calls / sizeof *calls) - wordless);
     line_is(&g, &old);
     thud_world_destroy(w);
