@@ -113,7 +113,7 @@ export class WorldRules extends WorldFields {
   setPairFilter(filter: PairFilter | null): void {
     const { exports, callbacks } = this.engine;
     const before = callbacks.of(this.address).filter;
-    callbacks.set(this.address, { filter: filter ?? undefined }); // the next call already uses it
+    callbacks.set(this.address, { filter: filter ?? undefined }); // api_world_set_filter calls it
     const result = exports.api_world_set_filter(this.address, Number(filter !== null));
     if (result !== 0) callbacks.set(this.address, { filter: before });
     this.engine.check(result);
