@@ -145,9 +145,10 @@ export class WorldBase {
   }
 
   /**
-   * Two counters. `shapes` increases when a body or shape was created, destroyed, enabled, disabled
-   * or resized, `terrains` when the line of a terrain changed; `restore` increases both. A renderer
-   * reads the shape table, or the terrains, again when they have changed.
+   * Two counters. `shapes` increases when a body or shape was created, destroyed, enabled,
+   * disabled, resized or made a sensor, `terrains` when the line of a terrain changed; `restore`
+   * increases both. A renderer reads the shape table, or the terrains, again when they have
+   * changed.
    */
   get revision(): { readonly shapes: number; readonly terrains: number } {
     return { shapes: this.shapesRevision, terrains: this.terrainsRevision };

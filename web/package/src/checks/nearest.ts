@@ -51,8 +51,10 @@ const OTHERS: Readonly<Record<string, readonly string[]>> = {
   enablemotor: ["motorSpeed (and motorForce)"],
 };
 
-/** Directions of joints, the likeliest first: where an option of a drive belongs that is given to
- * the joint itself. */
+/**
+ * Directions of joints, the likeliest first: where an option of a drive belongs that is given to
+ * the joint itself.
+ */
 const DRIVES = ["turn", "along", "across"];
 
 /**
