@@ -1,6 +1,6 @@
 /**
- * One instance of a wasm module built from web/wasm: its memory, its exports, and the way results
- * become exceptions. Everything else in the package stands on it.
+ * One instance of a wasm module built from web/wasm: its memory, its exports, and how results of
+ * calls become exceptions. All other files of the package call the module through it.
  */
 import { messageOf, RESULT_CODES, ThudError } from "./error.js";
 import { Rest, type RestSource } from "./rest.js";
@@ -8,25 +8,33 @@ import { CallbackTable } from "./rules/callbacks.js";
 import type { WorldOptions } from "./types.js";
 import { World } from "./world.js";
 
-/** Where a module can come from. */
+/** A compiled module, its bytes, a response of fetch, or an address; in Node.js also a path. */
 export type WasmSource = WebAssembly.Module | BufferSource | Response | URL | string;
 
 type Export = (...args: number[]) => number;
 
-/** Made by `load`. Makes worlds; several share its memory. */
+/** Made by `load`. Makes worlds, which share its memory. */
 export class Engine {
-  /** The module's flat functions, for those who link code of their own beside the engine. */
+  /**
+   * The module's exported functions, for programs that link C code of their own with the engine.
+   */
   readonly exports: Readonly<Record<string, Export>>;
-  /** The numbers that a call takes or gives beyond its arguments; see web/wasm. */
+  /**
+   * 64 numbers in wasm memory, through which calls take and return what does not fit into their
+   * arguments; web/wasm/slots.h has their places. Another array after the memory has grown.
+   */
   slots: Float64Array;
-  /** The stages of a step, in their order: the names in `Stats.stageSeconds`. */
+  /** The names of the stages of a step in their order: the keys of `Stats.stageSeconds`. */
   readonly stageNames: readonly string[];
   readonly #memory: WebAssembly.Memory;
   readonly #slotsAddress: number;
   readonly #messageAddress: number;
   readonly #rest: Rest | null;
 
-  /** Instantiates a compiled module; with `source`, the first file of an engine in two. */
+  /**
+   * Instantiates a compiled module. `source`: where the second file is, of an engine in two files.
+   * Rejects with a ThudError "load" for a module that is not thud's.
+   */
   static async instantiate(module: WebAssembly.Module, source?: RestSource): Promise<Engine> {
     const engine: { current?: Engine } = {};
     const callbacks = new CallbackTable();
@@ -71,34 +79,45 @@ export class Engine {
     );
   }
 
-  /** Of the engine, such as "0.1.0"; the module's, where that is another one than the package's. */
+  /** The version of the wasm module, such as "0.1.0"; it may differ from that of the package. */
   get version(): string {
     const number = this.exports.api_version();
     return [number / 1e6, (number / 1e3) % 1e3, number % 1e3].map(Math.floor).join(".");
   }
 
-  /** Throws, and leaves nothing behind, for options out of range. Free it with `close`. */
+  /**
+   * Makes a world. Free it with `close`: no garbage collector frees its memory.
+   * @throws {ThudError} "invalid" for an unknown option or a value out of range; "memory".
+   */
   createWorld(options: WorldOptions = {}): World {
     return new World(this, options);
   }
 
-  /** Brings the second file of an engine in two; resolves at once where there is but one. */
+  /**
+   * Loads the second file of an engine in two files; resolves at once where the engine is one file.
+   * Rejects with a ThudError "load" where the file cannot be loaded; call it again to retry.
+   */
   async complete(): Promise<void> {
     await this.#rest?.load();
   }
 
-  /** The whole memory; another buffer after it grew. */
+  /**
+   * The module's memory. When it grows, another buffer takes its place, and old views are empty.
+   */
   get buffer(): ArrayBuffer {
     return this.#memory.buffer;
   }
 
-  /** Throws unless `result` is THUD_OK. */
+  /**
+   * Throws what a callback threw during the call, or, unless `result` is 0 (THUD_OK), a ThudError
+   * with the engine's message.
+   */
   check(result: number): void {
     this.callbacks.rethrow();
     if (result === 0) return;
     const code = RESULT_CODES[result] as ThudError["code"] | undefined;
     const summary = this.text(this.exports.api_result_text(result));
-    // Of defs it tells in C's spelling.
+    // The engine names fields as C spells them: time_step for timeStep.
     const message = this.text(this.#messageAddress).replace(/_([a-z])/g, (_, letter) =>
       letter.toUpperCase(),
     );
@@ -106,13 +125,16 @@ export class Engine {
     throw new ThudError(code ?? "invalid", message ? `${summary}: ${message}` : summary);
   }
 
-  /** A C string. */
+  /** The C string (UTF-8) at an address. */
   text(address: number): string {
     const bytes = new Uint8Array(this.buffer, address);
     return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
   }
 
-  /** Hands `use` the address of a copy of the numbers, which lives as long as the call. */
+  /**
+   * Allocates `count` numbers in wasm memory, which `fill` writes, and returns what `use` returns
+   * for their address. They are freed afterwards. Throws a ThudError "memory".
+   */
   withDoubles<T>(count: number, fill: (doubles: Float64Array) => void, use: (at: number) => T): T {
     const address = this.exports.malloc(Math.max(8, count * 8));
     if (address === 0) throw new ThudError("memory", "out of memory");
@@ -130,8 +152,9 @@ export class Engine {
 }
 
 /**
- * The thud.wasm that lies beside this file, or beside what a bundler made of it: written so that
- * bundlers see what is meant.
+ * The address of thud.wasm beside this file. Bundlers recognise `new URL("…", import.meta.url)`:
+ * they copy the file and put in its new address. Throws a ThudError "load" in a classic script,
+ * which does not know its own address.
  */
 export function besideModule(): URL {
   try {
@@ -142,7 +165,10 @@ export function besideModule(): URL {
   }
 }
 
-/** Compiles and starts a module from wherever it is. Files are added to that by node.ts. */
+/**
+ * Compiles and starts a module from any source but an address: first.ts fetches addresses, node.ts
+ * reads files. Rejects with a ThudError "load".
+ */
 export async function instantiate(
   source: Exclude<WasmSource, URL | string>,
   rest?: RestSource,
@@ -163,13 +189,14 @@ export async function instantiate(
   return Engine.instantiate(module, rest);
 }
 
+/** Compiles a response of fetch. Rejects with a ThudError "load" for an error status or a page. */
 async function compileResponse(response: Response): Promise<WebAssembly.Module> {
   if (!response.ok)
     throw new ThudError("load", `${response.url}: ${response.status} ${response.statusText}`);
   const type = response.headers.get("content-type") ?? "";
   if (type.startsWith("text/html"))
     throw new ThudError("load", `${response.url || "the source"} is a page (text/html), no wasm module`);
-  // Streaming refuses any other type, which simple hosts are wont to send.
+  // compileStreaming refuses any other content type, and simple hosts send another one.
   if (type.startsWith("application/wasm")) return WebAssembly.compileStreaming(response);
   return WebAssembly.compile(await response.arrayBuffer());
 }

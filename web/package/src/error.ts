@@ -1,10 +1,12 @@
 /**
- * Why a call failed: a missing argument ("null"), one out of range ("invalid"), a handle of what is
- * gone ("stale"), no memory, a world in the middle of a step ("locked"), no engine ("load").
+ * Why a call failed. "null": an argument is missing, or is no handle. "invalid": a value is out of
+ * range or of the wrong type. "stale": the handle's object, or the world, was destroyed. "memory":
+ * out of memory. "locked": the call is not allowed inside a callback of the world. "load": the
+ * engine could not be loaded.
  */
 export type ErrorCode = "null" | "invalid" | "stale" | "memory" | "locked" | "load";
 
-/** thud_result, in its order; the first is success. */
+/** The codes by the value of C's thud_result; the first is success. */
 export const RESULT_CODES: readonly (ErrorCode | "ok")[] = [
   "ok",
   "null",
@@ -14,7 +16,10 @@ export const RESULT_CODES: readonly (ErrorCode | "ok")[] = [
   "locked",
 ];
 
-/** What a call that failed throws. A call that fails has changed nothing. */
+/**
+ * What a call that fails throws. The call has then changed nothing, unless its comment says
+ * otherwise.
+ */
 export class ThudError extends Error {
   readonly code: ErrorCode;
 
@@ -25,7 +30,7 @@ export class ThudError extends Error {
   }
 }
 
-/** What was thrown, in words. */
+/** The message of a thrown value. */
 export function messageOf(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
 }

@@ -1,12 +1,13 @@
 /**
- * For pages that want to be quick at their first visit: `load` without what explains refusals and looks
- * at the types of options, which "thud/explain" brings later: until then "1" is taken for 1. Everything else is that of "thud".
+ * "thud/first": `load` without the code that explains errors and checks the types of options, for a
+ * fast first load of a page. "thud/explain" adds that code later; until then the option "1" counts
+ * as 1. Everything else is the same as in "thud".
  */
 import { besideModule, type Engine, instantiate, type WasmSource } from "./engine.js";
 import { ThudError } from "./error.js";
 import type { RestSource } from "./rest.js";
 
-/** As the `load` of "thud", whose errors tell less until `explainErrors` is called. */
+/** As `load` of "thud", with shorter error messages until `explainErrors` is called. */
 export async function load(
   source: WasmSource = besideModule(),
   rest?: RestSource,

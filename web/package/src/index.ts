@@ -1,5 +1,5 @@
 /**
- * thud: rigid bodies in two dimensions.
+ * "thud": rigid bodies in two dimensions, as WebAssembly. This file lists what the package exports.
  *
  *     import { load } from "thud";
  *     const thud = await load();
@@ -27,9 +27,9 @@ export * from "./plain/shapes.js";
 export { World } from "./world.js";
 
 /**
- * Loads the engine; without a source, the thud.wasm that lies beside this file. For a page that
- * wants to be quick at its first visit there is the same engine in two files: give thud-first.wasm
- * as the source, thud-rest.wasm as the rest, and call `complete` once the first picture is there.
+ * Loads the engine; without a source, thud.wasm beside this file. For a fast first load of a page
+ * there is the same engine in two files: give thud-first.wasm as the source, thud-rest.wasm as the
+ * rest, and call `complete` after the first frame is drawn. Rejects with a ThudError "load".
  */
 export async function load(
   source: WasmSource = besideModule(),

@@ -1,4 +1,7 @@
-/** How the options of joints become the numbers that the module takes, and back. */
+/**
+ * Converts the options of joints to the numbers that the module takes in its slots, and back. The
+ * places of the numbers are those of `joint_options` in web/wasm/slots.h.
+ */
 import { checkJoint, explained } from "./checks/hook.js";
 import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
@@ -27,7 +30,7 @@ import type { BodyRef, JointRef, Vec2 } from "./types.js";
 const PAIR = ["kind", "bodyA", "bodyB"];
 const PLACED = [...PAIR, "frameA", "frameB", "at", "axis", "angle"];
 
-/** What each kind has beside JOINT_OPTIONS. */
+/** The options of each kind beside those of every kind (JOINT_OPTIONS). */
 const OWN: Readonly<Record<JointKind, readonly string[]>> = {
   distance: [...PAIR, "frameA", "frameB", "from", "to", "length", "along"],
   hinge: [...PLACED, "turn"],
@@ -39,7 +42,7 @@ const OWN: Readonly<Record<JointKind, readonly string[]>> = {
   gear: ["kind", "jointA", "jointB", "ratio"],
 };
 
-/** Any kind's. */
+/** The options of a joint of any kind, as the caller gave them. */
 interface Given {
   kind: JointKind;
   bodyA?: BodyRef;
@@ -62,7 +65,11 @@ interface Given {
 
 const MAKING = JointOptionsAt.making;
 
-/** Fills the slots of api_joint_create. */
+/**
+ * Writes a joint's options to the slots, as api_joint_create takes them, over the kind's defaults.
+ * Throws "invalid" for unknown options, handles of another kind, and options that exclude each
+ * other.
+ */
 export function writeJoint(engine: Engine, options: AnyJointOptions | Numbered<AnyJointOptions>): void {
   const given = options as Given;
   const kind = indexOf(JOINT_KINDS, given.kind, "joint kind");
@@ -87,6 +94,10 @@ export function writeJoint(engine: Engine, options: AnyJointOptions | Numbered<A
   writePlaces(s, given);
 }
 
+/**
+ * Writes the places in the world, from which the module computes frames. The first number has a bit
+ * for each of: frame a (1), frame b (2), length (4), and the angle from `axis` (8) is computed.
+ */
 function writePlaces(s: Float64Array, given: Given): void {
   const { kind, at, axis, angle, from = at, to = at } = given;
   const usual = kind === "wheel" ? Math.PI / 2 : 0;
@@ -101,13 +112,13 @@ function writePlaces(s: Float64Array, given: Given): void {
   s.set(numbers, MAKING + JointMakingAt.workedOut);
 }
 
-/** Overwrites what is named of a direction among the slots of a joint. */
+/** Writes the options of `drive` that are given to a direction of the joint in the slots. */
 export function writeDrive(s: Float64Array, direction: number, drive: Drive, what: string): void {
   const numbers = numbersOf(what, drive, DRIVE_OPTIONS);
   fill(s, numbers, JointOptionsAt.along + DriveOptionsAt.length * direction);
 }
 
-/** From the slots of api_joint_options. */
+/** The options of the joint that api_joint_options has written to the slots. */
 export function readJoint(s: Float64Array): AnyJointOptions {
   const kind = JOINT_KINDS[s[MAKING + JointMakingAt.kind]];
   const readId = kind === "gear" ? jointAt : bodyAt;
@@ -138,13 +149,16 @@ function frameAt(s: Float64Array, at: number): JointFrame {
   return { position: vecAt(s, at), angle: s[at + FrameOptionsAt.angle] };
 }
 
-/** Limits that are none are left out. */
+/** A drive's options; infinite limits and targets, which mean none, are left out. */
 function driveAt(s: Float64Array, at: number): Drive {
   const entries = DRIVE_OPTIONS.map((name, i) => [name, s[at + i]] as const);
   return Object.fromEntries(entries.filter(([, value]) => Number.isFinite(value)));
 }
 
-/** Does what may be refused; if it is, tells the option of a drive or of breaking that is wrong. */
+/**
+ * Returns what `act` returns; where the engine refuses it, throws an error that names the option
+ * that is wrong. `what`: the call, or the kind of the joint; `furthest`: see checks/joints.ts.
+ */
 export function named<T>(what: string, options: object, furthest: number, act: () => T): T {
   try {
     return act();

@@ -1,14 +1,15 @@
 /**
- * Levels: maps of the Tiled editor, .tmj and .tmx, with the tilesets (.tsj, .tsx) and templates
- * (.tj, .tx) that they refer to.
+ * "thud/level": reads levels, which are maps of the Tiled editor (.tmj and .tmx) with the tilesets
+ * (.tsj, .tsx) and templates (.tj, .tx) that they refer to, and makes worlds of them.
  *
  *     import { buildLevel, readLevel } from "thud/level";
  *     const open = async (path) => (await fetch(`levels/${path}`)).text();
  *     const level = await readLevel("quarry", await open("quarry.tmx"), { open });
  *     const world = buildLevel(thud, level);
  *
- * What of a map means what stands in assets/levels/README.md. The C reader in demo/level builds
- * the same world to the bit; its head has the arithmetic that both follow.
+ * assets/levels/README.md says what the parts of a map mean. The C reader in demo/level makes the
+ * same world, bit for bit; its head describes the arithmetic that both use. In the code "pixels"
+ * are the map's coordinates, with y down, and "units" those of the world, with y up.
  */
 import type { Engine } from "./engine.js";
 import { messageOf, ThudError } from "./error.js";
@@ -35,7 +36,7 @@ import type { World } from "./world.js";
 export type { FileContent, FileOpener } from "./level/library.js";
 export type { Problem } from "./level/values.js";
 
-/** A shape in its body's frame. Lists of points run from left to right. */
+/** A shape in its body's frame, in world units. The points of a terrain run from left to right. */
 export type LevelShape = { material: ShapeOptions } & (
   | { kind: "circle"; offset: Vec2; radius: number }
   | { kind: "aabb"; offset: Vec2; halfWidth: number; halfHeight: number }
@@ -44,8 +45,8 @@ export type LevelShape = { material: ShapeOptions } & (
 );
 
 /**
- * A body with its shapes, none where a joint holds to the world; `body.userData` is the object's
- * id, none of a tile.
+ * A body with its shapes. A body without shapes is the anchor of a joint to the world.
+ * `body.userData` is the id of the object in the map; undefined for a tile of a layer.
  */
 export interface LevelBody {
   body: BodyOptions;
@@ -54,44 +55,53 @@ export interface LevelBody {
 
 type Untied<T> = T extends unknown ? Omit<T, "bodyA" | "bodyB" | "jointA" | "jointB"> : never;
 
-/** A joint, by the places of its bodies in `Level.bodies`; of a gear of joints in `Level.joints`. */
+/** A joint between two bodies, or a gear between two joints. */
 export interface LevelJoint {
+  /** The index of body a in `Level.bodies`, of a gear that of joint a in `Level.joints`. */
   a: number;
+  /** The same of b. */
   b: number;
-  /** What World.createJoint takes beside them. */
+  /** The options of World.createJoint beside the two bodies or joints. */
   options: Untied<AnyJointOptions>;
 }
 
 /** A map as it was read, in world units: plain data for `buildLevel`. */
 export interface Level {
+  /** The name that readLevel was given. */
   name: string;
+  /** The map's property `title`. Default its name. */
   title: string;
+  /** The map's property `about`, a description. Default "". */
   about: string;
   gravity: Vec2;
   lengthScale: number;
-  /** The middle of the first view, and how much of the world it shows from top to bottom. */
+  /** The centre of the first view. */
   camera: Vec2;
+  /** The height of the first view. */
   cameraHeight: number;
-  /** Where new bodies are dropped. */
+  /** The place at which new bodies are created. */
   spawn: Vec2;
-  /** Whether it is played with a character, which starts there. */
+  /** Whether the level is played with a character, which starts at `spawn`. */
   character: boolean;
   bodies: LevelBody[];
   joints: LevelJoint[];
-  /** Classes of objects that mean nothing here, and how many objects have each: for your own use. */
+  /** The number of objects of each class that has no meaning here: for your own use. */
   classes: Record<string, number>;
-  /** What the world does without; see `ReadOptions.skip`. */
+  /** What was left out or has no effect; see `ReadOptions.skip`. */
   problems: Problem[];
 }
 
 export interface ReadOptions {
-  /** Leave out what cannot be modelled instead of refusing the level. Default false. */
+  /** Whether what cannot be modelled is left out; false: the level is refused. Default false. */
   skip?: boolean;
-  /** Gives the tilesets and templates that the map refers to. Without it the map stands alone. */
+  /**
+   * Returns the tilesets and templates that the map refers to. Default: none, the map must contain
+   * all that it uses.
+   */
   open?: FileOpener;
 }
 
-/** Why a level cannot be used; the message tells the first three problems. */
+/** The error of a level that cannot be used; its message has the first three problems. */
 export class LevelError extends ThudError {
   readonly problems: readonly Problem[];
 
@@ -105,22 +115,22 @@ export class LevelError extends ThudError {
   }
 }
 
-/** What a map has in common while its layers are read. */
+/** The state of reading one map, which all its layers share. */
 export interface Reader {
   readonly level: Level;
   readonly report: Report;
   readonly tileWidth: number;
   readonly tileHeight: number;
-  /** Pixels. */
+  /** The height of the map, pixels. */
   readonly mapHeight: number;
   readonly pixelsPerUnit: number;
   readonly tilesets: Tileset[];
   readonly library: Library;
-  /** Nothing in the map says what collides, so that every tile does. */
+  /** Whether every tile collides, because nothing in the map says which do. */
   readonly allSolid: boolean;
-  /** Cells that may still be read, in all layers: a small file can claim any number. */
+  /** The number of cells that may still be read in all layers, since a small file can claim any. */
   cells: number;
-  /** Tiles of which nothing says whether they collide. */
+  /** The number of tiles of which nothing says whether they collide. */
   unmarked: number;
   /** The first body of each object, by its id. */
   readonly placed: Map<number, Placed>;
@@ -128,24 +138,30 @@ export interface Reader {
   readonly ties: Tie[];
 }
 
-/** A layer on the way from the map, through its groups. */
+/** A layer with the values that it takes over from the groups around it. */
 export interface Layer {
   readonly json: JsonRecord;
-  /** Where properties are looked up, the layer itself last. */
+  /**
+   * The objects in which properties are looked up, from the map to the layer itself, which wins.
+   */
   readonly chain: readonly JsonRecord[];
-  /** Offset in pixels, with that of the groups. */
+  /** The offset in pixels, with those of the groups. */
   readonly ox: number;
   readonly oy: number;
   readonly name: string;
 }
 
-/** As deep as the C reader goes; an object, or a tileset and a tile, still come on top. */
+/**
+ * The longest chain of map, groups and layer. The C reader has room for 16; up to three more are
+ * added below a layer: a tileset, a tile and an object.
+ */
 const DEEPEST_CHAIN = 16 - 3;
 
 /**
- * Reads a map, .tmj or .tmx. Rejects with a LevelError if it cannot be used, or something would
- * have to be skipped. XML needs the package @rgrove/parse-xml, and layers packed by Zstandard need
- * fzstd: both are optional, and loaded when a level comes to need them.
+ * Reads a map, .tmj or .tmx, from its content. Rejects with a LevelError if it cannot be used, or
+ * if something would have to be left out and `skip` is not set. XML needs the package
+ * @rgrove/parse-xml, and layers packed by Zstandard need fzstd: both are optional, and imported
+ * when a level needs them.
  */
 export async function readLevel(
   name: string,
@@ -176,7 +192,11 @@ export async function readLevel(
   return read.level;
 }
 
-/** Makes a world of a level. Throws, and leaves nothing behind, if the engine refuses a part. */
+/**
+ * Makes a world of a level. `options`: further options of the world; gravity and length scale are
+ * the level's.
+ * @throws {ThudError} "invalid" where the engine refuses a part, "memory"; no world is left then.
+ */
 export function buildLevel(engine: Engine, level: Level, options: WorldOptions = {}): World {
   const { gravity, lengthScale } = level;
   const world = engine.createWorld({ ...options, gravity, lengthScale });
@@ -190,6 +210,7 @@ export function buildLevel(engine: Engine, level: Level, options: WorldOptions =
   return world;
 }
 
+/** Creates a body with its shapes in a world. */
 function addBody(world: World, { body, shapes }: LevelBody): BodyId {
   const id = world.createBody(body);
   for (const shape of shapes) {
@@ -210,6 +231,7 @@ function addBody(world: World, { body, shapes }: LevelBody): BodyId {
   return id;
 }
 
+/** Creates the joints; a gear comes after the joints that it couples. */
 function addJoints(world: World, list: readonly LevelJoint[], bodies: readonly BodyId[]): void {
   const joints: JointId[] = [];
   for (const { a, b, options } of list) {
@@ -221,6 +243,7 @@ function addJoints(world: World, list: readonly LevelJoint[], bodies: readonly B
   }
 }
 
+/** Reads a whole map. Null, with a fatal problem in the report, where it cannot be used. */
 async function readMap(
   name: string,
   json: Json,
@@ -247,7 +270,10 @@ async function readMap(
   return reader;
 }
 
-/** What is wrong with the map's own values is fatal: every object depends on them. */
+/**
+ * Reads the map's own fields and properties. Null where one of them is wrong: all objects depend on
+ * them.
+ */
 function readMapValues(
   name: string,
   json: JsonRecord,
@@ -310,6 +336,7 @@ function readMapValues(
   };
 }
 
+/** Reads the layers of the map or of a group. */
 async function readLayers(reader: Reader, parent: Layer): Promise<void> {
   const layers = parent.json.layers;
   if (!Array.isArray(layers)) {
@@ -319,6 +346,7 @@ async function readLayers(reader: Reader, parent: Layer): Promise<void> {
   for (const json of layers) await readLayer(reader, parent, json);
 }
 
+/** Reads one layer of any type; image layers have no effect. */
 async function readLayer(reader: Reader, parent: Layer, value: Json): Promise<void> {
   const { report } = reader;
   const json = isRecord(value) ? value : {};

@@ -1,6 +1,7 @@
 /**
- * The Minkowski sum of two shapes: every place of the second's centre, seen from the first's, at
- * which they share a point. Two shapes become a shape and a point: they overlap where it is inside.
+ * The Minkowski sum of two shapes: all places of the second shape's centre, relative to the
+ * first's, at which the shapes share a point. It reduces the overlap of two shapes to a point in a
+ * shape.
  */
 import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
@@ -9,23 +10,23 @@ import { solidNumbers, vecAt } from "./numbers.js";
 import type { SolidShape } from "./query-types.js";
 import type { Vec2 } from "./types.js";
 
-/** Places are relative to the first shape's centre. */
+/** The sum and the place of b in it. Places are relative to the first shape's centre. */
 export interface MinkowskiSum {
-  /** The shapes share a point: the offset lies in the sum or on its edge. */
+  /** Whether the shapes share a point: the offset lies in the sum or on its edge. */
   overlaps: boolean;
-  /** The place on the edge that is nearest to the offset: the shortest way out, or in. */
+  /** The point of the sum's edge that is closest to the offset. */
   edge: Vec2;
-  /** x and y of places along the edge, counter-clockwise, the first not repeated. */
+  /** x and y of points along the edge, counter-clockwise; the first is not repeated at the end. */
   outline: Float64Array;
 }
 
-/** Pieces of a rounded corner, and of a whole circle. */
+/** Line segments of a rounded corner, and of a whole circle, in the outline. Chosen for drawing. */
 const ARC = 12;
 const CIRCLE = 96;
 
 /**
- * The sum of `a` and the reflected `b`, whose centre lies at `offset` from a's. Throws for sizes
- * that are not above 0 and for numbers that are not finite.
+ * The sum of `a` and the reflected `b`, whose centre lies at `offset` from a's.
+ * @throws {ThudError} "invalid" for sizes that are not above 0 and numbers that are not finite.
  */
 export function minkowskiSum(
   engine: Engine,
@@ -48,7 +49,10 @@ export function minkowskiSum(
   };
 }
 
-/** A polygon rounded by a radius: about each vertex an arc from one face's normal to the next. */
+/**
+ * The outline of a polygon rounded by a radius: around each vertex an arc from the normal of one
+ * face to that of the next. `vertices`: x and y, counter-clockwise; one vertex makes a circle.
+ */
 function outlineOf(vertices: number[], radius: number): number[] {
   if (radius === 0) return vertices;
   const count = vertices.length / 2;
@@ -69,6 +73,7 @@ function outlineOf(vertices: number[], radius: number): number[] {
   });
 }
 
+/** x and y of `pieces` + 1 points of an arc around (x, y), between two angles in radians. */
 function arc(
   x: number,
   y: number,

@@ -1,7 +1,7 @@
 /**
- * A mover: a character that slides along what it meets, walks slopes and steps, and rides on what
- * it stands on. By `walk` it falls and jumps, too; with `move` gravity and jumps are yours. Either
- * once a step, after the step.
+ * A mover: a character controller that slides along shapes, walks on slopes and steps, and moves
+ * with the body that it stands on. `walk` adds gravity and jumps; with `move` both are up to the
+ * caller. Call one of them once a step, after the step. thud_mover.h describes movers in full.
  *
  *     const mover = new Mover(world, { shape: circle(0.5), position: [0, 3] });
  *     const { position, ground } = mover.walk({ speed: 5, jump: 9 });
@@ -33,12 +33,17 @@ import type { MoverHit, MoverOptions, MoverReport, Walk } from "./query-types.js
 import type { BodyId, ShapeId, Vec2 } from "./types.js";
 import type { World } from "./world.js";
 
+/** Options that the constructor reads itself; MOVER_OPTIONS has the others. */
 const OTHERS = ["shape", "position", "body", "filter", "gravityScale"] as const;
 
-/** All that a mover keeps from one move to the next, as plain data. */
+/** The state of a mover from one move to the next, as plain data. */
 export interface MoverState {
   position: Vec2;
-  /** What it stood on, and where that was; so it rides along. */
+  /**
+   * The ground that it stood on, null in the air: its unit normal, shape and body; the point of
+   * contact, and the body's origin (`place`), cosine and sine at that time. From these the next
+   * move finds how far the ground has moved.
+   */
   ground: {
     normal: Vec2;
     shape: ShapeId;
@@ -48,12 +53,13 @@ export interface MoverState {
     cosine: number;
     sine: number;
   } | null;
-  /** Of walking: its speeds along `up` and to the right that are none of its own, length/s. */
+  /** Of `walk`: the speed along `up` that gravity, jumps and the ground gave it, length/s. */
   rise: number;
+  /** Of `walk`: the speed to the right that it took over from the ground, length/s. */
   drift: number;
 }
 
-/** Of one world, and freed by `close` alone. */
+/** A mover of one world. Only `close` frees its memory; closing the world does not. */
 export class Mover {
   readonly #world: World;
   readonly #up: Vec2;
@@ -62,12 +68,16 @@ export class Mover {
   #rise = 0;
   #drift = 0;
 
+  /**
+   * Makes a mover, not on ground.
+   * @throws {ThudError} "invalid" for an unknown option or a value out of range; "memory".
+   */
   constructor(world: World, options: MoverOptions) {
     const { exports, slots } = world.engine;
     const [kind, hx, hy, angle] = solidNumbers(options.shape);
     const { filter = {}, body, up = [0, 1], gravityScale = 1 } = options;
     const numbers = numbersOf("Mover", options, MOVER_OPTIONS, OTHERS);
-    // The engine would refuse every move.
+    // The engine checks the options in each move only; the explainer checks them here.
     const unknown = new ThudError("invalid", "Mover");
     const wrong = explained(unknown, "Mover", options);
     if (wrong !== unknown) throw wrong;
@@ -92,9 +102,12 @@ export class Mover {
   }
 
   /**
-   * Moves by `velocity * dt`, and by what the ground moved since the last move. A velocity with a
-   * part along `up` leaves the ground; `drop` falls through one-way platforms. Throws, and changes
-   * nothing, for what is out of range.
+   * Moves by `velocity * dt` (length/s and seconds), and by the motion of the ground since the last
+   * move. A velocity with a part along `up` leaves the ground. `drop` (default false): the mover
+   * falls through one-way platforms.
+   * @throws {ThudError} "invalid" for dt outside (0, 1], a way above 10⁶, a value that is not
+   * finite or an option of the mover out of range; "stale" where its body was destroyed, or after
+   * `close`; "memory".
    */
   move(velocity: Vec2, dt: number, options: { drop?: boolean } = {}): MoverReport {
     const { engine, address } = this.#world;
@@ -129,9 +142,9 @@ export class Mover {
   }
 
   /**
-   * Moves as the hero of a platformer does in a step of the world: walks at a speed, falls as gravity
-   * has it, and jumps where it stands on something, whose own speed it keeps in the air. Throws, and
-   * changes nothing, for what is out of range.
+   * Moves as the hero of a platformer in a step of the world: it walks at a speed, falls by the
+   * world's gravity, and jumps where it stands on ground, whose velocity it keeps in the air.
+   * @throws {ThudError} as `move`; "invalid" also where the mover's `up` is [0, 0].
    * @example hero.walk({ speed: 5, jump: isPressed ? 9 : 0 })
    */
   walk(walk: Walk = {}): MoverReport {
@@ -145,32 +158,32 @@ export class Mover {
     const stands = this.state().ground !== null;
     const pull = this.#gravityScale * (gravity[0] * ux + gravity[1] * uy) * timeStep;
     const rise = !stands ? this.#rise + pull : jump > 0 ? this.#rise + jump : 0;
-    // On the ground it is carried along.
+    // On the ground `move` itself adds the velocity of the ground.
     const way = stands && rise <= 0 ? speed : speed + this.#drift;
     const velocity: Vec2 = [way * uy + rise * ux, rise * uy - way * ux];
     const report = this.move(velocity, timeStep, { drop: drop !== 0 });
     const [vx, vy] = report.ground?.velocity ?? report.velocity;
     this.#rise = vx * ux + vy * uy;
     const left = vx * uy - vy * ux;
-    // What a wall stops is gone.
+    // Where a wall stopped the mover, it loses the speed that it took over from the ground.
     if (report.ground) this.#drift = left;
     else if (Math.abs(left - way) > 1e-3 * Math.abs(way)) this.#drift = 0;
     return report;
   }
 
-  /** Where its shape's centre is. */
+  /** The centre of its shape, in the world. */
   get position(): Vec2 {
     return this.state().position;
   }
 
-  /** Puts it elsewhere, in the air, at rest. */
+  /** Puts the mover at a place, in the air and at rest. */
   place([x, y]: Vec2): void {
     this.#world.engine.exports.api_mover_place(this.address, x, y);
     this.#rise = 0;
     this.#drift = 0;
   }
 
-  /** To be kept with a snapshot of the world, and given back with it. */
+  /** A copy of its state. Keep it together with a snapshot of the world, and restore both. */
   state(): MoverState {
     const { engine } = this.#world;
     engine.exports.api_mover_get_state(this.address);
@@ -194,7 +207,7 @@ export class Mover {
     };
   }
 
-  /** Back to where `state` was taken; the world goes back by its own snapshot. */
+  /** Restores a state that `state` returned. The world is restored by its own snapshot. */
   restore({ position, ground, rise = 0, drift = 0 }: MoverState): void {
     const { address } = this;
     const { engine } = this.#world;
@@ -216,19 +229,19 @@ export class Mover {
     this.#drift = drift;
   }
 
-  /** In wasm memory; throws after `close`. */
+  /** Its address in wasm memory. Throws "stale" after `close`. */
   get address(): number {
     if (this.#address === 0) throw new ThudError("stale", "the mover has been closed");
     return this.#address;
   }
 
-  /** Frees it; its world does not. */
+  /** Frees its memory. Throws "stale" where it is closed already. */
   close(): void {
     this.#world.engine.exports.api_mover_destroy(this.address);
     this.#address = 0;
   }
 
-  /** Closes it, if it is not closed; for `using`. */
+  /** Closes the mover unless it is closed, for `using`. */
   [Symbol.dispose](): void {
     if (this.#address !== 0) this.close();
   }

@@ -1,4 +1,4 @@
-/** The package as Node.js sees it: the same, but that `load` also reads files. */
+/** "thud" in Node.js: the same exports, with a `load` that also reads files. */
 import { readFile } from "node:fs/promises";
 import { explainErrors } from "./checks/explain.js";
 import { besideModule, type Engine, instantiate, type WasmSource } from "./engine.js";
@@ -8,7 +8,10 @@ import type { RestSource } from "./rest.js";
 
 export * from "./index.js";
 
-/** Loads the engine; without a source, the thud.wasm that lies beside this file. */
+/**
+ * Loads the engine; without a source, thud.wasm beside this file. A source may be a path or a file:
+ * URL, too. Rejects with a ThudError "load".
+ */
 export async function load(
   source: WasmSource = besideModule(),
   rest?: RestSource,
@@ -22,6 +25,7 @@ export async function load(
   return instantiate(bytes, isRestFile ? await read(rest as URL | string) : rest);
 }
 
+/** The bytes of a file. Rejects with a ThudError "load". */
 async function read(file: URL | string): Promise<Uint8Array<ArrayBuffer>> {
   try {
     return (await readFile(file)) as Uint8Array<ArrayBuffer>;
@@ -31,6 +35,7 @@ async function read(file: URL | string): Promise<Uint8Array<ArrayBuffer>> {
   }
 }
 
+/** Whether a string is a path rather than a URL, which begins with a scheme and "://". */
 function isPath(source: unknown): boolean {
   return typeof source === "string" && !/^[a-z]+:\/\//i.test(source);
 }

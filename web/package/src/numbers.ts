@@ -1,4 +1,7 @@
-/** How options become the numbers that the module takes, and numbers from it become handles. */
+/**
+ * Converts options to the numbers that the module takes in its slots (web/wasm/slots.h), and
+ * numbers from the module to handles, vectors and rows.
+ */
 import { ThudError } from "./error.js";
 import { FILTER_OPTIONS, ListAt, QUALITY_OPTIONS } from "./generated/slots.js";
 import { shown } from "./checks/hook.js";
@@ -23,7 +26,7 @@ import {
 
 type Numbers = Float64Array | Float32Array | Uint32Array;
 
-/** Options that are one of several words. */
+/** The options that are words, and the words of each: the module takes the word's index. */
 const WORDS: Readonly<Record<string, readonly string[]>> = {
   kind: BODY_KINDS,
   detection: DETECTIONS,
@@ -34,9 +37,9 @@ const WORDS: Readonly<Record<string, readonly string[]>> = {
 };
 
 /**
- * The number of every option in `names`, in that order; undefined where it is not given. A dot
- * after a name stands for the second number of a pair. Throws for options that are neither in
- * `names` nor in `others`, which the caller reads itself; `what` is told then.
+ * The numbers of the options in `names`, in that order; undefined where an option is not given. "."
+ * after a name stands for the second number of a pair. `others`: further options that the caller
+ * reads itself. Throws "invalid" for unknown options and wrong types; `what` names the call.
  */
 export function numbersOf(
   what: string,
@@ -61,6 +64,7 @@ export function numbersOf(
   return numbers;
 }
 
+/** The number of an option: itself, the index of a word, or 0 or 1 of a flag. */
 function numberOf(what: string, name: string, value: unknown): number | undefined {
   if (typeof value === "number" && name !== "userData") return value;
   if (name === "userData") return userData(value as number, `${what}: userData`);
@@ -68,8 +72,8 @@ function numberOf(what: string, name: string, value: unknown): number | undefine
 }
 
 /**
- * Writes those that are given to the slots, in the order of `names`, over the defaults that are there;
- * otherwise as `numbersOf`, and without a list in between.
+ * Writes the options that are given to the slots, in the order of `names`, over the defaults there.
+ * Otherwise as `numbersOf`, but allocates no list.
  */
 export function writeOptions(
   what: string,
@@ -100,7 +104,9 @@ export function writeOptions(
 
 const QUALITY = ["base", ...QUALITY_OPTIONS] as const;
 
-/** Its base's number, and what an object changes of that, in the order of QUALITY. */
+/**
+ * The number of a quality's base, and the values that an object changes, in the order of QUALITY.
+ */
 export function qualityNumbers(
   quality: Quality | QualityOptions = "default",
 ): [base: number, ...changes: (number | undefined)[]] {
@@ -110,6 +116,7 @@ export function qualityNumbers(
   return [base, ...changes];
 }
 
+/** The handle of a body. `index1` is the slot + 1, as the module counts. */
 export function bodyId(index1: number, generation: number): BodyId {
   return Object.freeze({ kind: "body", index: index1 - 1, generation });
 }
@@ -122,7 +129,7 @@ export function jointId(index1: number, generation: number): JointId {
   return Object.freeze({ kind: "joint", index: index1 - 1, generation });
 }
 
-/** Of two numbers among slots or in a row. */
+/** The handle whose index1 and generation are at `at` in the slots or in a row. */
 export function bodyAt(numbers: Numbers, at: number): BodyId {
   return bodyId(numbers[at], numbers[at + 1]);
 }
@@ -140,8 +147,8 @@ export function vecAt(numbers: Numbers, at: number): Vec2 {
 }
 
 /**
- * The first of two numbers. A list of more is none: what is meant by the third is not taken. A typed
- * array in which more is kept may be longer.
+ * The first number of a pair. Throws "invalid" for a list of another length; a typed array may be
+ * longer. `name`: the argument.
  */
 export function xOf(pair: Vec2, name: string): number {
   if (pair?.length !== 2 && Array.isArray(pair))
@@ -149,19 +156,19 @@ export function xOf(pair: Vec2, name: string): number {
   return pair?.[0];
 }
 
-/** Of true 1, of false 0; what is neither is refused, whatever JavaScript takes it for. */
+/** 1 for true, 0 for false. Throws "invalid" for a value that is no boolean. */
 export function flagOf(flag: boolean, name: string): number {
   if (typeof flag !== "boolean")
     throw new ThudError("invalid", `${name} must be true or false: ${shown(flag)}`);
   return Number(flag);
 }
 
-/** Kind, half extents (a circle's radius is the first) and angle, as the module takes them. */
+/** Kind, half extents (of a circle: radius, 0) and angle in radians, as the module takes them. */
 export type SolidNumbers = [kind: number, hx: number, hy: number, angle: number];
 
 const SOLID_KINDS = ["circle", "aabb", "obb"] as const;
 
-/** What gives a shape of each kind its form, after the kind. */
+/** The options that give a shape of each kind its form. */
 export const FORMS: Readonly<Record<ShapeKind, readonly string[]>> = {
   circle: ["kind", "radius"],
   aabb: ["kind", "halfWidth", "halfHeight"],
@@ -169,7 +176,7 @@ export const FORMS: Readonly<Record<ShapeKind, readonly string[]>> = {
   terrain: ["kind"],
 };
 
-/** `others` is what a shape may have beside its form. */
+/** The numbers of a shape. `others`: options that it may have beside its form. */
 export function solidNumbers(shape: SolidShape, others: readonly string[] = []): SolidNumbers {
   const kind = indexOf(SOLID_KINDS, shape.kind, "shape kind");
   checkNames(shape.kind, shape, FORMS[shape.kind], others);
@@ -177,7 +184,7 @@ export function solidNumbers(shape: SolidShape, others: readonly string[] = []):
   return [kind, shape.halfWidth, shape.halfHeight, shape.kind === "obb" ? shape.angle : 0];
 }
 
-/** Overwrites those of the slots from `at` on whose option is given. */
+/** Writes the options that are not undefined to the slots from `at` on. */
 export function fill(slots: Float64Array, options: readonly (number | undefined)[], at = 0): void {
   for (let i = 0; i < options.length; i++) {
     const value = options[i];
@@ -185,6 +192,7 @@ export function fill(slots: Float64Array, options: readonly (number | undefined)
   }
 }
 
+/** The index of a word in a list. Throws "invalid" where it is not there; `what`: the option. */
 export function indexOf<T extends string>(names: readonly T[], name: T, what: string): number {
   const index = names.indexOf(name);
   if (index < 0)
@@ -192,13 +200,14 @@ export function indexOf<T extends string>(names: readonly T[], name: T, what: st
   return index;
 }
 
+/** The value itself. Throws "invalid" unless it is undefined or a whole number up to 2^53 - 1. */
 export function userData(value: number | undefined, what = "userData"): number | undefined {
   if (value !== undefined && !(Number.isSafeInteger(value) && value >= 0))
     throw new ThudError("invalid", `${what} must be a whole number from 0 to 2^53 - 1: ${shown(value)}`);
   return value;
 }
 
-/** In the order of filter_options. */
+/** The numbers of a query's filter, in the order of `filter_options` in slots.h. */
 export function filterNumbers(filter: QueryFilter): number[] {
   const numbers = numbersOf("filter", filter, FILTER_OPTIONS, ["ignore"]);
   const [category = 0xffffffff, mask = 0xffffffff, sensors = 0, group = 0] = numbers;
@@ -211,7 +220,7 @@ interface ViewClass<T> {
   new (buffer: ArrayBuffer, address: number, length: number): T;
 }
 
-/** A view into memory; where there is nothing to see, its address may be anything. */
+/** A view into memory. Where it is empty the address is not used: it may be unaligned or null. */
 export function view<T>(
   View: ViewClass<T>,
   buffer: ArrayBuffer,
@@ -221,7 +230,10 @@ export function view<T>(
   return new View(buffer, length === 0 ? 0 : address, length);
 }
 
-/** What `read` makes of each row, from `at` on, of a list that the slots tell of. */
+/**
+ * Converts each row of a list in memory by `read`, which gets the rows and the index at which the
+ * row begins. `list`: where the list's address and count are in the slots; `length`: numbers a row.
+ */
 export function rowsOf<N extends Numbers, T>(
   View: ViewClass<N>,
   buffer: ArrayBuffer,

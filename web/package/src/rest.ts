@@ -1,16 +1,18 @@
 /**
- * The second file of an engine in two. thud-first.wasm has what a first scene needs; thud-rest.wasm
- * has everything else and is brought a little later: when `Engine.complete` is called, or, if that
- * was not done in time, by the first call of something in it, which then waits for the network.
+ * Loads the second file of an engine in two files. thud-first.wasm has the functions that a first
+ * scene needs; thud-rest.wasm has all others. It is loaded when `Engine.complete` is called, or
+ * else by the first call of one of its functions, which blocks until the file has arrived.
  *
- * Made by binaryen's wasm-split: functions of the second file are called through the table, whose
- * slots hold placeholders until that file is there and puts itself into them.
+ * binaryen's wasm-split makes both files: functions of the second file are called through the
+ * module's table, whose entries are placeholders (imports of the first file) until the second file
+ * is instantiated and writes its functions into them.
  */
 import { ThudError } from "./error.js";
 
-/** An address, or what stands there. */
+/** The address of the second file, or its bytes. */
 export type RestSource = URL | string | BufferSource;
 
+/** The second file of one engine. */
 export class Rest {
   readonly #source: RestSource;
   #first: WebAssembly.Instance | null = null;
@@ -21,7 +23,9 @@ export class Rest {
     this.#source = source;
   }
 
-  /** What the first file imports: a function for each slot of the table that is still empty. */
+  /**
+   * The imports of the first file: a placeholder for each entry of the table, named by its number.
+   */
   get placeholders(): WebAssembly.ModuleImports {
     return new Proxy(
       {},
@@ -29,10 +33,12 @@ export class Rest {
     );
   }
 
+  /** Sets the instance of the first file. */
   attach(first: WebAssembly.Instance): void {
     this.#first = first;
   }
 
+  /** Loads the file once. Rejects with a ThudError "load"; a later call then tries again. */
   load(): Promise<void> {
     this.#loading ??= this.#fetch().catch((cause) => {
       this.#loading = null;
@@ -52,14 +58,18 @@ export class Rest {
     this.#join(await WebAssembly.compile(bytes));
   }
 
+  /** Instantiates the second file, which writes its functions to the first file's table. */
   #join(module: WebAssembly.Module): void {
-    // A call may have brought it meanwhile.
+    // A call may have loaded it by #fetchAtOnce meanwhile.
     if (this.#done) return;
     new WebAssembly.Instance(module, { primary: this.#first!.exports });
     this.#done = true;
   }
 
-  /** The engine is in the middle of a call: there is no way to wait but this. */
+  /**
+   * Loads the file synchronously: a call of the module is under way, and cannot wait for a promise.
+   * Throws a ThudError "load".
+   */
   #fetchAtOnce(): void {
     if (typeof this.#source !== "string" && !(this.#source instanceof URL)) {
       this.#join(new WebAssembly.Module(this.#source));
@@ -67,7 +77,8 @@ export class Rest {
     }
     const request = new XMLHttpRequest();
     request.open("GET", this.#source, false);
-    // Only workers may ask for bytes so; elsewhere each letter of the text stands for one.
+    // Outside of workers a synchronous request cannot return bytes: with this charset each
+    // character of the text has one byte of the file in its lower 8 bits.
     request.overrideMimeType("text/plain; charset=x-user-defined");
     request.send();
     if (request.status !== 200)
@@ -76,6 +87,7 @@ export class Rest {
     this.#join(new WebAssembly.Module(bytes));
   }
 
+  /** Calls the function of a table entry, after loading the file where it is not loaded. */
   #call(slot: number, args: unknown[]): unknown {
     if (!this.#done) this.#fetchAtOnce();
     const table = this.#first!.exports.__indirect_function_table as WebAssembly.Table;

@@ -1,12 +1,12 @@
 /**
- * A world's whole state as bytes: for rewinding, for networked play that predicts and corrects, for
- * saved games. What a snapshot holds, and what restoring promises, stands in thud_snapshot.h.
+ * Snapshots: the whole state of a world as bytes, for rewinding, rollback and saved games.
+ * thud_snapshot.h says what a snapshot contains, and what is the same after it was restored.
  */
 import type { Engine } from "./engine.js";
 import { ThudError } from "./error.js";
 import { ListAt } from "./generated/slots.js";
 
-/** A copy of its own, outside wasm memory. */
+/** A snapshot of the world at an address, as a copy outside of wasm memory. */
 export function takeSnapshot(engine: Engine, world: number): Uint8Array<ArrayBuffer> {
   engine.check(engine.exports.api_world_snapshot(world));
   const address = engine.slots[ListAt.address];
@@ -14,6 +14,7 @@ export function takeSnapshot(engine: Engine, world: number): Uint8Array<ArrayBuf
   return new Uint8Array(engine.buffer.slice(address, address + bytes));
 }
 
+/** Restores the world at an address. Throws as World.restore. */
 export function restoreSnapshot(engine: Engine, world: number, bytes: Uint8Array): void {
   if (!(bytes instanceof Uint8Array))
     throw new ThudError("invalid", "restore: a snapshot is a Uint8Array");

@@ -1,86 +1,100 @@
 /**
- * What worlds, bodies and shapes are made of, and their state. Units are the caller's own
- * (metres, pixels); y is up, angles are radians counter-clockwise, masses are density times area.
+ * The options of worlds, bodies and shapes, and their states. Lengths are in a unit of the caller's
+ * choice (metres, pixels), time is in seconds; y is up, angles are radians counter-clockwise,
+ * masses are density times area. "Length scales" are multiples of WorldOptions.lengthScale. Numbers
+ * are finite, and in the range that the comment names; each end of a range is allowed unless the
+ * comment says "above", "below" or has a round bracket.
  */
 export type Vec2 = readonly [x: number, y: number];
 
-/** Names a body. `index` is its slot: its pose stands at `4 * index` in `World.poses()`. */
+/** The handle of a body. `index` is its slot: its pose is at `4 * index` in `World.poses()`. */
 export interface BodyId {
   readonly kind: "body";
   readonly index: number;
   readonly generation: number;
 }
 
-/** Names a shape of a body. */
+/** The handle of a shape. */
 export interface ShapeId {
   readonly kind: "shape";
   readonly index: number;
   readonly generation: number;
 }
 
-/** Names a joint. */
+/** The handle of a joint. */
 export interface JointId {
   readonly kind: "joint";
   readonly index: number;
   readonly generation: number;
 }
 
-/** Where numbers are written, from its beginning. */
+/** A list of the caller's, into which a call writes numbers from index 0 on. */
 export type Into = number[] | Float64Array | Float32Array;
 
 /** A body by its handle or by its number: see `numberOf`. */
 export type BodyRef = BodyId | number;
-/** Likewise a shape. */
+/** A shape by its handle or by its number. */
 export type ShapeRef = ShapeId | number;
-/** Likewise a joint. */
+/** A joint by its handle or by its number. */
 export type JointRef = JointId | number;
 
 export const DETECTIONS = ["overlap", "continuous", "bisect", "swept"] as const;
 /**
- * How moving shapes are tested: where they stand at the start of a step ("overlap"); that, and fast
- * ones stop at static shapes ("continuous"); taken back to their collisions ("bisect"); or moved
- * from collision to collision ("swept"). docs/catalogue.md has what each costs and gets wrong.
+ * How collisions of moving shapes are found. "overlap": shapes are tested at their poses at the
+ * start of each step only. "continuous": as that, and fast bodies stop at static shapes for the
+ * rest of the step. "bisect": pairs that overlap after the step's motion are moved back to the time
+ * of their collision, by bisection. "swept": bodies move from one time of impact to the next.
+ *
+ * docs/catalogue.md has the cost and the errors of each.
  */
 export type Detection = (typeof DETECTIONS)[number];
 
 export const BROADPHASES = ["grid", "sweep", "all"] as const;
-/** How pairs that may touch are found. */
+/**
+ * How pairs of shapes whose bounds overlap are found: by a hashed grid, by sort and sweep along x
+ * ("sweep"), or by a test of each shape against each ("all"), which is fast for a few shapes.
+ */
 export type Broadphase = (typeof BROADPHASES)[number];
 
 export const QUALITIES = ["draft", "default", "high", "exact"] as const;
 /**
- * The knob between speed and accuracy; docs/tradeoff.md has what each costs and gets wrong.
+ * Sets of solver settings, from the fastest to the most accurate. docs/tradeoff.md has the cost and
+ * the errors of each.
  *
  * - "draft": 2 substeps. A pyramid takes 0.6 times the default's time, and a column of 30 sinks
  *   4 times as deep.
- * - "default": 4 substeps; islands that the soft solver cannot hold are solved directly, all their
- *   contacts at once, if that is not too dear.
- * - "high": 8 substeps, and every island solved directly that is not too dear. A column of 30 at
+ * - "default": 4 substeps; islands in which contacts would overlap too much under their load are
+ *   solved directly (all their contacts as one system of equations), within a budget of work.
+ * - "high": 8 substeps, and every island is solved directly, within a budget. A column of 30 at
  *   rest takes 6 times the default's time, a pyramid 19 times, and they do not sink.
- * - "exact": 16 substeps, every island solved directly whatever it takes, and bodies swept from
- *   impact to impact. Nothing bounds its time.
+ * - "exact": 16 substeps, every island is solved directly without a budget, and bodies are swept
+ *   from impact to impact. The time of a step has no bound.
  */
 export type Quality = (typeof QUALITIES)[number];
 
-/** A quality with some of it changed. What is not named is as in `base`. */
+/** A quality with changes. Options that are not given are those of `base`. */
 export interface QualityOptions {
-  /** Default "default". */
+  /** The quality that is changed. Default "default". */
   base?: Quality;
-  /** 1 to 64. */
+  /** The number of substeps of a step, whole, 1 to 64. */
   substeps?: number;
-  /** Contact frequency over substep rate, [0.01, 0.5]. */
+  /** The frequency of the contact springs over the substep rate, [0.01, 0.5]. */
   contactStiffness?: number;
-  /** Damping ratio of overlap that is pushed apart, [0, 100]. */
+  /** The damping ratio of the contact springs, [0, 100]. */
   contactDamping?: number;
   detection?: Detection;
   /**
-   * Whether islands that the soft solver cannot hold are solved directly. False for "draft";
-   * `maxError` needs it.
+   * Whether islands in which contacts would overlap too much are solved directly; `maxError` needs
+   * it. False for "draft", else true.
    */
   islands?: boolean;
 }
 
 export const BODY_KINDS = ["static", "kinematic", "dynamic"] as const;
+/**
+ * "static": has no velocity, and moves by `setTransform` only. "kinematic": moves at the velocity
+ * that is set; no force or contact changes it. "dynamic": moves by forces and contacts.
+ */
 export type BodyKind = (typeof BODY_KINDS)[number];
 
 export const SHAPE_KINDS = ["circle", "aabb", "obb", "terrain"] as const;
@@ -89,165 +103,196 @@ export type ShapeKind = (typeof SHAPE_KINDS)[number];
 export interface WorldOptions {
   /** Gravity, length/s². Default [0, -10]. */
   gravity?: Vec2;
-  /** Seconds of a step, (0, 1]. Default 1/60. */
+  /** The length of a step: seconds, (0, 1]. Default 1/60. */
   timeStep?: number;
-  /** The size of a typical body in your unit; every tolerance is a multiple of it. Default 1. */
+  /**
+   * The size of a typical body in your unit, 10⁻⁶ to 10⁶; every tolerance is a multiple of it.
+   * Default 1.
+   */
   lengthScale?: number;
-  /** The knob between speed and accuracy. Default "default". */
+  /** The solver settings, between speed and accuracy. Default "default". */
   quality?: Quality | QualityOptions;
-  /** For experts: substeps, 1 to 64; 0, the default, takes the quality's. */
+  /** For experts: substeps of a step, 1 to 64; 0, the default, takes the quality's. */
   substeps?: number;
-  /** For experts: contact frequency over substep rate, [0.01, 0.5]; 0 takes the default. */
+  /**
+   * For experts: the frequency of the contact springs over the substep rate, [0.01, 0.5]; 0, the
+   * default, takes the quality's.
+   */
   contactStiffness?: number;
-  /** For experts: damping ratio, [0, 100]; 0 takes the default. */
+  /**
+   * For experts: the damping ratio of the contact springs, [0, 100]; 0, the default, takes the
+   * quality's.
+   */
   contactDamping?: number;
-  /** Highest speed at which overlap is pushed apart, in length scales per second. */
+  /**
+   * The maximum speed at which overlapping shapes are separated: length scales per second, 0 to
+   * 10⁶. Default 3.
+   */
   pushSpeed?: number;
-  /** Slower approaches do not bounce, in length scales per second. */
+  /**
+   * Pairs that approach more slowly do not bounce: length scales per second, 0 to 10⁶. Default 1.
+   */
   restitutionThreshold?: number;
-  /** Faster approaches are hit events, in length scales per second. */
+  /** Pairs that approach faster make hit events: length scales per second, 0 to 10⁶. Default 1. */
   hitSpeed?: number;
-  /** Nothing moves faster, in length scales per second. */
+  /** No body moves faster: length scales per second, above 0, up to 10⁶. Default 10⁶. */
   maximumSpeed?: number;
   /** Whether bodies at rest may sleep. Default true. */
   sleeping?: boolean;
-  /** How moving shapes are tested. Default: as the quality says. */
+  /** How collisions of moving shapes are found. Default: as the quality says. */
   detection?: Detection;
-  /** How pairs are found; all find the same. Default "grid". */
+  /** How pairs are found; all broadphases find the same pairs. Default "grid". */
   broadphase?: Broadphase;
-  /** Collect begin, end and hit events. Default true. Sensors report either way. */
+  /** Whether begin, end and hit events are collected; sensor events always are. Default true. */
   contactEvents?: boolean;
-  /** Measure the time of every stage of the step. Default false. */
+  /** Whether the time of every stage of the step is measured. Default false. */
   timed?: boolean;
   /**
-   * Seconds, up to 1. Where steps take longer, substeps are halved, and doubled again when there is
-   * time: the clock then decides what happens, and runs differ. Default 0, none.
+   * The time that a step may take: seconds, 0 to 1. Where steps take longer, substeps are halved,
+   * and doubled again where time allows; results then depend on the clock and differ from run to
+   * run. Default 0, no budget.
    */
   timeBudget?: number;
   /**
-   * A length: islands in which something overlaps by more are solved directly, from the next step
-   * on and for as long as they do. Default 0, none.
+   * A penetration depth, a length from 0 to 10⁹: an island with a contact that overlaps by more is
+   * solved directly, from the next step on, until the soft solver keeps to it again. Default 0,
+   * none.
    */
   maxError?: number;
 }
 
-/** What `World.advance` calls around each step that it makes. */
+/** Callbacks of `World.advance` before and after each step. */
 export interface StepCalls {
   /**
-   * Before each step: forces that are applied here act in that step alone. For what depends on where
-   * bodies are and how they move: wind, water, tyres, steering.
+   * Called before each step. Forces that are applied in it act in that step alone; it is the place
+   * for forces that depend on positions or velocities: wind, water, tyres, steering.
    */
   before?: () => void;
-  /** After each step; `events` are then those of this step alone. */
+  /** Called after each step; `events` are then those of this step alone. */
   after?: () => void;
 }
 
 export interface BodyOptions {
   /**
-   * What moves it: pushes ("dynamic"), its own velocity alone ("kinematic"), or nothing. Default
-   * "static".
+   * What moves the body: forces and contacts ("dynamic"), its own velocity alone ("kinematic"), or
+   * nothing. Default "static".
    * @example kind: "dynamic"
    */
   kind?: BodyKind;
   /**
-   * The place of its origin, up to 10⁹ length scales away. Default [0, 0].
+   * The place of its origin in the world, up to 10⁹ length scales away. Default [0, 0].
    * @example position: [0, 5]
    */
   position?: Vec2;
-  /** How far it is turned: radians, up to 10⁶ either way. Default 0. */
+  /** Its angle: radians, up to 10⁶ either way; 0 for a body with an AABB or terrain. Default 0. */
   angle?: number;
   /**
-   * The velocity of its centre of mass, length/s. Default [0, 0], as it must be where static.
+   * The velocity of its centre of mass, length/s. Default [0, 0], as it must be of a static body.
    * @example velocity: [3, 0]
    */
   velocity?: Vec2;
-  /** How fast it turns, radians/s. Default 0, as it must be where static. */
+  /** Its angular velocity, radians/s. Default 0, as it must be of a static body. */
   angularVelocity?: number;
-  /** What it feels of the world's gravity: 0 floats. Default 1. */
+  /** The factor of the world's gravity: a body with 0 floats. Default 1. */
   gravityScale?: number;
-  /** What slows its motion, 1/s, 0 or more. Default 0. */
+  /**
+   * The damping of its velocity, 1/s, 0 or more: a substep of h seconds divides the velocity by
+   * 1 + h * damping. Default 0.
+   */
   linearDamping?: number;
-  /** What slows its turning, 1/s, 0 or more. Default 0. */
+  /** The damping of its angular velocity, 1/s, 0 or more. Default 0. */
   angularDamping?: number;
-  /** Whether it never turns. Default false. */
+  /** Whether no torque turns it. Default false. */
   fixedRotation?: boolean;
   /**
-   * Axes of the world that it does not move along, of a dynamic body; see setLocks. Default none.
+   * The axes of the world along which a dynamic body does not move; see setLocks. Default none.
    * @example locks: { x: true }
    */
   locks?: Locks;
   /** Whether it may sleep once it is at rest. Default true. */
   maySleep?: boolean;
-  /** How its motion is tested. Default: as the world. */
+  /** How its collisions are found. Default: as the world's. */
   detection?: Detection;
   /**
-   * Its shapes, which may be made and destroyed later, too. Default none.
+   * Its shapes; more can be created, and any destroyed, later. Default none.
    * @example shapes: [{ kind: "circle", radius: 0.5 }]
    */
   shapes?: readonly SolidOptions[];
-  /** For your own use: a whole number from 0 to 2⁵³ - 1. */
+  /** For your own use: a whole number from 0 to 2⁵³ - 1. Default 0. */
   userData?: number;
 }
 
-/** What a shape is and meets; see ShapeOptions. */
+/** Which shapes a shape collides with; see ShapeOptions for the three options. */
 export interface Filter {
   category?: number;
   mask?: number;
   group?: number;
 }
 
-/** Axes of the world; what is not named is free. */
+/** Whether a body is locked along each axis of the world. Default false, free. */
 export interface Locks {
   x?: boolean;
   y?: boolean;
 }
 
-/** What a body is given whatever its shapes weigh. */
+/** A mass that does not follow from the shapes of the body. */
 export interface Mass {
-  /** [10⁻³⁰, 10³⁰]. */
+  /** The mass, [10⁻³⁰, 10³⁰]. */
   mass: number;
-  /** Mass times length², about the centre, likewise; or 0: it does not turn. */
+  /**
+   * The moment of inertia about the centre of mass, mass times length², [10⁻³⁰, 10³⁰]; or 0: no
+   * torque turns the body.
+   */
   inertia: number;
-  /** Of mass, in the body's frame. Default [0, 0]. */
+  /** The centre of mass in the body's frame, up to 16384 length scales. Default [0, 0]. */
   center?: Vec2;
 }
 
 export interface ShapeOptions {
-  /** Mass per area, 0 or more. Default 1. */
+  /** The density, mass per area, 0 to 10¹². Default 1. */
   density?: number;
-  /** Coefficient of friction, 0 or more. Default 0.6; a pair's is the geometric mean. */
+  /**
+   * The coefficient of friction, 0 to 10⁶. Default 0.6; a pair has the geometric mean of its two.
+   */
   friction?: number;
   /**
-   * How much it bounces, [0, 1]. Default 0; a pair's is the larger.
+   * The speed after a bounce over the speed before, [0, 1]. Default 0; a pair has the larger of its
+   * two.
    * @example restitution: 0.5
    */
   restitution?: number;
   /**
-   * The speed of a conveyor belt: length/s along the surface, clockwise about the shape, to +x on
-   * its top. Default 0; a pair's is the sum.
+   * The speed of the surface, as of a conveyor belt: length/s, clockwise about the shape, to +x on
+   * its top, up to 10⁶ length scales a second either way. Default 0; a pair has the sum of its two.
    * @example surfaceSpeed: 2
    */
   surfaceSpeed?: number;
-  /** What it is: bits. Default 1. */
+  /**
+   * The categories that the shape belongs to: 32 bits. Two shapes collide where the category of
+   * each is in the mask of the other. Default 1.
+   */
   category?: number;
-  /** What it meets: bits. Default all. */
+  /** The categories that the shape collides with: 32 bits. Default all. */
   mask?: number;
-  /** Two of one group: above 0 they always meet, below 0 never. Default 0, no group. */
+  /**
+   * Two shapes of the same group always collide where it is above 0, never where it is below 0,
+   * whatever category and mask are. A whole number of 32 bits. Default 0, no group.
+   */
   group?: number;
-  /** Notes what is there and stops nothing; see Events. Default false. */
+  /** Whether the shape reports overlaps and collides with nothing; see Events. Default false. */
   sensor?: boolean;
-  /** False: nothing that it does is told, be it touches, hits or sensors. Default true. */
+  /** Whether contacts of the shape make events: begin, end, hit and sensor events. Default true. */
   events?: boolean;
-  /** For your own use: a whole number from 0 to 2⁵³ - 1. */
+  /** For your own use: a whole number from 0 to 2⁵³ - 1. Default 0. */
   userData?: number;
 }
 
 /** Sizes are from 10⁻⁴ to 16384 length scales, of static bodies to 32000. */
 export interface CircleOptions extends ShapeOptions {
-  /** As a state tells it; may be left out. */
+  /** The kind, as `shapeState` returns it; may be left out. */
   kind?: "circle";
   /**
-   * From the centre to the rim.
+   * The radius, a length.
    * @example radius: 0.5
    */
   radius: number;
@@ -260,15 +305,15 @@ export interface CircleOptions extends ShapeOptions {
 
 /** Sizes are from 10⁻⁴ to 16384 length scales, of static bodies to 32000. */
 export interface BoxOptions extends ShapeOptions {
-  /** As a state tells it; may be left out. */
+  /** The kind, as `shapeState` returns it; may be left out. */
   kind?: "aabb";
   /**
-   * From the centre to the right side.
+   * Half the width: the length from the centre to the right side.
    * @example halfWidth: 1
    */
   halfWidth: number;
   /**
-   * From the centre to the top.
+   * Half the height: the length from the centre to the top.
    * @example halfHeight: 0.5
    */
   halfHeight: number;
@@ -280,76 +325,82 @@ export interface BoxOptions extends ShapeOptions {
 }
 
 export interface ObbOptions extends Omit<BoxOptions, "kind"> {
-  /** As a state tells it; may be left out. */
+  /** The kind, as `shapeState` returns it; may be left out. */
   kind?: "obb";
-  /** How far it is turned in the body's frame, radians. Default 0. */
+  /** Its angle in the body's frame: radians, up to 10⁶ either way. Default 0. */
   angle?: number;
 }
 
-/** A circle or a box, by its kind. */
+/** A circle, an AABB or an OBB, by its kind. */
 export type SolidOptions =
   | (CircleOptions & { kind: "circle" })
   | (BoxOptions & { kind: "aabb" })
   | (ObbOptions & { kind: "obb" });
 
 /**
- * A ground line, one-sided: solid below. Coordinates are relative to the body's origin; the points
- * of an irregular line go from left to right, each strictly right of the one before.
+ * The line of a terrain, which is solid below. Coordinates are lengths relative to the body's
+ * origin. "flat": a straight line through the origin, without ends, of this slope (dy/dx, up to 100
+ * either way, default 0). "uniform": two or more heights at x0, x0 + spacing, and so on.
+ * "irregular": two or more points with strictly increasing x.
  */
 export type Terrain =
   | { kind: "flat"; slope?: number }
   | { kind: "uniform"; x0: number; spacing: number; heights: ArrayLike<number> }
   | { kind: "irregular"; points: ArrayLike<Vec2> };
 
-/** The ground at one x. */
+/** The ground of a terrain at one x. */
 export interface Ground {
+  /** y of the ground, in the world. */
   height: number;
-  /** Unit, upward. */
+  /** Unit normal, upward. */
   normal: Vec2;
-  /** Between the vertices `segment` and `segment + 1`; 0 for flat ground. */
+  /** The ground there lies between the vertices `segment` and `segment + 1`; 0 for flat ground. */
   segment: number;
-  /** Of those two vertices, to interpolate what a game keeps at them (texture); they sum to 1. */
+  /**
+   * The weights of those two vertices, to interpolate what a game keeps for them, such as texture
+   * coordinates; their sum is 1.
+   */
   weights: Vec2;
 }
 
-/** Where a foot comes to stand. */
+/** The place of a foot on a terrain. */
 export interface Foot {
-  /** Of the highest ground under the sole. */
+  /** y of the highest ground under the sole, in the world. */
   height: number;
-  /** Where that is. */
+  /** x of that place, in the world. */
   x: number;
-  /** Of the straight line between the ground under the sole's two ends. */
+  /** Unit normal of the straight line between the ground under the two ends of the sole. */
   normal: Vec2;
 }
 
 export interface BodyState {
   kind: BodyKind;
-  /** Of its origin. */
+  /** The place of its origin in the world. */
   position: Vec2;
-  /** Centre of mass. */
+  /** The place of its centre of mass in the world. */
   center: Vec2;
-  /** Radians, in (-π, π]. */
+  /** Its angle: radians, in (-π, π]. */
   angle: number;
-  /** Of the centre of mass, length/s. */
+  /** The velocity of its centre of mass, length/s. */
   velocity: Vec2;
-  /** Radians/s. */
+  /** Its angular velocity, radians/s. */
   angularVelocity: number;
-  /** 0 unless dynamic; 1 for a dynamic body whose shapes have none. */
+  /** Its mass: 0 unless dynamic; 1 for a dynamic body whose shapes have none. */
   mass: number;
-  /** About the centre of mass; 0 where the body cannot turn. */
+  /** Its moment of inertia about the centre of mass; 0 where no torque turns it. */
   inertia: number;
   gravityScale: number;
   awake: boolean;
   enabled: boolean;
-  /** Frozen because it became non-finite. */
+  /** Whether the engine stopped it because its position or velocity became non-finite. */
   quarantined: boolean;
   userData: number;
   shapeCount: number;
 }
 
 /**
- * What a shape was made with, and its body. Of a terrain `World.terrain` has the ground. Without
- * `body` it is what another like it can be made with.
+ * The options of a shape as they are now, and its body. Without `body` they are options from which
+ * another such shape can be made. `World.terrain` has the line of a terrain.
  */
 export type ShapeState = { body: BodyId } & (
   | Required<CircleOptions>

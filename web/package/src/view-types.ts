@@ -1,22 +1,25 @@
-/** What is read of a whole world: events, statistics, errors, drawing. Units as in types.ts. */
+/** What a world reports: events, statistics, errors, tables for drawing. Units as in types.ts. */
 import { ContactPointAt, ContactRowAt, HitEventAt } from "./generated/slots.js";
 import type { BodyId, QualityOptions, ShapeId, Vec2 } from "./types.js";
 
-/** Two shapes that began or ceased to touch; after an end either may be gone. */
+/** Two shapes that began or ceased to touch. In an end event either may have been destroyed. */
 export interface ContactEvent {
   a: ShapeId;
   b: ShapeId;
 }
 
-/** Whose a shape of a contact or an event is, and what either keeps for you. */
+/** The body of a shape of a contact or an event. */
 export interface PairSide {
   body: BodyId;
+  /** The user data of the body. */
   bodyData: number;
+  /** The user data of the shape. */
   shapeData: number;
+  /** Whether the shape is a sensor. */
   sensor: boolean;
 }
 
-/** Of two shapes; null for one that was destroyed. */
+/** The sides of two shapes; null for a shape that was destroyed. */
 export interface Pair {
   a: PairSide | null;
   b: PairSide | null;
@@ -25,11 +28,11 @@ export interface Pair {
 /** One of two shapes that met. */
 export interface MeetingSide extends PairSide {
   shape: ShapeId;
-  /** All of its bits. */
+  /** All category bits of the shape. */
   category: number;
 }
 
-/** Of the kinds that `World.meetings` was asked for. */
+/** Two shapes that met: `a` of the first category of `World.meetings`, `b` of the second. */
 export interface Meeting {
   a: MeetingSide;
   b: MeetingSide;
@@ -37,43 +40,50 @@ export interface Meeting {
 
 /** A collision faster than WorldOptions.hitSpeed. */
 export interface HitEvent extends ContactEvent {
+  /** In the world. */
   point: Vec2;
-  /** From a to b. */
+  /** Unit vector, from a to b. */
   normal: Vec2;
-  /** Of approach, length/s. */
+  /** The speed of approach along the normal, length/s. */
   speed: number;
 }
 
-/** Of a sensor and what it overlaps. */
+/** A sensor (`a`) and a shape that it began or ceased to overlap (`b`). */
 export interface SensorEvent extends ContactEvent {
   /**
-   * When in the step they came to overlap, or ceased to, in [0, 1]: on the way where a detection
-   * looks there; else 1, as the step ends; 0 where an edit ended it before.
+   * The time within the step at which the overlap began or ended, in [0, 1]: computed where a
+   * detection tests the motion; else 1, the end of the step; 0 where an edit before the step ended
+   * it.
    */
   time: number;
 }
 
 /** Events of the last step, or of all steps of the last `advance`, in a deterministic order. */
 export interface Events {
+  /** Pairs that began to touch. */
   begin: ContactEvent[];
+  /** Pairs that ceased to touch, also because a shape was destroyed or fell asleep. */
   end: ContactEvent[];
   /**
-   * `a` is the sensor that reports, `b` any shape of another body that both filters let meet: of
-   * every kind of body, awake or asleep, but for two static ones. Of two sensors each reports the
-   * other. They go by where bodies stand as the step ends. What a quick body passed on its way is in
-   * both lists: with detection "continuous" of the sensors of static bodies, with "bisect" and
-   * "swept" of all.
+   * Overlaps that began. `a` is the sensor that reports, `b` a shape of another body that the
+   * filters of both allow: of every kind of body, awake or asleep, but not of two static bodies. Of
+   * two sensors each reports the other. Overlaps are tested at the end of the step. A sensor that a
+   * fast body passed within the step is in both lists: with detection "continuous" sensors of
+   * static bodies, with "bisect" and "swept" all.
    */
   sensorBegin: SensorEvent[];
+  /** Overlaps that ended. */
   sensorEnd: SensorEvent[];
+  /** Pairs that met faster than WorldOptions.hitSpeed. A hit may come without a begin. */
   hit: HitEvent[];
-  /** Bodies that were frozen because they became non-finite. */
+  /** Bodies that were stopped because their position or velocity became non-finite. */
   quarantined: BodyId[];
 }
 
 /**
- * Events as they lie in wasm memory, valid until the next call. Handles are two numbers, index1 (one
- * above the slot) and generation; HIT_ROW has the places in a row of `hit`.
+ * The events as views into wasm memory, valid until the next call of the engine. Handles are two
+ * numbers, index1 (slot + 1) and generation; HIT_ROW has the places of the numbers in a row of
+ * `hit`.
  */
 export interface EventViews {
   /** Four numbers a pair: two handles. */
@@ -81,15 +91,16 @@ export interface EventViews {
   readonly end: Uint32Array;
   readonly sensorBegin: Uint32Array;
   readonly sensorEnd: Uint32Array;
-  /** One number a pair of sensorBegin, of sensorEnd: when in the step, in [0, 1]. */
+  /** One number a pair of sensorBegin: the time within the step, in [0, 1]. */
   readonly sensorBeginTime: Float32Array;
+  /** The same for sensorEnd. */
   readonly sensorEndTime: Float32Array;
   readonly hit: Float64Array;
   /** Two numbers a body. */
   readonly quarantined: Uint32Array;
 }
 
-/** Where in a row of EventViews.hit its numbers begin; a row has `length` of them. */
+/** The index of each number in a row of EventViews.hit; a row has `length` numbers. */
 export const HIT_ROW = {
   shapeA: HitEventAt.shapeA,
   shapeB: HitEventAt.shapeB,
@@ -100,8 +111,8 @@ export const HIT_ROW = {
 } as const;
 
 /**
- * Where in a row of `World.contactView` its numbers begin; a row has `length` of them. Of `points`
- * there are two, `pointLength` numbers each: place, separation, impulse along the normal.
+ * The index of each number in a row of `World.contactView`; a row has `length` numbers. `points`
+ * are two points of `pointLength` numbers each: place, separation, impulse along the normal.
  */
 export const CONTACT_ROW = {
   shapeA: ContactRowAt.shapeA,
@@ -117,98 +128,120 @@ export const CONTACT_ROW = {
   length: ContactRowAt.length,
 } as const;
 
-/** By which the next step is made. */
+/** The settings of the next step. */
 export interface StepSettings {
   /** Length/s². */
   gravity: Vec2;
   /** Seconds. */
   timeStep: number;
+  /** A length; 0: none. */
   maxError: number;
-  /** Fewer than the quality's where a time budget says so. */
+  /** Substeps of a step: fewer than the quality's where a time budget has reduced them. */
   substeps: number;
   sleeping: boolean;
-  /** The world's copy, with what its options named; `setQuality` takes it. */
+  /** The world's quality with the changes of its options; `setQuality` takes it. */
   quality: Required<QualityOptions>;
 }
 
-/** What a world holds, and what its last step did and took. */
+/** Counts of a world, and statistics of its last step. */
 export interface Stats {
-  /** Made since the world was. */
+  /** The steps that the world has run. */
   steps: number;
   bodies: number;
   shapes: number;
+  /** Awake bodies, dynamic and kinematic. */
   awakeBodies: number;
-  /** Of shapes whose fat bounds overlap: the broadphase's candidates. */
+  /** Pairs of shapes whose fat bounds overlap: the candidates of the broadphase. */
   pairs: number;
-  /** Touching pairs. */
+  /** Pairs that touch. */
   contacts: number;
-  /** Sets of contacts that share no moving body, and the blocks in which they are solved. */
+  /** Graph colours of the solver: no two constraints of one colour share a moving body. */
   colours: number;
+  /** Blocks of up to eight constraints, which are solved together. */
   blocks: number;
-  /** Memory held by the world. */
+  /** The memory that the world holds, bytes. */
   bytes: number;
-  /** Allocations made by the last step. */
+  /** Allocations of memory in the last step. */
   stepAllocations: number;
-  /** Of the last step; fewer than the quality's where the time budget is short. */
+  /** Substeps of the last step: fewer than the quality's where a time budget has reduced them. */
   substeps: number;
   /** Seconds of the last step; 0 unless the world is timed or has a time budget. */
   stepSeconds: number;
-  /** Islands that the soft solver could not hold, solved directly in the last step. */
+  /** Islands that were solved directly in the last step. */
   directIslands: number;
-  /** In those islands. */
+  /** The bodies of those islands. */
   directBodies: number;
-  /** Of those islands, how many stayed as the soft solver had them. */
+  /** Those of these islands that kept the result of the soft solver. */
   softIslands: number;
-  /** Collisions found within the last step, by the detections "bisect" and "swept". */
+  /** Collisions that "bisect" and "swept" resolved within the last step. */
   impacts: number;
-  /** Pairs of moving shapes in the last step, by how far their tests went. */
+  /**
+   * Pairs of moving shapes in the last step: those that were tested (`looked`), and those of them
+   * whose swept circles met, whose swept boxes met, and whose time of collision was computed.
+   */
   motionPairs: Readonly<{ looked: number; circlesMet: number; boxesMet: number; exact: number }>;
-  /** By the names of `Engine.stageNames`; 0 unless the world is timed. */
+  /** Seconds of each stage by its name (`Engine.stageNames`); 0 unless the world is timed. */
   stageSeconds: Readonly<Record<string, number>>;
-  /** Bodies that "swept" and "bisect" stopped before the step's end, in a crowd of collisions. */
+  /** Bodies that detection stopped before the end of the step, for instance in dense collisions. */
   heldBodies: number;
-  /** The time that those lost, together. */
+  /** The time that these lost, together: seconds. */
   heldSeconds: number;
-  /** Bisected bodies that were too fast for it: they may have passed something. */
+  /** Bisected bodies faster than `bisectionLimit`: they may have passed through a shape. */
   unbisectable: number;
 }
 
-/** What the last step got wrong, of the contacts that are awake. */
+/** The errors of the last step, over the contacts of awake bodies. */
 export interface StepError {
-  /** A length, over the points of touching pairs at the end of the step; negative while apart. */
+  /**
+   * The largest penetration depth of touching pairs at the end of the step: a length, negative
+   * apart.
+   */
   penetrationMax: number;
+  /** The mean of it over all contact points. */
   penetrationMean: number;
-  /** Fastest approach at a contact that the solver's last pass still met, and took away. */
+  /**
+   * The largest speed of approach at a contact that the last pass of the soft solver corrected,
+   * length/s.
+   */
   residual: number;
   /**
-   * Of kinetic and potential energy. Negative where friction, damping and restitution take some;
-   * positive is energy that nobody put in, or that forces, kinematic bodies and moving surfaces
-   * did.
+   * The change of kinetic plus potential energy, mass times length²/s². Friction, damping and
+   * restitution make it negative; forces, kinematic bodies, moving surfaces and errors of the
+   * solver make it positive.
    */
   energyChange: number;
-  /** Points deeper than the world's maxError, or without one than 0.005 length scales. */
+  /**
+   * Contact points deeper than the world's maxError, or than 0.005 length scales where that is 0.
+   */
   overlaps: number;
   /**
-   * A length: how far the body that detection held back the most ended from where its motion would
-   * have taken it; 0 where none of `Stats.heldBodies` was.
+   * The largest distance between where a held body (`Stats.heldBodies`) ended and where its motion
+   * would have taken it, a length; 0 where none was held.
    */
   shortfall: number;
-  /** Lengths: by how much joints are open at the end, asleep or awake; see JointState.gap. */
+  /**
+   * The largest gap of all joints, asleep or awake, at the end of the step: a length,
+   * JointState.gap.
+   */
   jointGapMax: number;
+  /** The mean of it over all joints. */
   jointGapMean: number;
-  /** Likewise of turns, radians. */
+  /** The largest JointState.angleGap, radians. */
   jointAngleMax: number;
 }
 
-/** Error and energy of the present state; lengths, and mass times (length/s)². */
+/** Penetration and energy of the present state. Energies are mass times length²/s². */
 export interface Measure {
+  /** The largest penetration depth of touching pairs, asleep or awake: a length. */
   penetrationMax: number;
+  /** The mean of it over all contact points. */
   penetrationMean: number;
   kineticEnergy: number;
+  /** 0 at the world's origin. */
   potentialEnergy: number;
 }
 
-/** Every shape at once, for drawing. The arrays are views into wasm memory: see `poses()`. */
+/** All shapes at once, for drawing. The arrays are views into wasm memory: see `poses()`. */
 export interface ShapeTable {
   readonly count: number;
   /**
@@ -216,48 +249,60 @@ export interface ShapeTable {
    * and y, cosine and sine in the body's frame.
    */
   readonly rows: Float32Array;
-  /** Four numbers a shape: index1 and generation of the shape, and of its body. */
+  /** Four numbers a shape: index1 (slot + 1) and generation of the shape, and of its body. */
   readonly handles: Uint32Array;
 }
 
-/** Shapes to leave out or put in with `World.debugDraw`. */
+/** What `World.debugDraw` draws. Each flag is false by default. */
 export interface DrawOptions {
   shapes?: boolean;
+  /** The fat bounds of shapes. */
   bounds?: boolean;
+  /** The cells of the grid broadphase. */
   cells?: boolean;
+  /** The points and normals of contacts. */
   contacts?: boolean;
-  /** Shapes carry their island's number; lines for pairs whose islands are solved directly. */
+  /** Shapes get the number of their island; lines between pairs of directly solved islands. */
   islands?: boolean;
-  /** The sorted intervals of a plane sweep, at the lower edge. */
+  /** The sorted intervals of the sweep broadphase, at the lower edge. */
   axes?: boolean;
   /** Lines between shapes whose bounds overlap. */
   pairs?: boolean;
-  /** As pairs, by how far they came: fat bounds overlap, so do the true bounds, shapes touch. */
+  /**
+   * As `pairs`, in three styles by the tests that a pair has passed: its fat bounds overlap, its
+   * tight bounds overlap, its shapes touch.
+   */
   stages?: boolean;
   /**
    * Lines between touching shapes by the solver's colour: no two pairs of one colour share a moving
    * body, so that eight of them are solved at once.
    */
   colours?: boolean;
-  /** Every point of every contact, its depth and its impulse. */
+  /** Every point of every contact with its depth and its impulse. */
   manifolds?: boolean;
-  /** Where joints have their bodies, their axes, and between which limits they let them be. */
+  /** The anchors, axes and limits of joints. */
   joints?: boolean;
-  /** Lines as long as a joint's force would move its body b alone in a second, from rest. */
+  /**
+   * Forces of joints: lines as long as the force alone would move body b in a second, from rest.
+   */
   jointForces?: boolean;
-  /** The swept volumes of the last step, of what moved further than a quarter of its size. */
+  /**
+   * The swept volumes of shapes that moved further in the last step than a quarter of their size.
+   */
   motions?: boolean;
-  /** Coordinates are relative to it. Default [0, 0]. */
+  /** The place to which the drawn coordinates are relative. Default [0, 0]. */
   origin?: Vec2;
-  /** The corners of what is drawn, in the world. */
+  /** The lower left corner of the region that is drawn, in the world. */
   lower: Vec2;
+  /** The upper right corner of that region. */
   upper: Vec2;
 }
 
 /**
- * By number in `DrawLists`. "solved directly" is of pairs. "depth" is a line from a contact's point
- * as long as the penetration, "impulse" one as long as the impulse of a step alone would move the
- * lighter body in a second. "colour 15" stands for all further colours too.
+ * The styles in `DrawLists`, by their number. "solved directly" is of lines between pairs. "depth"
+ * is a line from a contact point as long as the penetration; "impulse" is one as long as the
+ * impulse of a step alone would move the lighter body in a second. "colour 15" also stands for all
+ * further colours.
  */
 export const DRAW_STYLES = [
   "static",
@@ -301,37 +346,38 @@ export const DRAW_STYLES = [
   "joint force",
 ] as const;
 
-/** Views into wasm memory, valid until the next call of `debugDraw`. */
+/** The drawing as views into wasm memory, valid until the next call of `debugDraw`. */
 export interface DrawLists {
-  /** Nine a shape: centre, half extents, cosine, sine, 1 if a circle, style, island. */
+  /** Nine numbers a shape: centre, half extents, cosine, sine, 1 if a circle, style, island. */
   readonly shapes: Float32Array;
-  /** Five a line: both ends, style. */
+  /** Five numbers a line: both ends, style. */
   readonly lines: Float32Array;
-  /** Three a point: place, style. */
+  /** Three numbers a point: place, style. */
   readonly points: Float32Array;
 }
 
 /** A point of a contact, after the last step. */
 export interface ContactPoint {
+  /** In the world. */
   point: Vec2;
-  /** Negative is penetration. */
+  /** The separation, a length; negative: penetration. */
   separation: number;
-  /** Mass times length/s, 0 or more: the last substep's, times the substeps. */
+  /** Mass times length/s, 0 or more: the impulse of the last substep, times the substeps. */
   normalImpulse: number;
 }
 
-/** A touching pair. Of a static and a moving shape, `a` is the static one. */
+/** A pair that touches. Of a static and a moving shape, `a` is the static one. */
 export interface Contact {
   a: ShapeId;
   b: ShapeId;
   bodyA: BodyId;
   bodyB: BodyId;
-  /** Unit, from a to b. */
+  /** Unit vector, from a to b. */
   normal: Vec2;
-  /** Two at most; none where it is about to touch again. */
+  /** At most two points; none where the pair is about to touch again. */
   points: ContactPoint[];
-  /** Friction's, on b, along (normal[1], -normal[0]). */
+  /** The same impulse of friction on b, along (normal[1], -normal[0]). */
   tangentImpulse: number;
-  /** Its island was solved at once, as the soft solver could not hold it. */
+  /** Whether its island was solved directly. */
   direct: boolean;
 }

@@ -1,4 +1,7 @@
-/** A world's life in the module: made from options, stepped, set, snapshotted and freed. */
+/**
+ * The lowest layer of World: it makes a world in the module from options, and steps, sets, saves,
+ * restores and frees it; and the calls of the module by handle, which all layers use.
+ */
 /// <reference lib="esnext.disposable" preserve="true" />
 import { checkElapsed, checkStep, explained } from "./checks/hook.js";
 import type { Engine } from "./engine.js";
@@ -18,7 +21,7 @@ import type { BodyRef, JointRef, Quality, QualityOptions, ShapeId, ShapeRef, Ste
 
 type AnyRef = BodyRef | ShapeRef | JointRef;
 
-/** Tells, once each, of worlds that were forgotten and never closed. */
+/** Logs a warning for each world that was garbage collected without having been closed. */
 const forgotten =
   typeof FinalizationRegistry === "function"
     ? new FinalizationRegistry<null>(() =>
@@ -26,20 +29,23 @@ const forgotten =
       )
     : null;
 
-/** As far out as a body can be, in length scales; a little less, for rounding. */
+/**
+ * The largest coordinate of a body, length scales: THUD_PLACE_MAX, 1e9, less 0.1 percent for
+ * rounding.
+ */
 const EVERYWHERE = 0.999e9;
 
 export class WorldBase {
   readonly engine: Engine;
   #address: number;
-  /** Nothing is further from the origin, in length units. */
+  /** The largest coordinate of a body, in length units. */
   protected readonly reach: number;
   protected shapesRevision = 0;
   protected terrainsRevision = 0;
 
   /**
-   * Made by `Engine.createWorld`. An address adopts a world that other code in the module made; of
-   * the options only its length scale counts then.
+   * Called by `Engine.createWorld`. With an `address` it takes over a world that other code in the
+   * module made; of the options only the length scale counts then.
    */
   constructor(engine: Engine, options: WorldOptions = {}, address = 0) {
     this.engine = engine;
@@ -56,12 +62,15 @@ export class WorldBase {
     forgotten?.register(this, null, this);
   }
 
-  /** Of the options. */
+  /** The length scale of the options. */
   protected get lengthScale(): number {
     return this.reach / EVERYWHERE;
   }
 
-  /** Fills the slots of api_world_defaults, for code that makes worlds in the module itself. */
+  /**
+   * Writes the options to the slots, over the defaults of api_world_defaults; also for programs
+   * whose own code in the module makes the world. Throws "invalid" for an unknown option.
+   */
   static writeOptions(engine: Engine, options: WorldOptions): void {
     const numbers = numbersOf("createWorld", options, WORLD_OPTIONS);
     const [base, ...changes] = qualityNumbers(options.quality);
@@ -71,13 +80,16 @@ export class WorldBase {
     fill(engine.slots, changes, WorldOptionsAt.changes);
   }
 
-  /** The world's address in wasm memory; throws after `close`. */
+  /** The world's address in wasm memory. Throws "stale" after `close`. */
   get address(): number {
     if (this.#address === 0) throw new ThudError("stale", "the world has been destroyed");
     return this.#address;
   }
 
-  /** Frees the world. Using it afterwards throws. Inside a callback of its own it is not closed. */
+  /**
+   * Frees the world's memory. Every later call throws "stale".
+   * @throws {ThudError} "locked" inside a callback of the world, which then stays open.
+   */
   close(): void {
     this.engine.check(this.engine.exports.api_world_destroy(this.address));
     this.engine.callbacks.forget(this.#address);
@@ -86,25 +98,30 @@ export class WorldBase {
     this.freeRoom();
   }
 
-  /** Closes it, if it is not closed: `using world = thud.createWorld()` does so by itself. */
+  /** Closes the world unless it is closed; `using world = thud.createWorld()` calls it. */
   [Symbol.dispose](): void {
     if (this.#address !== 0) this.close();
   }
 
-  /** Frees what a layer above this one keeps in wasm memory. */
+  /** Frees the memory of the module that a layer above this one keeps. */
   protected freeRoom(): void {}
 
-  // ---- going back ----
+  // ---- snapshots ----
 
-  /** The whole state as bytes: a copy that stays as it is. thud_snapshot.h tells what it holds. */
+  /**
+   * The whole state of the world as bytes, a copy. thud_snapshot.h says what it contains.
+   * @throws {ThudError} "locked" inside a callback; "memory".
+   */
   snapshot(): Uint8Array<ArrayBuffer> {
     return takeSnapshot(this.engine, this.address);
   }
 
   /**
-   * Back to a snapshot of this world, or of another with the same options: from there on the same
-   * calls give the same bits and the same handles. Throws, and changes nothing, for bytes that are
-   * damaged, or of another version or kind of world.
+   * Restores the state of a snapshot of this world, or of another with the same options: from there
+   * the same calls give the same results, bit for bit, and the same handles.
+   * @throws {ThudError} "invalid" for bytes that are damaged, of another version, or of a world
+   * with other options, and where the snapshot has joints or rules that this world never had
+   * (`useJoints`, `useRules`); "locked" inside a callback; "memory".
    */
   restore(snapshot: Uint8Array): void {
     restoreSnapshot(this.engine, this.address, snapshot);
@@ -113,8 +130,9 @@ export class WorldBase {
   }
 
   /**
-   * Returns what a function does that plays on in this world, which is then as it was before: to
-   * look ahead, for a computer player or a line that shows the way. What it throws is thrown.
+   * Calls a function that steps and changes this world, restores the state before the call, and
+   * returns the function's result: to look ahead, for a computer player or to draw a trajectory. An
+   * exception of the function is passed on.
    * @example const points = world.whatIf(() => shoot(angle))
    */
   whatIf<T>(play: () => T): T {
@@ -127,8 +145,10 @@ export class WorldBase {
   }
 
   /**
-   * Two numbers that rise when bodies or shapes came, went or were enabled or disabled, and when
-   * the ground changed: whoever draws reads the shape table and the terrains anew then.
+   * Two counters. `shapes` increases when a body or shape was created, destroyed, enabled,
+   * disabled, resized or made a sensor, `terrains` when the line of a terrain changed; `restore`
+   * increases both. A renderer reads the shape table, or the terrains, again when they have
+   * changed.
    */
   get revision(): { readonly shapes: number; readonly terrains: number } {
     return { shapes: this.shapesRevision, terrains: this.terrainsRevision };
@@ -136,23 +156,34 @@ export class WorldBase {
 
   // ---- time ----
 
-  /** Runs one step of `timeStep` seconds, and takes no other time: `advance` does. */
+  /**
+   * Runs one step of `timeStep` seconds. It takes no argument; `advance` runs steps for an elapsed
+   * time.
+   * @throws {ThudError} "memory": no body has then moved, and the step can be tried again; "locked"
+   * inside a callback; "invalid" for an argument. An exception of a callback is thrown after the
+   * step.
+   */
   step(): void {
     if (arguments.length > 0) checkStep(arguments[0]);
     this.engine.check(this.engine.exports.api_world_step(this.address));
   }
 
   /**
-   * Runs as many whole steps as the elapsed seconds allow, at most `maxSteps`; call it once a
-   * picture. `alpha` tells how far the present lies between the last step and the next, for `poses`.
-   * What happens does not depend on how often it is called: `events`, `meetings`, `impulses` and
-   * `jointEvents` are of all steps that it made, none where it made none; forces that were applied
-   * since the last call act for all of the elapsed time. What shall act in one step alone is done in
-   * `calls.before`. There and in `calls.after` the world may be changed, but not stepped, restored or
-   * closed; what they throw is thrown when the steps are made.
+   * Runs the whole steps that fit into the elapsed seconds (0 to 10⁹) and the time that earlier
+   * calls left over, at most `maxSteps` (1 or more), and drops the time of further steps; call it
+   * once a frame. `alpha`, in [0, 1), is the time left over as a fraction of a step, for `poses`.
+   * The motion does not depend on the frame rate.
    *
-   * Where a step runs out of memory this throws; the steps before it stand, `stats().steps` counts
-   * them, and the time that is left waits for the next call.
+   * Afterwards `events`, `meetings`, `impulses` and `jointEvents` are those of all its steps, none
+   * where it ran none. Forces that were applied since the last call act over all of the elapsed
+   * time; forces for a single step are applied in `calls.before`. In `calls.before` and
+   * `calls.after` the world may be changed, but not stepped, restored or closed; an exception of
+   * them is thrown after the steps.
+   *
+   * @throws {ThudError} "memory" where a step runs out of memory: the steps before it have been
+   * run, `stats().steps` counts them, and the rest of the time waits for the next call. "invalid"
+   * for a value out of range, also for milliseconds in place of seconds; "locked" inside a
+   * callback.
    */
   advance(elapsed: number, maxSteps = 4, calls: StepCalls = {}): { steps: number; alpha: number } {
     const { engine } = this;
@@ -168,21 +199,27 @@ export class WorldBase {
   }
 
   /**
-   * Sets gravity, length/s², from the next step on.
+   * Sets gravity, length/s², from the next step on. Wakes all bodies.
+   * @throws {ThudError} "invalid" for numbers that are not finite; "locked" inside a callback.
    * @example world.setGravity([0, 10])
    */
   setGravity(gravity: Vec2): void {
     this.onWorld("api_world_set_gravity", xOf(gravity, "gravity"), gravity?.[1]);
   }
 
-  /** Sets the seconds of the steps from the next on; (0, 1]. */
+  /**
+   * Sets the length of a step, seconds in (0, 1], from the next step on.
+   * @throws {ThudError} "invalid"; "locked" inside a callback.
+   */
   setTimeStep(seconds: number): void {
     this.onWorld("api_world_set_time_step", seconds);
   }
 
   /**
-   * Sets the quality from the next step on. For experts: `substeps` from 1 to 64; 0 takes the
-   * quality's.
+   * Sets the quality from the next step on. For experts: `substeps`, 1 to 64; 0, the default, takes
+   * the quality's. Substeps, contact stiffness, contact damping and detection that the options of
+   * the world named keep their values. Wakes all bodies.
+   * @throws {ThudError} "invalid"; "locked" inside a callback.
    */
   setQuality(quality: Quality | QualityOptions, substeps = 0): void {
     const [base, own = 0, stiffness = 0, damping = 0, detection = -1, islands = -1] =
@@ -194,19 +231,29 @@ export class WorldBase {
     if (result !== 0) this.refuse(result, "setQuality", given);
   }
 
-  /** Sets the overlap from which on islands are solved directly; see WorldOptions.maxError. */
+  /**
+   * Sets the penetration depth, a length from 0 to 10⁹, beyond which an island is solved directly;
+   * 0: none. See WorldOptions.maxError.
+   * @throws {ThudError} "invalid"; "locked" inside a callback.
+   */
   setMaxError(maxError: number): void {
     this.onWorld("api_world_set_max_error", maxError);
   }
 
-  /** Whether bodies at rest may sleep. False wakes every one. */
+  /**
+   * Sets whether bodies at rest may sleep. False wakes all bodies.
+   * @throws {ThudError} "invalid" for a value that is no boolean; "locked" inside a callback.
+   */
   setSleeping(sleeping: boolean): void {
     this.onWorld("api_world_set_sleeping", flagOf(sleeping, "sleeping"));
   }
 
-  /** Throws what the engine refused, and tells which of the arguments or options was wrong. */
+  /**
+   * Throws the exception of a callback, or the error of `result` with the argument or option that
+   * was wrong. `call` and `given`: see Explainer in checks/hook.ts.
+   */
   protected refuse(result: number, call: string, given: object): void {
-    this.engine.callbacks.rethrow(); // as it is, whatever it says
+    this.engine.callbacks.rethrow(); // not explained, even where it is a ThudError
     try {
       this.engine.check(result);
     } catch (refused) {
@@ -215,8 +262,9 @@ export class WorldBase {
   }
 
   /**
-   * Calls what is for handles of one kind. A list of arguments would be an object; what the module
-   * does not take of them it passes over.
+   * Calls the module's function `name` with the world, a handle of this kind and the arguments, and
+   * throws where it fails. The arguments are not a rest parameter, which would allocate a list;
+   * WebAssembly ignores those that the function does not have.
    */
   protected on(
     kind: Kind,
@@ -238,25 +286,26 @@ export class WorldBase {
       this.refuse(result, name, [a, b, c, d, e, f]);
   }
 
-  /** As `on`, of the world itself. */
+  /** As `on`, for functions of the world, without a handle. */
   protected onWorld(name: string, a?: number, b?: number, c?: number): void {
     if (isOther(a) || isOther(b)) this.#wantNumbers(name, [a, b]);
     const result = this.engine.exports[name](this.address, a!, b!, c!);
     if (result !== 0 || this.engine.callbacks.hasThrown) this.refuse(result, name, [a, b]);
   }
 
+  /** Throws "invalid" for arguments that are no numbers. */
   #wantNumbers(name: string, given: unknown[]): never {
     throw explained(new ThudError("invalid", "numbers are wanted"), name, given, this.lengthScale);
   }
 
-  /** Those of the list that the last call gave. */
+  /** The shape handles of the list that the last call of the module has left in the slots. */
   protected shapeIds(): ShapeId[] {
     const { buffer, slots } = this.engine;
     return rowsOf(Uint32Array, buffer, slots, ListAt.address, HandleAt.length, shapeAt);
   }
 }
 
-/** What WebAssembly would take for a number: "1" for 1, [2] for 2. */
+/** Whether an argument is no number. WebAssembly would convert it: "1" to 1, [2] to 2. */
 function isOther(value: unknown): boolean {
   return typeof value !== "number" && value !== undefined;
 }

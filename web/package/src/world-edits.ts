@@ -1,7 +1,10 @@
 /**
- * Bodies and shapes are changed after they were made. A change holds from the next step on, wakes
- * the body and what touches it, and is in snapshots that are taken after it. What is out of range
- * throws, and nothing has changed then; thud_edits.h has the details.
+ * The layer of World with setters of bodies and shapes. A change takes effect with the next step,
+ * wakes the body and the bodies that touch it, and is in snapshots taken after it. thud_edits.h
+ * describes them in full.
+ *
+ * Every setter throws a ThudError "invalid" for a value out of range or of the wrong type, "stale"
+ * for a handle of a destroyed object, and "locked" inside a callback; then nothing has changed.
  */
 import { checkNames } from "./checks/names.js";
 import { Kind, kindOf } from "./plain/handles.js";
@@ -28,8 +31,9 @@ export class WorldEdits extends WorldJoints {
   // ---- shapes ----
 
   /**
-   * What a shape is and meets; what is not named stays as it is. Contacts with what it meets no more
-   * end, with an event.
+   * Sets which shapes a shape collides with (category, mask, group); options that are not given
+   * keep their values. Contacts that are no longer allowed end, with an event.
+   * @throws {ThudError} "invalid", "stale"; "locked" inside a callback; "memory".
    * @example world.setFilter(ghost, { mask: 0 })
    */
   setFilter(shape: ShapeRef, filter: Filter): void {
@@ -47,40 +51,55 @@ export class WorldEdits extends WorldJoints {
   }
 
   /**
-   * Coefficient of friction, 0 or more.
+   * Sets the coefficient of friction, 0 to 10⁶.
+   * @throws {ThudError} "invalid", "stale"; "locked" inside a callback.
    * @example world.setFriction(ice, 0)
    */
   setFriction(shape: ShapeRef, friction: number): void {
     this.on(Kind.shape, "api_shape_set_friction", shape, friction);
   }
 
-  /** How much it bounces, [0, 1]. */
+  /**
+   * Sets the restitution, the speed after a bounce over the speed before, [0, 1].
+   * @throws {ThudError} "invalid", "stale"; "locked" inside a callback.
+   */
   setRestitution(shape: ShapeRef, restitution: number): void {
     this.on(Kind.shape, "api_shape_set_restitution", shape, restitution);
   }
 
   /**
-   * The speed of a conveyor belt, length/s.
+   * Sets the speed of the surface, as of a conveyor belt: length/s, clockwise about the shape, up
+   * to 10⁶ length scales a second either way.
+   * @throws {ThudError} "invalid", "stale"; "locked" inside a callback.
    * @example world.setSurfaceSpeed(belt, -2)
    */
   setSurfaceSpeed(shape: ShapeRef, speed: number): void {
     this.on(Kind.shape, "api_shape_set_surface_speed", shape, speed);
   }
 
-  /** Mass per area, 0 or more. Its body is weighed anew at once, and its centre of mass moves. */
+  /**
+   * Sets the density, mass per area, 0 to 10¹². The mass and the centre of mass of the body are
+   * computed again at once.
+   * @throws {ThudError} "invalid", "stale"; "locked" inside a callback.
+   */
   setDensity(shape: ShapeRef, density: number): void {
     this.on(Kind.shape, "api_shape_set_density", shape, density);
   }
 
-  /** Whether it notes what is there and stops nothing. Its contacts end, and begin anew. */
+  /**
+   * Sets whether a shape is a sensor, which reports overlaps and collides with nothing. Its
+   * contacts end with events, and begin again as those of the other kind.
+   * @throws {ThudError} "invalid", "stale"; "locked" inside a callback; "memory".
+   */
   setSensor(shape: ShapeRef, sensor: boolean): void {
     this.on(Kind.shape, "api_shape_set_sensor", shape, flagOf(sensor, "sensor"));
     this.shapesRevision++;
   }
 
   /**
-   * Whether its pairs have events; a pair has them where both shapes make them. An end is told
-   * exactly where its begin was.
+   * Sets whether contacts of a shape make events; a pair makes them where both of its shapes do. An
+   * end is reported if its begin was. Wakes no body.
+   * @throws {ThudError} "invalid", "stale"; "locked" inside a callback.
    * @example world.setEvents(debris, false)
    */
   setEvents(shape: ShapeRef, events: boolean): void {
@@ -88,7 +107,10 @@ export class WorldEdits extends WorldJoints {
   }
 
   /**
-   * Of a circle. Its body is weighed anew; what it then overlaps is pushed apart.
+   * Sets the radius of a circle, a length from 10⁻⁴ to 16384 length scales, of static bodies to
+   * 32000. The mass of the body is computed again; shapes that it then overlaps are separated.
+   * @throws {ThudError} "invalid", also for another kind of shape, "stale"; "locked" inside a
+   * callback.
    * @example world.setRadius(balloon, 0.8)
    */
   setRadius(shape: ShapeRef, radius: number): void {
@@ -96,7 +118,13 @@ export class WorldEdits extends WorldJoints {
     this.shapesRevision++;
   }
 
-  /** Of a box, about the same centre; as `setRadius`. */
+  /**
+   * Sets the half extents of an AABB or OBB around the same centre: lengths, with the range of
+   * `setRadius`. The mass of the body is computed again; shapes that it then overlaps are
+   * separated.
+   * @throws {ThudError} "invalid", also for another kind of shape, "stale"; "locked" inside a
+   * callback.
+   */
   setHalfExtents(shape: ShapeRef, halfWidth: number, halfHeight: number): void {
     this.on(Kind.shape, "api_shape_set_half_extents", shape, halfWidth, halfHeight);
     this.shapesRevision++;
@@ -105,8 +133,9 @@ export class WorldEdits extends WorldJoints {
   // ---- bodies ----
 
   /**
-   * Keeps a number for your own use with a body or a shape: whole, from 0 to 2⁵³ - 1. Where a kind is
-   * told another is refused.
+   * Sets the user data of a body or a shape: a whole number from 0 to 2⁵³ - 1 for your own use.
+   * Wakes no body. `kind`: a handle of another kind is refused.
+   * @throws {ThudError} "invalid", "stale".
    */
   setUserData(id: BodyRef | ShapeRef, data: number, kind?: "body" | "shape"): void {
     const number = userData(data) ?? 0;
@@ -115,32 +144,48 @@ export class WorldEdits extends WorldJoints {
   }
 
   /**
-   * What moves it. What becomes static stands still, what becomes dynamic is weighed by its shapes;
-   * its contacts end, and those that still touch begin with the next step.
+   * Sets the kind of a body. One that becomes static loses its velocity; one that becomes dynamic
+   * gets the mass of its shapes. Its contacts end, and those that still touch begin again with the
+   * next step; forces that wait for the step are dropped.
+   * @throws {ThudError} "invalid", also for a quarantined body, one with terrain, shapes that are
+   * too large for the kind, or joints that do not allow it; "stale"; "locked" inside a callback;
+   * "memory".
    * @example world.setKind(platform, "dynamic")
    */
   setKind(body: BodyRef, kind: BodyKind): void {
     this.on(Kind.body, "api_body_set_kind", body, indexOf(BODY_KINDS, kind, "kind"));
   }
 
-  /** What slows its motion and its turning, 1/s, 0 or more. */
+  /**
+   * Sets the damping of the velocity and of the angular velocity, 1/s, both 0 or more.
+   * @throws {ThudError} "invalid", "stale"; "locked" inside a callback.
+   */
   setDamping(body: BodyRef, linear: number, angular: number): void {
     this.on(Kind.body, "api_body_set_damping", body, linear, angular);
   }
 
-  /** What it feels of the world's gravity: 0 floats. */
+  /**
+   * Sets the factor of the world's gravity; a body with 0 floats.
+   * @throws {ThudError} "invalid", "stale"; "locked" inside a callback.
+   */
   setGravityScale(body: BodyRef, scale: number): void {
     this.on(Kind.body, "api_body_set_gravity_scale", body, scale);
   }
 
-  /** True stops its turning at once. */
+  /**
+   * Sets whether no torque turns a body. True sets the angular velocity of a dynamic body to 0.
+   * @throws {ThudError} "invalid", "stale"; "locked" inside a callback.
+   */
   setFixedRotation(body: BodyRef, fixed: boolean): void {
     this.on(Kind.body, "api_body_set_fixed_rotation", body, flagOf(fixed, "fixed"));
   }
 
   /**
-   * Which axes of the world a dynamic body does not move along, from where its centre of mass is, or
-   * is put by `setTransform`. A lock is a joint, which `jointsOf` lists.
+   * Sets the axes of the world along which a dynamic body does not move; axes that are not given
+   * are free. A lock keeps the centre of mass where it is, or where `setTransform` puts it. It is a
+   * joint, which `jointsOf` lists.
+   * @throws {ThudError} "invalid", also for a body that is not dynamic; "stale"; "locked" inside a
+   * callback; "memory".
    * @example world.setLocks(paddle, { x: true })
    */
   setLocks(body: BodyRef, locks: Locks): void {
@@ -148,27 +193,39 @@ export class WorldEdits extends WorldJoints {
     this.on(Kind.body, "api_body_set_locks", body, x ?? 0, y ?? 0);
   }
 
-  /** The axes that it does not move along. */
+  /**
+   * The axes along which a body is locked.
+   * @throws {ThudError} "stale".
+   */
   locksOf(body: BodyRef): { x: boolean; y: boolean } {
     this.on(Kind.body, "api_body_locks", body);
     const locked = this.engine.slots[NumberAt.value];
     return { x: (locked & 1) !== 0, y: locked > 1 };
   }
 
-  /** How its motion is tested; null: as the world's. */
+  /**
+   * Sets how the collisions of a body are found; null: as the world's, also when that changes
+   * later.
+   * @throws {ThudError} "invalid", "stale"; "locked" inside a callback.
+   */
   setDetection(body: BodyRef, detection: Detection | null): void {
     const number = detection === null ? -1 : indexOf(DETECTIONS, detection, "detection");
     this.on(Kind.body, "api_body_set_detection", body, number);
   }
 
-  /** Whether it may sleep once it is at rest. */
+  /**
+   * Sets whether a body may sleep. Where it may not, its island stays awake with it.
+   * @throws {ThudError} "invalid", "stale"; "locked" inside a callback.
+   */
   setMaySleep(body: BodyRef, maySleep: boolean): void {
     this.on(Kind.body, "api_body_set_may_sleep", body, flagOf(maySleep, "maySleep"));
   }
 
   /**
-   * Gives a dynamic body a mass of its own, whatever its shapes weigh, until that is set again or
-   * the body changes its kind; null: as its shapes weigh.
+   * Sets the mass of a dynamic body, in place of that of its shapes, until it is set again or the
+   * body changes its kind. Null: the mass is that of its shapes.
+   * @throws {ThudError} "invalid", also for a body that is not dynamic; "stale"; "locked" inside a
+   * callback.
    * @example world.setMass(boat, { mass: 900, inertia: 400, center: [0, -0.4] })
    */
   setMass(body: BodyRef, mass: Mass | null): void {

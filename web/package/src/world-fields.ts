@@ -1,6 +1,8 @@
 /**
- * Forces on bodies from what is around them: explosions, wind, water, rolling, tyres.
- * Explosions and tyres push at once, the others through the next step: ask before each. thud_fields.h has the formulas.
+ * The layer of World with forces that depend on a body's shapes, place or motion: explosions, wind,
+ * water, rolling resistance, grip and tyres. Explosions and tyres change velocities at once; the
+ * others act through the next step, so call them before each step (with `advance`, in
+ * `calls.before`). thud_fields.h has the formulas.
  */
 import {
   EXPLOSION_OPTIONS,
@@ -18,14 +20,15 @@ import type { BodyRef, Vec2 } from "./types.js";
 import { WorldForces } from "./world-forces.js";
 
 const WIND = ["density", "drag", "lift"] as const;
-/** In the order of TYRE_OPTIONS: what has no default is refused. */
+/** Defaults in the order of TYRE_OPTIONS. Options without a default have NaN, which is refused. */
 const TYRE = [NaN, NaN, 0, 0, 0, NaN] as const;
 const NO_OTHERS: readonly string[] = [];
 
 export class WorldFields extends WorldForces {
   /**
-   * Pushes the dynamic bodies about a place away from it, at once, but for those that have cover.
-   * Returns how many it pushed.
+   * Applies impulses to the dynamic bodies around a place, away from it, at once; shapes that
+   * others shield get none. Sleeping bodies wake. Returns the number of bodies that got an impulse.
+   * @throws {ThudError} "invalid"; "memory".
    * @example world.explode({ center: [0, 1], radius: 2, falloff: 4, impulse: 20 })
    */
   explode(explosion: Explosion): number {
@@ -41,7 +44,9 @@ export class WorldFields extends WorldForces {
   }
 
   /**
-   * Pushes a body by the wind through the next step; it is left alone while it sleeps.
+   * Applies drag and lift of wind at this velocity (length/s) to a dynamic body through the next
+   * step. A sleeping body is left alone.
+   * @throws {ThudError} "invalid", "stale"; "locked" inside a callback.
    * @example world.applyWind(flag, [8, 0], { drag: 1.2 })
    */
   applyWind(body: BodyRef, velocity: Vec2, wind: Wind = {}): void {
@@ -51,7 +56,9 @@ export class WorldFields extends WorldForces {
   }
 
   /**
-   * Lifts and brakes what of a body is below a water line, through the next step.
+   * Applies buoyancy and drag to the part of a dynamic body below a water line, through the next
+   * step. A sleeping body is left alone.
+   * @throws {ThudError} "invalid", "stale"; "locked" inside a callback.
    * @example world.applyBuoyancy(boat, { point: [0, 2], density: 3 })
    */
   applyBuoyancy(body: BodyRef, water: Water): void {
@@ -66,14 +73,21 @@ export class WorldFields extends WorldForces {
     }
   }
 
-  /** Brakes a ball that rolls as on a slope of `coefficient`, through the next step. */
+  /**
+   * Applies rolling resistance to the circles of a dynamic body, as of a ball on grass, through the
+   * next step: a torque of `coefficient` (0 to 10⁶) times radius times normal force. A sleeping
+   * body is left alone.
+   * @throws {ThudError} "invalid", "stale"; "locked" inside a callback; "memory".
+   */
   applyRollingResistance(body: BodyRef, coefficient: number): void {
     this.on(Kind.body, "api_body_apply_rolling", body, coefficient);
   }
 
   /**
-   * Brings a point of the body to a speed along an axis, both in its frame, through the next step, by
-   * a force of at most `most`: at speed 0 it holds or brakes, at another it drives.
+   * Drives a point of a dynamic body to a speed (length/s) along an axis, through the next step, by
+   * a force of at most `most` (mass times length/s², 0 to 10³⁰). Point and axis are in the body's
+   * frame; the axis has any length but 0. At speed 0 the force brakes, at another speed it drives.
+   * @throws {ThudError} "invalid", "stale"; "locked" inside a callback.
    */
   applyGrip(body: BodyRef, point: Vec2, axis: Vec2, speed: number, most: number): void {
     const [x, y, alongX, alongY] = [xOf(point, "point"), point?.[1], xOf(axis, "axis"), axis?.[1]];
@@ -81,9 +95,11 @@ export class WorldFields extends WorldForces {
   }
 
   /**
-   * Has a tyre push the body at once, for a world that is seen from above: it drives, brakes, and
-   * holds across its way, never so hard that the motion turns around. Thrust and brake have the first
-   * claim to its grip. Returns how fast it slides across its way then, next to 0 while it holds.
+   * Applies the impulse of a tyre in one step to a dynamic body, at once, for a world that is seen
+   * from above: the tyre drives, brakes, and resists motion across its rolling direction, but never
+   * reverses a motion. Thrust and brake take their part of its grip first. Returns the speed at
+   * which it then slides across its rolling direction, length/s: close to 0 while it grips.
+   * @throws {ThudError} "invalid", "stale".
    * @example world.applyTyre(car, { at: [1, 0.5], steer: 0.3, thrust: 20, grip: 40 })
    */
   applyTyre(body: BodyRef, tyre: Tyre): number {

@@ -1,6 +1,7 @@
 /**
- * Bodies are pushed at points, and asked for single values: where their points are, how they move.
- * thud_forces.h and thud_reads.h have the details.
+ * The layer of World with further forces and impulses, the places and velocities of points of
+ * bodies, and getters of single values. thud_forces.h and thud_reads.h describe them in full.
+ * Getters change nothing, and are allowed inside callbacks.
  */
 import {
   HandleAt,
@@ -18,10 +19,13 @@ import type { StepSettings } from "./view-types.js";
 import { WorldEdits } from "./world-edits.js";
 
 export class WorldForces extends WorldEdits {
-  // ---- pushes ----
+  // ---- forces and impulses ----
 
   /**
-   * Pushes through the next step only, at a place in the world, about which it also turns the body.
+   * Applies a force, mass times length/s², to a dynamic body at a place in the world, through the
+   * next step, or through the time of the next `advance`. Its torque is computed from the present
+   * pose.
+   * @throws {ThudError} "invalid", also for a body that is not dynamic; "stale".
    * @example world.applyForceAt(rocket, [0, 20], nozzle)
    */
   applyForceAt(body: BodyRef, force: Vec2, point: Vec2): void {
@@ -29,61 +33,81 @@ export class WorldForces extends WorldEdits {
   }
 
   /**
-   * Pushes at once at the centre of mass, mass times length/s, and turns nothing.
+   * Applies an impulse, mass times length/s, to a dynamic body at its centre of mass, at once.
+   * @throws {ThudError} "invalid", also for a body that is not dynamic; "stale".
    * @example world.applyCenterImpulse(ball, [0, 5])
    */
   applyCenterImpulse(body: BodyRef, impulse: Vec2): void {
     this.on(Kind.body, "api_body_apply_center_impulse", body, xOf(impulse, "impulse"), impulse?.[1]);
   }
 
-  /** Turns at once: mass times length²/s. */
+  /**
+   * Applies an angular impulse, mass times length²/s, to a dynamic body at once.
+   * @throws {ThudError} "invalid", also for a body that is not dynamic; "stale".
+   */
   applyAngularImpulse(body: BodyRef, impulse: number): void {
     this.on(Kind.body, "api_body_apply_angular_impulse", body, impulse);
   }
 
   /**
-   * Gives a kinematic body the velocity by which the next step brings it to a pose, the shorter way
-   * round; it keeps that velocity, so ask before each step.
+   * Sets the velocity by which a kinematic body reaches a pose at the end of the next step, turning
+   * the shorter way; `angle` in radians. The body keeps the velocity, so call it before each step.
+   * @throws {ThudError} "invalid", also for a body that is not kinematic, an AABB that would turn,
+   * and a velocity above the world's maximumSpeed; "stale".
    * @example world.setTarget(lift, [0, 3 + Math.sin(time)])
    */
   setTarget(body: BodyRef, position: Vec2, angle = 0): void {
     this.on(Kind.body, "api_body_set_target", body, xOf(position, "position"), position?.[1], angle);
   }
 
-  // ---- points; all write into a list of yours where one is given, and return it ----
+  // ---- points; with `into` the result is written to that list, which is returned ----
 
-  /** The velocity of the point of the body that is at this place in the world, length/s. */
+  /**
+   * The velocity, length/s, of the point of a body that is at this place in the world.
+   * @throws {ThudError} "invalid", "stale".
+   */
   velocityAt(body: BodyRef, point: Vec2, into?: Into): Vec2 {
     return this.#place("api_body_velocity_at", body, point, into);
   }
 
   /**
-   * From the body's frame to the world.
+   * Transforms a point from the body's frame to the world.
+   * @throws {ThudError} "invalid", "stale".
    * @example const muzzle = world.worldPoint(gun, [1, 0])
    */
   worldPoint(body: BodyRef, point: Vec2, into?: Into): Vec2 {
     return this.#place("api_body_world_point", body, point, into);
   }
 
-  /** From the world to the body's frame. */
+  /**
+   * Transforms a point from the world to the body's frame.
+   * @throws {ThudError} "invalid", "stale".
+   */
   localPoint(body: BodyRef, point: Vec2, into?: Into): Vec2 {
     return this.#place("api_body_local_point", body, point, into);
   }
 
-  /** A direction, from the body's frame to the world. */
+  /**
+   * Rotates a vector from the body's frame to the world.
+   * @throws {ThudError} "invalid", "stale".
+   */
   worldVector(body: BodyRef, vector: Vec2, into?: Into): Vec2 {
     return this.#place("api_body_world_vector", body, vector, into);
   }
 
-  /** A direction, from the world to the body's frame. */
+  /**
+   * Rotates a vector from the world to the body's frame.
+   * @throws {ThudError} "invalid", "stale".
+   */
   localVector(body: BodyRef, vector: Vec2, into?: Into): Vec2 {
     return this.#place("api_body_local_vector", body, vector, into);
   }
 
-  // ---- single values, for who wants one and not a whole state ----
+  // ---- single values, in place of a whole state ----
 
   /**
-   * Where its origin is.
+   * The place of a body's origin; with `into` it is written to that list.
+   * @throws {ThudError} "stale".
    * @example const [x, y] = world.positionOf(ball)
    */
   positionOf(body: BodyRef, into?: Into): Vec2 {
@@ -91,14 +115,20 @@ export class WorldForces extends WorldEdits {
     return this.#pair(PlaceAt.at, into);
   }
 
-  /** How far it is turned: radians in (-π, π], and their cosine and sine. */
+  /**
+   * The angle of a body, radians in (-π, π], with its cosine and sine.
+   * @throws {ThudError} "stale".
+   */
   rotationOf(body: BodyRef): { angle: number; cosine: number; sine: number } {
     this.on(Kind.body, "api_body_rotation", body);
     const s = this.engine.slots;
     return { angle: s[RotationAt.angle], cosine: s[RotationAt.cosine], sine: s[RotationAt.sine] };
   }
 
-  /** Of its centre of mass, length/s, and radians/s. */
+  /**
+   * The velocity of a body's centre of mass, length/s, and its angular velocity, radians/s.
+   * @throws {ThudError} "stale".
+   */
   velocityOf(body: BodyRef): { velocity: Vec2; angularVelocity: number } {
     this.on(Kind.body, "api_body_velocity", body);
     const s = this.engine.slots;
@@ -106,7 +136,8 @@ export class WorldForces extends WorldEdits {
   }
 
   /**
-   * The pose and the motion of a body in a list of yours: x, y, angle; velocity x, y and angular.
+   * Writes pose and velocity of a body to a list: x, y, angle; velocity x, y, angular velocity.
+   * @throws {ThudError} "stale".
    * @example world.readMotion(ball, numbers)
    */
   readMotion(body: BodyRef, into: Into): void {
@@ -120,20 +151,26 @@ export class WorldForces extends WorldEdits {
     into[5] = s[MotionAt.angularVelocity];
   }
 
-  /** What `setUserData` or the options gave. Where a kind is told another is refused. */
+  /**
+   * The user data of a body or shape. `kind`: a handle of another kind is refused.
+   * @throws {ThudError} "invalid", "stale".
+   */
   userDataOf(id: BodyRef | ShapeRef, kind?: "body" | "shape"): number {
     if (kindOf(id, kind) === Kind.shape) this.on(Kind.shape, "api_shape_user_data", id);
     else this.on(Kind.body, "api_body_user_data", id);
     return this.engine.slots[NumberAt.value];
   }
 
-  /** The body that a shape is of. */
+  /**
+   * The body of a shape.
+   * @throws {ThudError} "stale".
+   */
   bodyOf(shape: ShapeRef): BodyId {
     this.on(Kind.shape, "api_shape_body", shape);
     return bodyAt(this.engine.slots, HandleAt.index1);
   }
 
-  /** By which the next step is made. */
+  /** The settings of the next step. */
   settings(): StepSettings {
     this.onWorld("api_world_step_settings");
     const s = this.engine.slots;
@@ -155,11 +192,13 @@ export class WorldForces extends WorldEdits {
     };
   }
 
+  /** Calls the module's function `name` for a body and a point; it returns a pair. */
   #place(name: string, body: BodyRef, point: Vec2, into?: Into): Vec2 {
     this.on(Kind.body, name, body, xOf(point, "point"), point?.[1]);
     return this.#pair(PlaceAt.at, into);
   }
 
+  /** The two numbers at `at` in the slots, written to `into` where that is given. */
   #pair(at: number, into: Into | undefined): Vec2 {
     const s = this.engine.slots;
     if (into === undefined) return vecAt(s, at);

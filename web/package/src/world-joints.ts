@@ -1,4 +1,7 @@
-/** What ties bodies together: joints, made, set and read. */
+/**
+ * The layer of World that creates, changes and reads joints. thud_joint.h describes joints in full.
+ * Calls that change a joint throw a ThudError "locked" inside a callback.
+ */
 import {
   HandleAt,
   JOINT_OPTIONS,
@@ -51,8 +54,10 @@ const BREAKING = JOINT_OPTIONS.slice(
 
 export class WorldJoints extends WorldViews {
   /**
-   * Ties two bodies together, or two joints as a gear. It takes effect with the next step, and is
-   * gone with either body.
+   * Creates a joint between two bodies, or a gear between two joints. It takes effect with the next
+   * step, wakes both bodies, and is destroyed with either of them.
+   * @throws {ThudError} "invalid" for a value out of range, options that exclude or need each
+   * other, or bodies that the kind does not allow; "stale"; "locked" inside a callback; "memory".
    * @example world.createJoint({ kind: "hinge", bodyA, bodyB, at: [0, 5] })
    */
   createJoint(options: AnyJointOptions | Numbered<AnyJointOptions>): JointId {
@@ -65,7 +70,8 @@ export class WorldJoints extends WorldViews {
   }
 
   /**
-   * Where a joint is, by how much it is off, and what it bears.
+   * The state of a joint after the last step: its values, gaps and forces.
+   * @throws {ThudError} "stale".
    * @example world.jointState(joint).force
    */
   jointState(joint: JointRef): JointState {
@@ -91,15 +97,21 @@ export class WorldJoints extends WorldViews {
     };
   }
 
-  /** What another like it can be made with, as it is now: with its frames in both bodies. */
+  /**
+   * The options of a joint as they are now, with its frames in both bodies, from which another such
+   * joint can be made.
+   * @throws {ThudError} "stale".
+   */
   jointOptions(joint: JointRef): AnyJointOptions {
     this.on(Kind.joint, "api_joint_options", joint);
     return readJoint(this.engine.slots);
   }
 
   /**
-   * Sets what acts in a direction that the joint's kind drives; what is not named stays. Wakes its
-   * bodies.
+   * Sets the drive of a direction that the joint's kind drives; options that are not given keep
+   * their values. Wakes its bodies.
+   * @throws {ThudError} "invalid", also for a direction that the kind does not drive; "stale";
+   * "locked" inside a callback.
    * @example world.setDrive(joint, "turn", { motorSpeed: -3 })
    */
   setDrive(joint: JointRef, direction: Direction, drive: Drive): void {
@@ -111,13 +123,18 @@ export class WorldJoints extends WorldViews {
     );
   }
 
-  /** Sets how long a rod is. Wakes its bodies. */
+  /**
+   * Sets the length of a distance joint: above 0, up to 10⁶ length scales. Wakes its bodies.
+   * @throws {ThudError} "invalid", also for another kind; "stale"; "locked" inside a callback.
+   */
   setJointLength(joint: JointRef, length: number): void {
     this.on(Kind.joint, "api_joint_set_length", joint, length);
   }
 
   /**
-   * Sets where a joint is in its body a or b; what is not named stays. Wakes both.
+   * Sets the frame of a joint in its body a or b; options that are not given keep their values.
+   * Wakes both bodies.
+   * @throws {ThudError} "invalid", also for gears and filters; "stale"; "locked" inside a callback.
    * @example world.setJointFrame(joint, "a", { position: [pointer.x, pointer.y] })
    */
   setJointFrame(joint: JointRef, side: "a" | "b", frame: JointFrame): void {
@@ -131,7 +148,9 @@ export class WorldJoints extends WorldViews {
   }
 
   /**
-   * Sets what a joint bears; what is not named stays.
+   * Sets the force and torque beyond which a joint breaks; options that are not given keep their
+   * values.
+   * @throws {ThudError} "invalid", "stale"; "locked" inside a callback.
    * @example world.setJointBreaking(joint, { breakForce: 500 })
    */
   setJointBreaking(
@@ -146,31 +165,40 @@ export class WorldJoints extends WorldViews {
     );
   }
 
-  /** False lets go of both bodies, until true. Wakes them. */
+  /**
+   * Sets whether a joint acts. Wakes both bodies.
+   * @throws {ThudError} "invalid", "stale"; "locked" inside a callback.
+   */
   setJointEnabled(joint: JointRef, enabled: boolean): void {
     this.on(Kind.joint, "api_joint_set_enabled", joint, flagOf(enabled, "enabled"));
   }
 
-  /** Keeps a number for your own use: whole, from 0 to 2⁵³ - 1. */
+  /**
+   * Sets the user data of a joint: a whole number from 0 to 2⁵³ - 1 for your own use.
+   * @throws {ThudError} "invalid", "stale"; "locked" inside a callback.
+   */
   setJointUserData(joint: JointRef, data: number): void {
     this.on(Kind.joint, "api_joint_set_user_data", joint, userData(data) ?? 0);
   }
 
-  /** Every joint of the world. */
+  /** All joints of the world, in a deterministic order. */
   joints(): JointId[] {
     this.onWorld("api_world_joints");
     return this.#jointIds();
   }
 
-  /** The joints of a body. */
+  /**
+   * The joints of a body, in a deterministic order.
+   * @throws {ThudError} "stale".
+   */
   jointsOf(body: BodyRef): JointId[] {
     this.on(Kind.body, "api_body_joints", body);
     return this.#jointIds();
   }
 
   /**
-   * The joints that broke in the last step, or only bore more than they can; copied, so that it
-   * may be kept.
+   * The joints whose force or torque exceeded breakForce or breakTorque in the last step, or in the
+   * steps of the last `advance`. A copy.
    * @example world.jointEvents()
    */
   jointEvents(): JointEvent[] {
@@ -181,8 +209,10 @@ export class WorldJoints extends WorldViews {
   }
 
   /**
-   * Every joint for drawing: where its ends, its axis and its bodies are at alpha between the last
-   * two steps, relative to the origin as `poses` has it; its limits, and what it bears.
+   * All joints for drawing, as views into wasm memory, valid until the next call of the engine:
+   * anchors and axes with the bodies at `alpha` between the last two steps, relative to the origin,
+   * both as in `poses`; limits and forces.
+   * @throws {ThudError} "invalid" for alpha outside [0, 1]; "memory".
    */
   jointTable(alpha = 1, originX = 0, originY = 0): JointTable {
     const { engine } = this;
@@ -196,16 +226,24 @@ export class WorldJoints extends WorldViews {
     };
   }
 
-  /** Makes a world that never had a joint ready to be restored from a snapshot that has some. */
+  /**
+   * Prepares a world that never had a joint for `restore` from a snapshot with joints, which it
+   * would refuse otherwise.
+   * @throws {ThudError} "memory"; "locked" inside a callback.
+   */
   useJoints(): void {
     this.onWorld("api_world_use_joints");
   }
 
-  /** As far as the engine lets limits be; a little less, for rounding. */
+  /**
+   * The largest length of a joint, in length units: 10⁶ length scales, less 0.1 percent for
+   * rounding.
+   */
   get #furthest(): number {
     return this.reach / 1000;
   }
 
+  /** The joint handles of the list that the last call of the module has left in the slots. */
   #jointIds(): JointId[] {
     const { buffer, slots } = this.engine;
     return rowsOf(Uint32Array, buffer, slots, ListAt.address, HandleAt.length, jointAt);

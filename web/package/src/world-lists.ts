@@ -1,4 +1,8 @@
-/** What there is in a world, as lists of handles, in the order of their slots. */
+/**
+ * The layer of World with lists of handles: bodies, shapes, moved bodies, the shapes that a sensor
+ * overlaps, and pairs that met. Lists are in the order of slots. thud_lists.h describes them in
+ * full. All are allowed inside callbacks.
+ */
 import { ThudError } from "./error.js";
 import { HandleAt, ListAt, PairAt, PairSideAt, ShapeStateAt } from "./generated/slots.js";
 import { bodyAt, rowsOf, shapeAt } from "./numbers.js";
@@ -8,7 +12,10 @@ import type { BodyId, ShapeId, ShapeRef } from "./types.js";
 import type { ContactEvent, Events, Meeting, Pair, PairSide } from "./view-types.js";
 
 export class WorldLists extends WorldRules {
-  /** What bodies were last told to be, in wasm memory. */
+  /**
+   * The array of thud_body_seen in wasm memory, with the poses that movedBodies last listed, and
+   * the number of body slots for which it has room.
+   */
   #seen = { address: 0, slots: 0 };
 
   protected override freeRoom(): void {
@@ -16,29 +23,30 @@ export class WorldLists extends WorldRules {
     this.#seen = { address: 0, slots: 0 };
   }
 
-  /** Every body, disabled and quarantined ones too. */
+  /** All bodies, disabled and quarantined ones included. */
   bodies(): BodyId[] {
     this.onWorld("api_world_bodies");
     return this.#bodyIds();
   }
 
-  /** Those that the next step will move if something has them move. */
+  /** The awake bodies: the dynamic and kinematic bodies that the next step integrates. */
   awakeBodies(): BodyId[] {
     this.onWorld("api_world_awake_bodies");
     return this.#bodyIds();
   }
 
-  /** Every shape, sensors and terrains too. */
+  /** All shapes, sensors and terrains included. */
   shapes(): ShapeId[] {
     this.onWorld("api_world_shapes");
     return this.shapeIds();
   }
 
   /**
-   * Those that are elsewhere than when this was last called, and those that are new: a renderer need
-   * touch no others. One that was created, set elsewhere or brought back by `restore` is told, too;
-   * one that was destroyed is not. Where you draw between two steps, by `poses(alpha)`, touch once
-   * more what was told the time before.
+   * The bodies whose pose has changed since this was last called, and new ones: a renderer need not
+   * update the others. Bodies that `setTransform` moved or `restore` brought back are listed,
+   * destroyed ones are not. A renderer that interpolates by `poses(alpha)` must also update the
+   * bodies of the call before: a body that has stopped was last drawn before its final pose.
+   * @throws {ThudError} "memory".
    * @example for (const body of world.movedBodies()) redraw(body)
    */
   movedBodies(): BodyId[] {
@@ -49,14 +57,20 @@ export class WorldLists extends WorldRules {
     return this.#bodyIds();
   }
 
-  /** The body whose pose stands at `4 * slot` in `poses()`; null where none lives there. */
+  /**
+   * The body of a slot, whose pose is at `4 * slot` in `poses()`; null for an empty slot.
+   * @throws {ThudError} "invalid" for a slot that was never used.
+   */
   bodyAtSlot(slot: number): BodyId | null {
     this.onWorld("api_world_body_at", slot);
     const s = this.engine.slots;
     return s[HandleAt.index1] === 0 ? null : bodyAt(s, HandleAt.index1);
   }
 
-  /** The shape with this `index`; null where none lives there. */
+  /**
+   * The shape of a slot, which is the `index` of its handle; null for an empty slot.
+   * @throws {ThudError} "invalid" for a slot that was never used.
+   */
   shapeAtSlot(slot: number): ShapeId | null {
     this.onWorld("api_world_shape_at", slot);
     const s = this.engine.slots;
@@ -64,7 +78,8 @@ export class WorldLists extends WorldRules {
   }
 
   /**
-   * What a sensor overlaps now.
+   * The shapes that a sensor overlaps, as the last step found them.
+   * @throws {ThudError} "stale"; "invalid" for a shape that is no sensor.
    * @example if (world.overlapsOf(goal).length > 0) score()
    */
   overlapsOf(sensor: ShapeRef): ShapeId[] {
@@ -73,8 +88,8 @@ export class WorldLists extends WorldRules {
   }
 
   /**
-   * Whose the two shapes of a contact or an event are, with the user data of both; null for one that
-   * was destroyed since.
+   * The bodies of the two shapes of a contact or an event, with the user data of bodies and shapes;
+   * null for a shape that was destroyed since.
    * @example const { a, b } = world.pairOf(hit)
    */
   pairOf({ a, b }: Pick<ContactEvent, "a" | "b">): Pair {
@@ -86,11 +101,12 @@ export class WorldLists extends WorldRules {
   }
 
   /**
-   * Who of two kinds, by the categories of shapes, met in the last step: those that began to touch or
-   * hit each other, be they apart again, and those that a sensor began to overlap. `a` is of the
-   * first kind, whatever the event's order. A step tells a pair once; a bounce that hits in one step
-   * and touches in the next is told in both. Where one was destroyed since, also by you and between
-   * two meetings, there was none.
+   * The pairs of shapes of two categories (bits) that met in the last step, or in the steps of the
+   * last `advance`: they began to touch, hit each other, or a sensor began to overlap a shape. `a`
+   * is of the first category, whatever the order in the event. A pair is listed once; a bounce that
+   * hits in one step and touches in the next is listed after both. Pairs with a shape that was
+   * destroyed since are left out, also where the loop over the result destroyed it.
+   * @throws {ThudError} "invalid" for a category that is no whole number of 32 bits.
    * @example for (const { b: brick } of world.meetings(BALL, BRICK)) world.destroy(brick.body)
    */
   meetings(categoryA: number, categoryB: number): Generator<Meeting> {
@@ -100,6 +116,7 @@ export class WorldLists extends WorldRules {
     return this.#meetingsOf(this.events(), categoryA, categoryB);
   }
 
+  /** The meetings of `events`: begin, hit and sensorBegin events, each pair of shapes once. */
   *#meetingsOf(events: Events, kindA: number, kindB: number): Generator<Meeting> {
     const told = new Set<string>();
     for (const pair of [...events.begin, ...events.hit, ...events.sensorBegin]) {
@@ -115,17 +132,19 @@ export class WorldLists extends WorldRules {
     }
   }
 
+  /** The category bits of a shape. */
   #categoryOf(shape: ShapeId): number {
     this.on(Kind.shape, "api_shape_get", shape);
     return this.engine.slots[ShapeStateAt.category];
   }
 
+  /** The body handles of the list that the last call of the module has left in the slots. */
   #bodyIds(): BodyId[] {
     const { buffer, slots } = this.engine;
     return rowsOf(Uint32Array, buffer, slots, ListAt.address, HandleAt.length, bodyAt);
   }
 
-  /** Room for twice as many slots; what was seen stays. */
+  /** Moves #seen to an array for at least 2 * `least` slots, at least 64; new elements are 0. */
   #makeRoom(least: number): void {
     const { exports } = this.engine;
     const bytes = exports.api_body_seen_bytes();
@@ -141,6 +160,7 @@ export class WorldLists extends WorldRules {
   }
 }
 
+/** A side of a pair in the slots; null where the shape has been destroyed. */
 function readSide(s: Float64Array, at: number): PairSide | null {
   if (s[at + PairSideAt.body] === 0) return null;
   return {

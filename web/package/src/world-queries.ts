@@ -1,4 +1,8 @@
-/** What a world is asked about places: rays, casts, the closest shape, overlaps. */
+/**
+ * The layer of World with queries: rays, shape casts, the closest shape, overlaps. A query sees all
+ * changes made before it, except those made inside callbacks. Places and the ends of casts lie
+ * within 10⁹ length scales of the origin. thud_queries.h and thud_casts.h describe queries in full.
+ */
 import type { Engine } from "./engine.js";
 import {
   BoundsAt,
@@ -36,8 +40,10 @@ const EVERYTHING = filterNumbers({});
 
 export class WorldQueries extends WorldBase {
   /**
-   * The first shape along the ray, or null. `translation` is the way from the origin and not its end,
-   * which lies at the sum of both: to a point it is the point less the origin.
+   * The first shape on the ray from `origin` to `origin` + `translation`, or null. `translation` is
+   * a displacement: towards a point it is the point minus the origin. A ray that starts inside a
+   * shape does not hit it.
+   * @throws {ThudError} "invalid"; "memory".
    * @example world.castRay([0, 10], [0, -20])
    */
   castRay(origin: Vec2, translation: Vec2, filter: QueryFilter = {}): RayHit | null {
@@ -49,8 +55,9 @@ export class WorldQueries extends WorldBase {
   }
 
   /**
-   * As `castRay`, with what is found in a list of yours: the number of the shape, x and y of the point
-   * and of the normal, the fraction. False where nothing is, and the list is as before.
+   * As `castRay`, but writes the hit to a list: the number of the shape, x and y of the point and
+   * of the normal, the fraction. Returns false, with the list unchanged, where there is no hit.
+   * @throws {ThudError} "invalid"; "memory".
    * @example if (world.castRayInto(eye, way, hit)) look(hit[0])
    */
   castRayInto(origin: Vec2, translation: Vec2, into: Into, filter?: QueryFilter): boolean {
@@ -75,13 +82,21 @@ export class WorldQueries extends WorldBase {
     return true;
   }
 
-  /** Every shape along the ray, the nearest first. */
+  /**
+   * All shapes on the ray, each with its first hit, the nearest first.
+   * @throws {ThudError} "invalid"; "memory".
+   */
   castRayAll(origin: Vec2, translation: Vec2, filter: QueryFilter = {}): RayHit[] {
     const args = { origin, translation };
     return this.#castAll([-1, 0, 0, 0], origin, translation, filter, "castRayAll", args);
   }
 
-  /** The first shape that a circle, AABB or OBB meets on its way, or null. */
+  /**
+   * The first shape that a circle, AABB or OBB hits which moves from `center` by `translation`
+   * without rotation, or null. Touching counts; a shape that overlaps it at the start is hit at
+   * fraction 0.
+   * @throws {ThudError} "invalid"; "memory".
+   */
   castShape(
     shape: SolidShape,
     center: Vec2,
@@ -96,7 +111,10 @@ export class WorldQueries extends WorldBase {
     return readFirst(this.engine.slots);
   }
 
-  /** Every shape that a circle, AABB or OBB meets on its way, the nearest first. */
+  /**
+   * All shapes that the moving shape of `castShape` hits, the nearest first.
+   * @throws {ThudError} "invalid"; "memory".
+   */
   castShapeAll(
     shape: SolidShape,
     center: Vec2,
@@ -108,9 +126,11 @@ export class WorldQueries extends WorldBase {
   }
 
   /**
-   * Tells of the shapes along the ray one by one, the nearest first, no further than is asked for by
-   * what is answered. Meanwhile the world can be asked; what is made and destroyed waits for the
-   * next step, and other changes are refused. What the listener throws ends the cast and is thrown.
+   * Calls the listener for each shape on the ray, the nearest first, up to the limit that it
+   * returns (CastListener). Inside the listener queries are allowed; what it creates or destroys
+   * takes effect with the next step, and other changes throw "locked". An exception of the listener
+   * ends the cast and is passed on.
+   * @throws {ThudError} "invalid"; "memory".
    * @example world.castRayEach([0, 10], [0, -20], (hit) => (isGlass(hit.shape) ? -1 : 0))
    */
   castRayEach(
@@ -123,7 +143,10 @@ export class WorldQueries extends WorldBase {
     this.#castEach([-1, 0, 0, 0], origin, translation, listener, filter, "castRayEach", args);
   }
 
-  /** As `castRayEach`, of the shapes that a circle, AABB or OBB meets on its way. */
+  /**
+   * As `castRayEach`, for the shapes that the moving shape of `castShape` hits.
+   * @throws {ThudError} "invalid"; "memory".
+   */
   castShapeEach(
     shape: SolidShape,
     center: Vec2,
@@ -136,7 +159,11 @@ export class WorldQueries extends WorldBase {
     this.#castEach(solid, center, translation, listener, filter, "castShapeEach", args);
   }
 
-  /** The shape closest to a point, if one is no further than `maxDistance`, or null. */
+  /**
+   * The shape closest to a point, or null where none is within `maxDistance`: a length, 0 to 10⁹
+   * length scales. A point inside a shape has a negative distance.
+   * @throws {ThudError} "invalid"; "memory".
+   */
   closest(point: Vec2, maxDistance: number, filter: QueryFilter = {}): ClosestHit | null {
     const { exports } = this.#asked(filter);
     const result = exports.api_closest(this.address, xOf(point, "point"), point?.[1], maxDistance);
@@ -146,7 +173,9 @@ export class WorldQueries extends WorldBase {
   }
 
   /**
-   * Every shape that overlaps: by its bounds for "bounds", else by its true form.
+   * All shapes that overlap a region, in the order of their slots; touching counts. The region is a
+   * box from `lower` to `upper` ("bounds"), or a circle, AABB or OBB around `center`.
+   * @throws {ThudError} "invalid"; "memory".
    * @example world.overlap({ kind: "circle", center: [0, 0], radius: 1 })
    */
   overlap(query: OverlapQuery, filter: QueryFilter = {}): ShapeId[] {
@@ -167,8 +196,9 @@ export class WorldQueries extends WorldBase {
   }
 
   /**
-   * The first hit of each of many rays, or null: four numbers a ray, its origin and its way. One call
-   * for all of them; each hit is the one that `castRay` has.
+   * The first hit of each of many rays, or null, in one call of the module. `rays` has four numbers
+   * a ray: x and y of its origin and of its translation. Each hit is the same as that of `castRay`.
+   * @throws {ThudError} "invalid" where one of the rays is out of range; "memory".
    * @example world.castRays([0, 10, 0, -20, 5, 10, 0, -20])
    */
   castRays(rays: ArrayLike<number>, filter: QueryFilter = {}): (RayHit | null)[] {
@@ -193,7 +223,11 @@ export class WorldQueries extends WorldBase {
 
   // ---- one shape, whatever its filter ----
 
-  /** Where a ray first meets this shape, or null. */
+  /**
+   * The first hit of a ray on this shape, or null. A ray that starts inside the shape does not hit
+   * it.
+   * @throws {ThudError} "invalid", "stale".
+   */
   castRayAt(shape: ShapeRef, origin: Vec2, translation: Vec2): RayHit | null {
     const [x, y, dx, dy] = [xOf(origin, "origin"), origin?.[1], xOf(translation, "translation"), translation?.[1]];
     this.on(Kind.shape, "api_shape_meets_ray", shape, x, y, dx, dy);
@@ -201,7 +235,8 @@ export class WorldQueries extends WorldBase {
   }
 
   /**
-   * Whether a point is in a shape, or on its edge; below a terrain's line it is.
+   * Whether a point is in a shape or on its edge. A point below the line of a terrain is inside.
+   * @throws {ThudError} "invalid", "stale".
    * @example if (world.containsPoint(shape, [x, y])) pick(shape)
    */
   containsPoint(shape: ShapeRef, point: Vec2): boolean {
@@ -209,31 +244,39 @@ export class WorldQueries extends WorldBase {
     return this.engine.slots[NumberAt.value] !== 0;
   }
 
-  /** The closest point of a shape's surface, however far. */
+  /**
+   * The closest point of a shape's surface, at any distance.
+   * @throws {ThudError} "invalid", "stale".
+   */
   closestPointOf(shape: ShapeRef, point: Vec2): ClosestHit {
     this.on(Kind.shape, "api_shape_closest_point", shape, xOf(point, "point"), point?.[1]);
     return readClosest(this.engine.slots);
   }
 
-  /** The least box around a shape as it stands; a flat terrain has none. */
+  /**
+   * The smallest axis-aligned box around a shape at its present place, or around the line of a
+   * terrain.
+   * @throws {ThudError} "stale"; "invalid" for flat terrain, which has no ends.
+   */
   boundsOf(shape: ShapeRef): Bounds {
     this.on(Kind.shape, "api_shape_bounds", shape);
     const s = this.engine.slots;
     return { lower: vecAt(s, BoundsAt.lower), upper: vecAt(s, BoundsAt.upper) };
   }
 
-  /** The engine, with a query of everything in its slots. */
+  /** Writes the default filter to the slots, and returns the engine. */
   #askedAll(): Engine {
     for (let i = 0; i < EVERYTHING.length; i++) this.engine.slots[i] = EVERYTHING[i];
     return this.engine;
   }
 
-  /** The engine, with what a query finds in its slots. */
+  /** Writes a filter to the slots, and returns the engine. */
   #asked(filter: QueryFilter): Engine {
     fill(this.engine.slots, filterNumbers(filter));
     return this.engine;
   }
 
+  /** All hits of a cast, sorted. A `solid` of kind -1 is a ray. `call`, `args`: for errors. */
   #castAll(
     solid: SolidNumbers,
     from: Vec2,
@@ -247,6 +290,7 @@ export class WorldQueries extends WorldBase {
     return rowsOf(Float64Array, buffer, slots, ListAt.address, RayHitAt.length, readHit);
   }
 
+  /** Calls the listener for each hit of a cast. */
   #castEach(
     solid: SolidNumbers,
     from: Vec2,
@@ -263,6 +307,7 @@ export class WorldQueries extends WorldBase {
     );
   }
 
+  /** Calls the module's function `name` for a cast, and throws where it fails. */
   #cast(
     name: string,
     [kind, hx, hy, angle]: SolidNumbers,
@@ -288,6 +333,7 @@ function readClosest(s: Float64Array): ClosestHit {
   };
 }
 
+/** The first hit in the slots, or null. */
 function readFirst(slots: Float64Array): RayHit | null {
   return slots[FirstHitAt.found] === 0 ? null : readHit(slots, FirstHitAt.hit);
 }

@@ -1,4 +1,8 @@
-/** The shapes of bodies: made, read and, where they are ground, dug. */
+/**
+ * The layer of World that creates and reads shapes, and edits the line of a terrain. Edits of a
+ * terrain change the line at once; the next step wakes the bodies that touch a changed part.
+ * thud.h and thud_terrain.h describe them in full.
+ */
 import { checkNames } from "./checks/names.js";
 import { explained, shown } from "./checks/hook.js";
 import { ThudError } from "./error.js";
@@ -31,13 +35,14 @@ import {
 import { WorldLists } from "./world-lists.js";
 
 const TERRAIN_KINDS = ["flat", "uniform", "irregular"] as const;
+/** The options of each kind of terrain. */
 const TERRAINS = {
   flat: ["kind", "slope"],
   uniform: ["kind", "x0", "spacing", "heights"],
   irregular: ["kind", "points"],
 } as const;
 
-/** What makes a shape beside its material. */
+/** The options of each kind of shape beside those of all shapes (SHAPE_OPTIONS). */
 const SOLIDS = {
   circle: [...FORMS.circle, "offset"],
   aabb: [...FORMS.aabb, "offset"],
@@ -58,7 +63,7 @@ const MODULE_CREATE = {
 } as const;
 type SolidKind = keyof typeof MODULE_CREATE;
 
-/** Of any kind. */
+/** The options of a shape of any kind but terrain. */
 type SolidLike = ShapeOptions & {
   kind?: ShapeKind;
   offset?: Vec2;
@@ -70,7 +75,8 @@ type SolidLike = ShapeOptions & {
 
 export class WorldShapes extends WorldLists {
   /**
-   * Gives a body a circle.
+   * Adds a circle to a body.
+   * @throws {ThudError} "invalid", "stale", "memory".
    * @example world.createCircle(ball, { radius: 0.5, restitution: 0.4 })
    */
   createCircle(body: BodyRef, options: CircleOptions): ShapeId {
@@ -78,7 +84,8 @@ export class WorldShapes extends WorldLists {
   }
 
   /**
-   * Gives a body a box that keeps its axes: the rotation of its body is fixed from then on.
+   * Adds an axis-aligned box to a body with angle 0, whose rotation is fixed from then on.
+   * @throws {ThudError} "invalid", also for a body that is turned; "stale", "memory".
    * @example world.createAabb(ground, { halfWidth: 10, halfHeight: 1 })
    */
   createAabb(body: BodyRef, options: BoxOptions): ShapeId {
@@ -86,7 +93,8 @@ export class WorldShapes extends WorldLists {
   }
 
   /**
-   * Gives a body a box that turns with it.
+   * Adds an oriented box to a body, which turns with it.
+   * @throws {ThudError} "invalid", "stale", "memory".
    * @example world.createObb(body, { halfWidth: 1, halfHeight: 0.5 })
    */
   createObb(body: BodyRef, options: ObbOptions): ShapeId {
@@ -94,7 +102,9 @@ export class WorldShapes extends WorldLists {
   }
 
   /**
-   * Gives a body ground of any length, solid below. Only on static bodies with angle 0.
+   * Adds a terrain to a static body with angle 0: a ground line of any length, solid below. Its
+   * coordinates are relative to the body's origin.
+   * @throws {ThudError} "invalid", also for another kind of body; "stale", "memory".
    * @example world.createTerrain(body, { kind: "uniform", x0: 0, spacing: 1, heights })
    */
   createTerrain(
@@ -136,7 +146,10 @@ export class WorldShapes extends WorldLists {
     );
   }
 
-  /** What a shape was made with, and its body. */
+  /**
+   * The options of a shape as they are now, and its body.
+   * @throws {ThudError} "stale".
+   */
   shapeState(shape: ShapeRef): ShapeState {
     this.on(Kind.shape, "api_shape_get", shape);
     const s = this.engine.slots;
@@ -162,7 +175,10 @@ export class WorldShapes extends WorldLists {
     return { kind, halfWidth, halfHeight, offset, angle: s[ShapeStateAt.angle], ...material };
   }
 
-  /** A copy of a terrain as the world has it. */
+  /**
+   * A copy of the line of a terrain as it is now.
+   * @throws {ThudError} "stale"; "invalid" for another kind of shape.
+   */
   terrain(shape: ShapeRef): Terrain {
     this.on(Kind.shape, "api_shape_terrain", shape);
     const { buffer, slots: s } = this.engine;
@@ -177,7 +193,12 @@ export class WorldShapes extends WorldLists {
     return { kind, x0, spacing, heights: Float64Array.from(heights) };
   }
 
-  /** Replaces the heights of a terrain's vertices from `first` on. */
+  /**
+   * Replaces the heights of a terrain's vertices from number `first` on: lengths relative to the
+   * body's origin.
+   * @throws {ThudError} "invalid", also for flat terrain; "stale"; "locked" inside a callback;
+   * "memory".
+   */
   setHeights(shape: ShapeRef, first: number, heights: ArrayLike<number>): void {
     this.engine.withDoubles(
       heights.length,
@@ -188,8 +209,11 @@ export class WorldShapes extends WorldLists {
   }
 
   /**
-   * Takes away the ground inside a circle, and what stands above it; not of flat ground. Whatever
-   * rests there wakes in the next step. A uniform line keeps its grid.
+   * Removes the ground of a terrain inside a circle, and the ground above it. The centre is a place
+   * in the world, the radius a length from 10⁻⁴ to 16384 length scales. Bodies that rest there wake
+   * with the next step. A uniform line keeps its grid; an irregular one gets new vertices.
+   * @throws {ThudError} "invalid", also for flat terrain; "stale"; "locked" inside a callback;
+   * "memory".
    * @example world.dig(shape, [x, y], 2)
    */
   dig(shape: ShapeRef, center: Vec2, radius: number): void {
@@ -197,15 +221,24 @@ export class WorldShapes extends WorldLists {
     this.terrainsRevision++;
   }
 
-  /** Raises a smooth mound about x; a negative height makes a hollow. Otherwise as `dig`. */
+  /**
+   * Adds a smooth hill to a terrain around x, a coordinate in the world, over `radius` (with the
+   * range of `dig`) to either side. A negative height, a length, makes a hollow. Otherwise as
+   * `dig`.
+   * @throws {ThudError} "invalid", also for flat terrain; "stale"; "locked" inside a callback;
+   * "memory".
+   */
   raise(shape: ShapeRef, x: number, radius: number, height: number): void {
     this.on(Kind.shape, "api_shape_raise", shape, x, radius, height);
     this.terrainsRevision++;
   }
 
   /**
-   * Replaces the points of an irregular line at x0 to x1, both included, by others with strictly
-   * increasing x in that range. Like those of a new terrain they are relative to the body's origin.
+   * Replaces the points of an irregular line from x0 to x1, both included, by others with strictly
+   * increasing x in that range. Coordinates are relative to the body's origin, as in createTerrain.
+   * At least two points must remain.
+   * @throws {ThudError} "invalid", also for another kind of line; "stale"; "locked" inside a
+   * callback; "memory".
    */
   replaceRange(shape: ShapeRef, x0: number, x1: number, points: ArrayLike<Vec2>): void {
     const { length } = points;
@@ -218,7 +251,10 @@ export class WorldShapes extends WorldLists {
     this.terrainsRevision++;
   }
 
-  /** The ground of a terrain at x, a place in the world; throws beyond its ends. */
+  /**
+   * The ground of a terrain at x, a coordinate in the world.
+   * @throws {ThudError} "invalid" beyond the ends of the line; "stale".
+   */
   groundAt(shape: ShapeRef, x: number): Ground {
     this.on(Kind.shape, "api_ground_at", shape, x);
     const s = this.engine.slots;
@@ -230,14 +266,18 @@ export class WorldShapes extends WorldLists {
     };
   }
 
-  /** Puts a level sole of the given width onto a terrain, with its middle at x. */
+  /**
+   * Places a horizontal sole of this width (a length, 0 or more) on a terrain, with its middle at
+   * x, a coordinate in the world.
+   * @throws {ThudError} "invalid" where no part of the sole is over the line; "stale".
+   */
   placeFoot(shape: ShapeRef, x: number, width: number): Foot {
     this.on(Kind.shape, "api_place_foot", shape, x, width);
     const s = this.engine.slots;
     return { height: s[FootAt.height], x: s[FootAt.x], normal: vecAt(s, FootAt.normal) };
   }
 
-  /** By the kind that it names. */
+  /** Adds a shape of the kind that its options name to a body. */
   protected makeSolid(index1: number, generation: number, shape: SolidOptions): void {
     const kind = shape?.kind;
     if (kind !== "circle" && kind !== "aabb" && kind !== "obb")
@@ -250,7 +290,7 @@ export class WorldShapes extends WorldLists {
     return shapeAt(this.engine.slots, HandleAt.index1);
   }
 
-  /** Leaves the handle in the slots. */
+  /** Adds a shape to a body, and leaves the shape's handle in the slots. */
   #makeShape(kind: SolidKind, index1: number, generation: number, options: SolidLike): void {
     const { exports, slots } = this.engine;
     const [call, name] = [CREATE[kind], MODULE_CREATE[kind]];

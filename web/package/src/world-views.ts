@@ -1,7 +1,8 @@
 /**
- * What is read of a whole world: poses, events, statistics, errors, drawing. Arrays that `poses`,
- * `eventViews`, `contactView`, `shapeTable` and `debugDraw` return are views straight into wasm memory: nothing is copied, and
- * they hold until the next call.
+ * The layer of World that reads all of a world: poses, events, statistics, errors, tables for
+ * drawing. The arrays that `poses`, `eventViews`, `contactView`, `shapeTable` and `debugDraw`
+ * return are views into wasm memory: nothing is copied, and they are valid until the next call of
+ * the engine.
  */
 import {
   ContactPointAt,
@@ -45,7 +46,7 @@ import { WorldQueries } from "./world-queries.js";
 const EMPTY = new Float32Array(0);
 const NO_HANDLES = new Uint32Array(0);
 
-/** In the order of the bits that api_world_draw takes. */
+/** The flags of DrawOptions in the order of the bits that api_world_draw takes. */
 const DRAWN = [
   "shapes",
   "bounds",
@@ -65,7 +66,10 @@ const DRAWN = [
 export class WorldViews extends WorldQueries {
   #poses = EMPTY;
   #contacts = new Float64Array(0);
-  /** Each call gives the same object, and the same views while the lists stay where they are. */
+  /**
+   * The result of eventViews, which returns the same object each time, and the same views as long
+   * as address and length of a list stay the same, so that a call in each frame allocates nothing.
+   */
   readonly #events = {
     begin: NO_HANDLES,
     end: NO_HANDLES,
@@ -78,9 +82,11 @@ export class WorldViews extends WorldQueries {
   };
 
   /**
-   * Every body's pose between the last two steps (alpha 0: the one before, 1: the last), four
-   * numbers each: x, y relative to the origin, cosine, sine. By slot; empty slots have x = NaN.
-   * A view into wasm memory, valid until the next call: nothing is copied, whatever the number.
+   * The poses of all bodies, interpolated between the last two steps (alpha 0: the step before, 1:
+   * the last step): four numbers each, x and y of the body's origin relative to the origin of the
+   * call, cosine and sine of its angle. Indexed by slot; empty slots have x = NaN. A view into wasm
+   * memory, valid until the next call of the engine; empty where alpha is outside [0, 1], the
+   * origin is further than 10⁹ length scales, or memory is short.
    */
   poses(alpha = 1, originX = 0, originY = 0): Float32Array {
     const { engine } = this;
@@ -93,8 +99,8 @@ export class WorldViews extends WorldQueries {
   }
 
   /**
-   * What touched, parted and hit in the last step, or in all steps of the last `advance`; copied, so
-   * that it may be kept.
+   * The events of the last step, or of all steps of the last `advance`: contacts that began, ended
+   * and hit, sensors, and quarantined bodies. A copy.
    * @example world.events().hit
    */
   events(): Events {
@@ -117,7 +123,7 @@ export class WorldViews extends WorldQueries {
     };
   }
 
-  /** The same without copies: views into wasm memory, valid until the next call. */
+  /** The same events as views into wasm memory, valid until the next call of the engine. */
   eventViews(): EventViews {
     const { engine } = this;
     this.onWorld("api_world_events");
@@ -134,7 +140,11 @@ export class WorldViews extends WorldQueries {
     return last;
   }
 
-  /** What a body touches, without copies: rows as CONTACT_ROW has them, valid until the next call. */
+  /**
+   * The touching pairs of a body as rows (CONTACT_ROW): a view into wasm memory, valid until the
+   * next call of the engine. The pairs that began to touch last come first.
+   * @throws {ThudError} "stale"; "locked" inside a callback; "memory".
+   */
   contactView(body: BodyRef): Float64Array {
     this.on(Kind.body, "api_body_contacts", body);
     const { buffer, slots } = this.engine;
@@ -142,14 +152,20 @@ export class WorldViews extends WorldQueries {
     return this.#contacts;
   }
 
-  /** What a body touches, as the last step left it; the latest to touch first. Copied. */
+  /**
+   * The touching pairs of a body as the last step left them, a copy. The pairs that began to touch
+   * last come first.
+   * @throws {ThudError} "stale"; "locked" inside a callback; "memory".
+   */
   contactsOf(body: BodyRef): Contact[] {
     this.on(Kind.body, "api_body_contacts", body);
     const { buffer, slots } = this.engine;
     return rowsOf(Float64Array, buffer, slots, ListAt.address, ContactRowAt.length, readContact);
   }
 
-  /** How many there are of everything and, where `timed`, what the last step took. */
+  /**
+   * Counts of the world, statistics of its last step and, where it is `timed`, the step's times.
+   */
   stats(): Stats {
     const { engine } = this;
     engine.exports.api_world_stats(this.address);
@@ -187,15 +203,19 @@ export class WorldViews extends WorldQueries {
   }
 
   /**
-   * The speed, length/s, from which on the detection "bisect" may miss something; Infinity without
-   * shapes. `Stats.unbisectable` counts who was faster.
+   * The speed, length/s, above which the detection "bisect" may miss a collision: the thickness of
+   * the thinnest shape over the time step; Infinity without shapes. `Stats.unbisectable` counts the
+   * bodies that were faster.
    */
   bisectionLimit(): number {
     this.onWorld("api_world_bisection_limit");
     return this.engine.slots[0];
   }
 
-  /** How wrong the last step is. Costs nothing: the step itself has found it. */
+  /**
+   * The errors of the last step. They are collected while it is solved: the call costs at most a
+   * pass over joints and contacts.
+   */
   error(): StepError {
     this.engine.exports.api_world_error(this.address);
     const s = this.engine.slots;
@@ -212,7 +232,7 @@ export class WorldViews extends WorldQueries {
     };
   }
 
-  /** Energy and penetration of the whole world. Costs a pass over contacts and bodies. */
+  /** Energy and penetration of the present state. Costs a pass over contacts and bodies. */
   measure(): Measure {
     this.engine.exports.api_world_measure(this.address);
     const s = this.engine.slots;
@@ -224,14 +244,20 @@ export class WorldViews extends WorldQueries {
     };
   }
 
-  /** A hash of every body's exact state, 16 hexadecimal digits: equal on every platform. */
+  /**
+   * A hash of the exact position, angle and velocity of every body: 16 hexadecimal digits, the same
+   * on every platform.
+   */
   hash(): string {
     this.engine.exports.api_world_hash(this.address);
     const half = (value: number) => value.toString(16).padStart(8, "0");
     return half(this.engine.slots[HashAt.upper]) + half(this.engine.slots[HashAt.lower]);
   }
 
-  /** Every shape of the world, to be read once after shapes came or went, not in every frame. */
+  /**
+   * All shapes for drawing. Call it when `revision.shapes` has changed, not in every frame.
+   * @throws {ThudError} "memory".
+   */
   shapeTable(): ShapeTable {
     const { engine } = this;
     engine.check(engine.exports.api_shape_table(this.address));
@@ -244,7 +270,11 @@ export class WorldViews extends WorldQueries {
     };
   }
 
-  /** For each row of the last `shapeTable` 1 if its body is awake, 0 if it sleeps or has gone. */
+  /**
+   * For each row of the last `shapeTable` 1 where its body is awake, 0 where it sleeps or has been
+   * destroyed. A view into wasm memory, valid until the next call of the engine.
+   * @throws {ThudError} "memory".
+   */
   shapeTableAwake(): Uint8Array {
     const { engine } = this;
     engine.check(engine.exports.api_shape_table_awake(this.address));
@@ -252,7 +282,11 @@ export class WorldViews extends WorldQueries {
     return view(Uint8Array, buffer, slots[ListAt.address], slots[ListAt.count]);
   }
 
-  /** What the engine's debug drawing shows inside the bounds. */
+  /**
+   * The engine's debug drawing of the region between `lower` and `upper`, as lists of shapes, lines
+   * and points.
+   * @throws {ThudError} "invalid"; "memory".
+   */
   debugDraw(options: DrawOptions): DrawLists {
     const { engine } = this;
     const numbers = numbersOf("debugDraw", options, DRAWN, ["origin", "lower", "upper"]);
@@ -272,7 +306,9 @@ export class WorldViews extends WorldQueries {
   }
 }
 
-/** The last view, where it is still that of the list that the slots tell of. */
+/**
+ * The last view where it still covers the list in the slots, else a new one; `row`: numbers a row.
+ */
 function again<T extends Uint32Array | Float32Array | Float64Array>(
   last: T,
   buffer: ArrayBuffer,

@@ -1,9 +1,15 @@
 /**
- * A world: bodies and shapes that advance in fixed steps. Handles are checked by the engine in
- * every call; a stale one throws, as does whatever is out of range, and nothing has changed then.
- * Built in layers, each in a file of its own: world-base (its life, time and settings),
- * world-queries, world-views (what is read of it), world-joints, world-edits, world-forces,
- * world-fields, world-lists, world-shapes, and here the bodies.
+ * World: bodies, shapes and joints that advance in fixed steps. The class is built in layers, each
+ * in a file of its own that extends the one before: world-base (creation, time, settings,
+ * snapshots), world-queries, world-views (events, statistics, drawing), world-joints, world-edits,
+ * world-forces, world-fields, rules/world-rules, world-lists, world-shapes, and here the bodies.
+ *
+ * Errors: the engine checks each handle and value. A call that fails throws a ThudError and has
+ * changed nothing, unless its comment says otherwise. Besides the codes that a comment names, every
+ * call throws "stale" after `close`, and "null" for a handle that is none.
+ *
+ * Callbacks are listeners, pair filters and cast listeners. Inside them the world may be read;
+ * bodies and shapes that are created, destroyed, moved or pushed there change with the next step.
  */
 import { shown, within } from "./checks/hook.js";
 import { ThudError } from "./error.js";
@@ -25,7 +31,7 @@ import { generationOf, index1Of, Kind, kindOf, numberOfPair } from "./plain/hand
 import { WorldShapes } from "./world-shapes.js";
 
 const BODY_OTHERS = ["shapes", "locks"];
-/** By kind. */
+/** The module's functions by kind of handle. */
 const DESTROY = ["", "api_body_destroy", "api_shape_destroy", "api_joint_destroy"];
 const IS_VALID = ["", "api_body_is_valid", "api_shape_is_valid", "api_joint_is_valid"];
 
@@ -33,8 +39,9 @@ export class World extends WorldShapes {
   // ---- bodies ----
 
   /**
-   * A body, with the shapes that are named. Without any it moves, and meets nothing, until it has
-   * one. Where one of them is refused nothing is left of the body.
+   * Creates a body with the shapes of its options. A body without shapes moves, but collides with
+   * nothing. If one of the shapes is refused the body is not created.
+   * @throws {ThudError} "invalid" for an unknown option or a value out of range; "memory".
    * @example const ball = world.createBody({ kind: "dynamic", position: [0, 5] })
    */
   createBody(options: BodyOptions = {}): BodyId {
@@ -43,8 +50,9 @@ export class World extends WorldShapes {
   }
 
   /**
-   * As `createBody`, but returns the body's number: nothing is made in JavaScript. Keep the options
-   * and what is in them, and set them anew for the next.
+   * As `createBody`, but returns the body's number, and allocates no object in JavaScript. To
+   * allocate none at all keep the options, and change them for the next body.
+   * @throws {ThudError} "invalid", also for a body that has no number, see `numberOf`; "memory".
    * @example const ball = world.spawn(ballOptions)
    */
   spawn(options: BodyOptions): number {
@@ -58,8 +66,9 @@ export class World extends WorldShapes {
   }
 
   /**
-   * As many as there are positions, alike in all else. Where one is refused nothing is left of the
-   * others.
+   * Creates a body at each of the positions, with the same options otherwise. If one is refused
+   * none is created.
+   * @throws {ThudError} "invalid"; "memory".
    * @example world.createBodies({ shapes: [{ kind: "circle", radius: 0.5 }] }, [[-2, 0], [2, 0]])
    */
   createBodies(options: Omit<BodyOptions, "position">, positions: readonly Vec2[]): BodyId[] {
@@ -75,9 +84,10 @@ export class World extends WorldShapes {
     return made;
   }
 
+  /** The generation of the body that #make made last. */
   #generation = 0;
 
-  /** Returns the first half of the handle, and leaves the other. */
+  /** Creates a body. Returns index1 of its handle, and sets #generation. */
   #make(options: BodyOptions): number {
     const { engine } = this;
     const shapes = options?.shapes;
@@ -96,6 +106,7 @@ export class World extends WorldShapes {
     return index1;
   }
 
+  /** Adds shapes to a new body; destroys the body and throws where one is refused. */
   #makeShapes(index1: number, generation: number, shapes: readonly SolidOptions[]): void {
     let made = 0;
     try {
@@ -106,6 +117,7 @@ export class World extends WorldShapes {
     }
   }
 
+  /** Locks axes of a new body; destroys the body and throws where that is refused. */
   #lock(body: BodyId, locks: Locks): void {
     try {
       this.setLocks(body, locks);
@@ -116,8 +128,9 @@ export class World extends WorldShapes {
   }
 
   /**
-   * Removes a body with its shapes and joints, or one shape, or one joint. Where a kind is told
-   * another is refused.
+   * Destroys a body with its shapes and joints, or one shape, or one joint. `kind`: a handle of
+   * another kind is refused.
+   * @throws {ThudError} "invalid", "stale"; "locked" for a joint inside a callback.
    * @example world.destroy(ball)
    */
   destroy(id: BodyRef | ShapeRef | JointRef, kind?: "body" | "shape" | "joint"): void {
@@ -126,7 +139,11 @@ export class World extends WorldShapes {
     if (its !== Kind.joint) this.shapesRevision++;
   }
 
-  /** False once it was destroyed, or broke. Where a kind is told another is refused. */
+  /**
+   * Whether the handle names a body, shape or joint of this world: false once it was destroyed.
+   * `kind`: a handle of another kind is refused.
+   * @throws {ThudError} "invalid".
+   */
   isValid(id: BodyRef | ShapeRef | JointRef, kind?: "body" | "shape" | "joint"): boolean {
     const its = kindOf(id, kind);
     const isValid = this.engine.exports[IS_VALID[its]];
@@ -134,7 +151,8 @@ export class World extends WorldShapes {
   }
 
   /**
-   * Where a body is, how fast, its mass.
+   * All values of a body: its pose, velocity, mass and flags.
+   * @throws {ThudError} "stale".
    * @example world.bodyState(ball).position
    */
   bodyState(body: BodyRef): BodyState {
@@ -159,7 +177,9 @@ export class World extends WorldShapes {
   }
 
   /**
-   * Puts a body elsewhere at once, without a motion in between; radians.
+   * Puts a body's origin at a place and turns the body to an angle, radians (0 for a body with an
+   * AABB or terrain). It has no path in between.
+   * @throws {ThudError} "invalid", "stale"; "memory" inside a callback.
    * @example world.setTransform(ball, [0, 5], 0)
    */
   setTransform(body: BodyRef, position: Vec2, angle = 0): void {
@@ -167,7 +187,9 @@ export class World extends WorldShapes {
   }
 
   /**
-   * Sets the velocity of the centre of mass, length/s, and the angular one, radians/s. Wakes it.
+   * Sets the velocity of the centre of mass, length/s, and the angular velocity, radians/s, default
+   * 0. Wakes the body.
+   * @throws {ThudError} "invalid", also for a static body; "stale"; "memory" inside a callback.
    * @example world.setVelocity(ball, [3, 0])
    */
   setVelocity(body: BodyRef, velocity: Vec2, angularVelocity = 0): void {
@@ -175,7 +197,10 @@ export class World extends WorldShapes {
   }
 
   /**
-   * Pushes at once: mass times length/s, at a place in the world. Wakes it.
+   * Applies an impulse, mass times length/s, to a dynamic body at a place in the world, at once.
+   * Wakes the body.
+   * @throws {ThudError} "invalid", also for a body that is not dynamic; "stale"; "memory" inside a
+   * callback.
    * @example world.applyImpulse(ball, [0, 5], point)
    */
   applyImpulse(body: BodyRef, impulse: Vec2, point: Vec2): void {
@@ -183,28 +208,41 @@ export class World extends WorldShapes {
   }
 
   /**
-   * Pushes through the next step only, at the centre of mass.
+   * Applies a force, mass times length/s², at the centre of mass of a dynamic body, and a torque,
+   * mass times length²/s², through the next step, or through the time of the next `advance`. Forces
+   * add up.
+   * @throws {ThudError} "invalid", also for a body that is not dynamic; "stale"; "memory" inside a
+   * callback.
    * @example world.applyForce(ball, [10, 0])
    */
   applyForce(body: BodyRef, force: Vec2, torque = 0): void {
     this.on(Kind.body, "api_body_apply_force", body, xOf(force, "force"), force?.[1], torque);
   }
 
-  /** Wakes a body. False: it counts as at rest, and sleeps as soon as its whole island does. */
+  /**
+   * Wakes a dynamic body; false: it counts as at rest, and falls asleep as soon as its whole island
+   * does.
+   * @throws {ThudError} "invalid", "stale"; "memory" inside a callback.
+   */
   setAwake(body: BodyRef, awake: boolean): void {
     this.on(Kind.body, "api_body_set_awake", body, flagOf(awake, "awake"));
   }
 
   /**
-   * False takes the body and its shapes out of the world: nothing moves, meets or finds them. True
-   * brings it back, where it is and at the velocity it had.
+   * Enables or disables a body. False removes the body and its shapes from the simulation: its
+   * contacts end, and no body, query or joint acts on it. True brings it back at its place, with
+   * its velocity.
+   * @throws {ThudError} "invalid", "stale"; "memory" inside a callback.
    */
   setEnabled(body: BodyRef, enabled: boolean): void {
     this.on(Kind.body, "api_body_set_enabled", body, flagOf(enabled, "enabled"));
     this.shapesRevision++;
   }
 
-  /** The shapes of a body, the last made first. */
+  /**
+   * The shapes of a body, the last one that was created first.
+   * @throws {ThudError} "stale".
+   */
   shapesOf(body: BodyRef): ShapeId[] {
     this.on(Kind.body, "api_body_shapes", body);
     return this.shapeIds();

@@ -1,4 +1,7 @@
-/** What was refused of arguments that have a place instead of a name: which one, and its range. */
+/**
+ * The ranges of arguments that a call takes by position, and the error that names the argument out
+ * of range. ranges.ts has the same for options, which have names.
+ */
 import { ThudError } from "../error.js";
 import {
   ANGLE,
@@ -19,6 +22,7 @@ import {
 } from "./ranges.js";
 
 const { friction, restitution, surfaceSpeed, density } = MATERIAL;
+/** A torque or an angular impulse, and the components of a force or impulse (THUD_PUSH_MAX). */
 const PUSH = { least: -1e30, most: 1e30 };
 const OFFSET = { least: -16384, most: 16384, pair: true, scaled: true };
 const PUSHES = { ...PUSH, pair: true };
@@ -26,7 +30,10 @@ const COORDINATE = { ...PLACE, pair: false };
 const COUNT = { ...POSITIVE, least: 1 };
 const LENGTH = { least: 0, most: 1e6, above: true, scaled: true };
 
-/** By the module's function: the method, and its arguments in their order, of a pair both numbers. */
+/**
+ * By the name of the module's function: the method of the package that calls it, and the ranges of
+ * its arguments in their order. An argument that is a pair takes two numbers of the call.
+ */
 export const ARGUMENTS: Readonly<Record<string, readonly [method: string, ranges: Ranges]>> = {
   api_world_set_gravity: ["setGravity", { gravity: VECTOR }],
   api_world_set_time_step: ["setTimeStep", { seconds: WORLD_RANGES.timeStep }],
@@ -71,7 +78,11 @@ export const ARGUMENTS: Readonly<Record<string, readonly [method: string, ranges
   api_joint_set_length: ["setJointLength", { length: LENGTH }],
 };
 
-/** What to throw for `error`, which a function of the module gave for these numbers. */
+/**
+ * The error to throw in place of `error`, which the module's function `name` gave for these numbers
+ * (the arguments after the handle): one that names the first argument out of range, or `error`
+ * itself where none is found. `scale`: the world's length scale.
+ */
 export function blameArguments(
   error: ThudError,
   name: string,

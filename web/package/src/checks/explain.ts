@@ -1,4 +1,8 @@
-/** What was refused, and why: by the call, for all of them. */
+/**
+ * Explains errors of the engine: of a call that the engine refused it finds the option or argument
+ * that is out of range, and makes an error that names it with its range. explainErrors hands these
+ * functions to hook.ts, through which the rest of the package calls them.
+ */
 import { ThudError } from "../error.js";
 import type { SolidShape } from "../query-types.js";
 import type { Terrain, Vec2 } from "../types.js";
@@ -29,7 +33,7 @@ import {
   WORLD_RANGES,
 } from "./ranges.js";
 
-/** Of the calls whose options are given as they are. */
+/** The ranges of calls whose options reach the explainer as the caller gave them, by the call. */
 const PLAIN: Readonly<Record<string, Ranges>> = {
   createBody: BODY_RANGES,
   createCircle: SHAPE_RANGES.circle,
@@ -45,19 +49,20 @@ const PLAIN: Readonly<Record<string, Ranges>> = {
   Mover: MOVER_RANGES,
 };
 
-/** What else a call may be given. */
+/** What a call hands to the explainer beside plain options. */
 interface Given {
   quality?: unknown;
   terrain?: Terrain;
   shape?: SolidShape;
   rays?: ArrayLike<number>;
   joint?: object;
+  /** The largest length that a joint may have, in length units. */
   furthest?: number;
 }
 
 /**
- * Has errors tell which option was wrong, and what it may be, and has the types of options looked at.
- * `load` of "thud" does so itself.
+ * From now on errors name the option that was wrong and its range, and the types of options are
+ * checked. `load` of "thud" calls this itself; call it after `load` of "thud/first".
  */
 export function explainErrors(): void {
   explainWith({
@@ -71,6 +76,9 @@ export function explainErrors(): void {
   });
 }
 
+/**
+ * The Explainer of hook.ts. A list is the arguments of the module's function `call`, by position.
+ */
 function explain(error: ThudError, call: string, given: object, scale: number): unknown {
   if (Array.isArray(given)) return blameArguments(error, call, given, scale);
   const { quality, terrain, shape, rays, joint, furthest = 0 } = given as Given;
@@ -94,7 +102,7 @@ function explain(error: ThudError, call: string, given: object, scale: number): 
 }
 
 
-/** As `blame`, of a line of ground: the first vertex that is wrong, if one is. */
+/** As `blame`, for the line of a terrain: also names the first height or point that is wrong. */
 function blameTerrain(error: unknown, terrain: Terrain): unknown {
   const needed = Object.entries(TERRAIN_RANGES).filter(([name]) =>
     terrain.kind === "flat" ? name === "slope" : terrain.kind === "uniform" && name !== "slope",
@@ -105,12 +113,14 @@ function blameTerrain(error: unknown, terrain: Terrain): unknown {
   return why ? new ThudError("invalid", `createTerrain: ${why}`, { cause: error }) : told;
 }
 
+/** Why the heights are refused: too few, or one that is not finite; null where they are right. */
 function whyNotHeights(heights: ArrayLike<number>): string | null {
   if (heights.length < 2) return `heights must be two or more: ${heights.length}`;
   const wrong = Array.from(heights).findIndex((height) => !Number.isFinite(Number(height)));
   return wrong < 0 ? null : `heights[${wrong}] must be a finite number: ${heights[wrong]}`;
 }
 
+/** Why the points are refused: too few, not finite, or x does not increase; null where right. */
 function whyNotPoints(points: ArrayLike<Vec2>): string | null {
   if (points.length < 2) return `points must be two or more: ${points.length}`;
   const isPlace = (point: Vec2) => Number.isFinite(Number(point[0]) + Number(point[1]));
@@ -122,7 +132,7 @@ function whyNotPoints(points: ArrayLike<Vec2>): string | null {
   return null;
 }
 
-/** As `blame`, of a query's arguments, and of the shape that asks. */
+/** As `blame`, for a query's arguments and the shape that is cast or tested. */
 function blameQuery(
   error: unknown,
   call: string,
@@ -137,14 +147,17 @@ function blameQuery(
   return why ? new ThudError("invalid", `${call}: ${why}`, { cause: error }) : shown;
 }
 
-/** Whether a ray among many is one that `blameQuery` finds wrong. */
+/** Whether `blameQuery` would refuse this ray: origin, translation or end is out of range. */
 function isQueryWrong(args: { origin: number[]; translation: number[] }, scale: number): boolean {
   if (whyNot(args, QUERY_RANGES, scale) !== null) return true;
   const end = args.origin.map((x, i) => x + args.translation[i]);
   return whyNot({ point: end }, QUERY_RANGES, scale) !== null;
 }
 
-/** Of arguments that are wrong together; `told` is what the engine said. */
+/**
+ * Why arguments are refused that are each in range but do not fit together, or null. `told`: the
+ * engine's message.
+ */
 function whereTo(args: object, told: string): string | null {
   if (told.includes("category and mask")) return "filter: category and mask are both 0, so that it meets nothing";
   if ("translation" in args) return "translation leads out of the world; it is the way from the origin, not the end";
@@ -152,6 +165,7 @@ function whereTo(args: object, told: string): string | null {
   return null;
 }
 
+/** As blameQuery, for castRays: also names the number of the first ray that is wrong. */
 function blameRays(error: ThudError, rays: ArrayLike<number>, scale: number): unknown {
   const ends = Array.from({ length: Math.floor(rays.length / 4) }, (_, i) => ({
     origin: [rays[4 * i], rays[4 * i + 1]],

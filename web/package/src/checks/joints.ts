@@ -1,14 +1,21 @@
-/** What was refused of joints. */
+/**
+ * Checks of joint options: those that exclude or need each other, and, after the engine refused a
+ * call, which option is out of range.
+ */
 import { ThudError } from "../error.js";
 import { DIRECTIONS, type Drive, type JointFrame } from "../joint-types.js";
 import type { Vec2 } from "../types.js";
 import { FRAME_RANGES, JOINT_RANGES, whyNot } from "./ranges.js";
 
-/** Most of an option, and its negative, or 0, the least; the engine refuses without a name. */
+/** The maximum of these options in any direction, from thud_limits.h. */
 const MOST: Readonly<Record<string, number>> = { frequency: 1e4, damping: 1e3, angle: 1e6, ratio: 1e4 };
+/** Options whose minimum is the negative of the maximum; that of the others is 0. */
 const EITHER_WAY = ["lower", "upper", "target", "motorSpeed", "angle", "ratio"];
 
-/** Undefined of what is no such number. */
+/**
+ * The maximum of an option of a direction ("" for the joint itself), undefined where it has no
+ * range. `furthest`: the maximum of lengths, in length units.
+ */
 function mostOf(name: string, direction: string, furthest: number): number | undefined {
   if (name in MOST) return MOST[name];
   if (name.endsWith("Force") || name === "breakTorque") return 1e30;
@@ -16,7 +23,7 @@ function mostOf(name: string, direction: string, furthest: number): number | und
   return direction !== "turn" ? furthest : name === "motorSpeed" ? 1e6 : 3.1415927;
 }
 
-/** Where a joint is, of any kind. */
+/** The options that place a joint, of any kind. */
 interface Places {
   at?: Vec2;
   from?: Vec2;
@@ -27,7 +34,7 @@ interface Places {
   frameB?: JointFrame;
 }
 
-/** Throws where options exclude or need each other. `own` are those that the kind may have. */
+/** Throws "invalid" where options exclude or need each other. `own`: the options of the kind. */
 export function checkTogether(kind: string, options: object, own: readonly string[]): void {
   const given = options as Places;
   const { at, axis, angle, from = at, to = at } = given;
@@ -42,7 +49,10 @@ export function checkTogether(kind: string, options: object, own: readonly strin
   if (own.includes("at") && !isFramed) refuse(kind, "at is missing, its place in the world");
 }
 
-/** Throws for the option of a joint, of a drive or of breaking that is wrong; returns for none. */
+/**
+ * Throws an error that names the option of a joint, of one of its drives or of breaking that is out
+ * of range; returns where it finds none. `what`: the kind or the call; `furthest`: see mostOf.
+ */
 export function blameJoint(error: ThudError, what: string, options: object, furthest: number): void {
   for (const [name, value] of Object.entries(options))
     if (DIRECTIONS.some((one) => one === name)) checkRanges(what, value as Drive, furthest, name);
@@ -51,6 +61,7 @@ export function blameJoint(error: ThudError, what: string, options: object, furt
   checkBodies(what, options, error.message);
 }
 
+/** Throws for the first option of a direction ("" for the joint itself) that is out of range. */
 function checkRanges(what: string, options: object, furthest: number, direction: string): void {
   const path = direction && `${direction}.`;
   const { lower = -Infinity, upper = Infinity } = options as Drive;
@@ -60,13 +71,16 @@ function checkRanges(what: string, options: object, furthest: number, direction:
     const isOpen = name === "lower" ? value === -Infinity : name === "upper" && value === Infinity;
     if (most === undefined || typeof value !== "number" || isOpen) continue;
     const least = EITHER_WAY.includes(name) ? -most : 0;
-    // What the engine tells of itself is rounded to its floats.
+    // Values that jointOptions returned are rounded to single precision.
     if (!(value >= least && value <= most * (1 + 1e-6)))
       refuse(what, `${path}${name} must be from ${least} to ${most}: ${value}`);
   }
 }
 
-/** Places in the world, and those in the bodies. */
+/**
+ * Throws for a place in the world or a frame in a body that is out of range. `furthest` is 999,000
+ * length scales (world-joints.ts).
+ */
 function checkPlaces(what: string, options: object, furthest: number): void {
   const scale = furthest / 999_000;
   const why = whyNot(options, JOINT_RANGES, scale);
@@ -78,7 +92,7 @@ function checkPlaces(what: string, options: object, furthest: number): void {
   }
 }
 
-/** What the engine tells of both bodies and of frames that it has worked out. */
+/** Throws where the engine's message `told` is about the bodies, or frames computed from places. */
 function checkBodies(what: string, options: object, told: string): void {
   const places = ["at", "from", "to", "frameA", "frameB"].filter((name) => name in options);
   if (told.includes("of a frame"))

@@ -1,14 +1,17 @@
-/** Options are known by name: a misspelt one must not be passed over in silence. */
+/** Refuses options with an unknown name, so that a misspelt option is not ignored. */
 import { ThudError } from "../error.js";
 import { checkValue, nearest, shown } from "./hook.js";
 
 type Names = readonly string[];
 
-/** Throws for an option that is not among `names` and `others`, and tells the nearest that is. */
+/**
+ * Throws "invalid" where `options` is no object, where an option is in neither `names` nor `others`
+ * (the message has the nearest name), and where a value is not of its option's type.
+ */
 export function checkNames(what: string, options: object, names: Names, others: Names = []): void {
   if (typeof options !== "object" || options === null)
     throw new ThudError("invalid", `${what}: options are an object: ${shown(options)}`);
-  // Unlike a list of keys this makes nothing.
+  // Unlike Object.keys this loop allocates nothing.
   for (const name in options) {
     if (!names.includes(name) && !others.includes(name)) refuse(what, name, [...names, ...others]);
     checkValue(what, name, options);

@@ -1,9 +1,9 @@
-/** What a misspelt option is likely to mean. */
+/** Finds the option that a misspelt or foreign name probably means, for the error message. */
 import { DRIVE_OPTIONS } from "../generated/slots.js";
 
 /**
- * What other engines call it, in small letters; the first of ours that the call knows is meant. What
- * stands in brackets is told beside it.
+ * Names that other engines use, in lower case, and the options that they stand for: the first one
+ * that the call has is suggested. The text in brackets is added to the suggestion.
  */
 const OTHERS: Readonly<Record<string, readonly string[]>> = {
   width: ["halfWidth (half of it)"],
@@ -51,10 +51,16 @@ const OTHERS: Readonly<Record<string, readonly string[]>> = {
   enablemotor: ["motorSpeed (and motorForce)"],
 };
 
-/** Where options of joints are that stand one level too high, the likelier first. */
+/**
+ * Directions of joints, the likeliest first: where an option of a drive belongs that is given to
+ * the joint itself.
+ */
 const DRIVES = ["turn", "along", "across"];
 
-/** To be told after the name that nobody knows. Of two as near it is the one that begins alike. */
+/**
+ * The text that the message about the unknown option `name` ends with. It suggests the one of
+ * `names` with the fewest edits; among equals the one with the same first letter.
+ */
 export function tellNearest(name: string, names: readonly string[]): string {
   const drive = DRIVES.find((one) => names.includes(one));
   if (drive && (DRIVE_OPTIONS as readonly string[]).includes(name))
@@ -69,7 +75,7 @@ export function tellNearest(name: string, names: readonly string[]): string {
   return `; the nearest is "${names[edits.indexOf(Math.min(...edits))]}"`;
 }
 
-/** Letters to put in, take out or change between two words (Levenshtein), row by row. */
+/** The Levenshtein distance of two words: letters to insert, delete or replace. Row by row. */
 function distance(from: string, to: string): number {
   let row = Array.from({ length: to.length + 1 }, (_, i) => i);
   for (const letter of from) {

@@ -1,33 +1,38 @@
 /**
- * Which option was out of range, and what it may be. Looked for only after the engine refused a call,
- * which tells of groups of values: where nothing is refused this costs nothing. Ranges are those of
- * the headers in engine/include; tests/web/package/ranges.test.mjs tries both ends of each.
+ * The ranges of all options, and the search for the option that is out of range. The search runs
+ * only after the engine refused a call, since the engine's message names a group of values: a call
+ * that is accepted pays nothing for it. The ranges are those of engine/include/thud/thud_limits.h;
+ * tests/web/package/ranges.test.mjs tries both ends of each.
  */
 import { ThudError } from "../error.js";
 import { isRefusal } from "./hook.js";
 import { show } from "./show.js";
 
 interface Range {
+  /** The minimum. */
   readonly least: number;
+  /** The maximum. */
   readonly most: number;
-  /** Two numbers. */
+  /** The option is a pair of numbers, each in the range. */
   readonly pair?: boolean;
-  /** The least itself is not allowed. */
+  /** The minimum itself is not allowed. */
   readonly above?: boolean;
-  /** 0 is, whatever the least. */
+  /** 0 is allowed, also where the minimum is above 0. */
   readonly orZero?: boolean;
-  /** The ends are in length scales of the world. */
+  /** Minimum and maximum are in length scales of the world. */
   readonly scaled?: boolean;
-  /** It has no default. */
+  /** The option has no default: it must be given. */
   readonly needed?: boolean;
 }
 
 export type Ranges = Readonly<Record<string, Range>>;
 
-/** As far as a number in single precision goes. */
+/** The largest finite number in single precision. */
 const FINITE = 3.4028234e38;
+/** |x|, |y| of a place in the world, length scales (THUD_PLACE_MAX). */
 const FARTHEST = 1e9;
 export const PLACE: Range = { least: -FARTHEST, most: FARTHEST, pair: true, scaled: true };
+/** The translation of a cast: at most from one end of the world to the other. */
 export const WAY: Range = { ...PLACE, least: -2 * FARTHEST, most: 2 * FARTHEST };
 export const ANGLE: Range = { least: -1e6, most: 1e6 };
 export const ANY: Range = { least: -FINITE, most: FINITE };
@@ -39,7 +44,10 @@ const DAMPING: Range = { least: 0, most: 100 };
 const DISTANCE: Range = { least: 0, most: FARTHEST, scaled: true };
 const FLUID: Range = { least: 0, most: 1e12 };
 export const DRAG: Range = { least: 0, most: 1e6 };
-/** Static bodies may be larger; the engine, which refused, knows. */
+/**
+ * A radius or half extent. On a static body the engine accepts up to 32000 length scales; the
+ * message names the smaller maximum of other bodies.
+ */
 export const SIZE: Range = { least: 1e-4, most: 16384, scaled: true, needed: true };
 const EXTENT: Range = { least: 0, most: FINITE, above: true, needed: true };
 
@@ -90,7 +98,7 @@ export const RULE_RANGES: Ranges = {
   mostImpulse: POSITIVE,
 };
 
-/** By kind. */
+/** By the kind of the shape. */
 export const SHAPE_RANGES: Readonly<Record<string, Ranges>> = {
   circle: { ...MATERIAL, offset: OFFSET, radius: SIZE },
   aabb: { ...MATERIAL, offset: OFFSET, halfWidth: SIZE, halfHeight: SIZE },
@@ -110,7 +118,7 @@ export const MASS_RANGES: Ranges = {
   center: OFFSET,
 };
 
-/** Of the arguments of queries, and of the shapes that ask. */
+/** The arguments of queries. */
 export const QUERY_RANGES: Ranges = {
   origin: PLACE,
   center: PLACE,
@@ -120,6 +128,7 @@ export const QUERY_RANGES: Ranges = {
   translation: WAY,
   maxDistance: DISTANCE,
 };
+/** The sizes of the shape that a query casts or tests, or of a mover, by its kind. */
 export const ASKER_RANGES: Readonly<Record<string, Ranges>> = {
   circle: { radius: EXTENT },
   aabb: { halfWidth: EXTENT, halfHeight: EXTENT },
@@ -155,7 +164,7 @@ export const TYRE_RANGES: Ranges = {
   grip: { ...FORCE, needed: true },
 };
 
-/** Lengths of a mover know no scale. */
+/** The lengths of a mover are in the caller's unit, without regard to the length scale. */
 export const MOVER_RANGES: Ranges = {
   skin: { least: 0, most: FINITE, above: true },
   maxSlope: { least: 0, most: 1.55 },
@@ -169,7 +178,7 @@ export const MOVER_RANGES: Ranges = {
 export const WALK_RANGES: Ranges = { speed: ANY, jump: POSITIVE };
 export const MOVE_RANGES: Ranges = { velocity: VECTOR, dt: { least: 0, most: 1, above: true } };
 
-/** Where a joint is. */
+/** The places of a joint in the world. */
 export const JOINT_RANGES: Ranges = { at: PLACE, from: PLACE, to: PLACE };
 export const FRAME_RANGES: Ranges = {
   position: { least: -1e6, most: 1e6, pair: true, scaled: true },
@@ -177,8 +186,9 @@ export const FRAME_RANGES: Ranges = {
 };
 
 /**
- * What to throw for `error`: where it says that something was out of range, one that names the first
- * of these options that is; `path` stands before the names of options inside another.
+ * The error to throw in place of `error`: where the engine refused a value, one that names the
+ * first of these options that is out of range, with its range; else `error` itself. `scale`: the
+ * world's length scale. `path` precedes the names of nested options, as in "quality.".
  */
 export function blame(
   error: unknown,
@@ -193,7 +203,7 @@ export function blame(
   return why ? new ThudError("invalid", `${call}: ${why}`, { cause: error }) : error;
 }
 
-/** What is wrong with the first option that is out of range, or null. */
+/** Why the first option that is out of range is refused, in words; null where all are in range. */
 export function whyNot(options: object, ranges: Ranges, scale: number, path = ""): string | null {
   const given = options as Readonly<Record<string, unknown>>;
   for (const [name, range] of Object.entries(ranges)) {
@@ -222,6 +232,7 @@ function isNumberWithin(value: unknown, range: Range, scale: number): boolean {
   return number <= most * unit && (above ? number > least * unit : number >= least * unit);
 }
 
+/** The range as an error message prints it. */
 function inWords({ least, most, pair, above, orZero, scaled }: Range, scale: number): string {
   const unit = scaled ? scale : 1;
   const [low, high] = [short(least * unit), short(most * unit)];
@@ -231,6 +242,7 @@ function inWords({ least, most, pair, above, orZero, scaled }: Range, scale: num
   return `${orZero ? "0, or " : ""}${pair ? "two numbers " : ""}from ${low} to ${high}`;
 }
 
+/** The number, from a million on with an exponent. */
 function short(number: number): string {
   const size = Math.abs(number);
   return size >= 1e6 ? number.toExponential().replace("+", "") : String(number);

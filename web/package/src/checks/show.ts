@@ -1,10 +1,14 @@
-/** A value as the message has it that refuses it. */
+/** Prints a refused value for an error message. */
 
+/** Characters of the printed value; the rest is cut off. Chosen. */
 const LONGEST = 60;
-/** Of a list no more are looked at. */
+/** Elements of a list that are printed: more would not fit into LONGEST. */
 const ITEMS = 20;
 
-/** As it would be written in a program: lists and objects with what is in them, words in quotes. */
+/**
+ * The value as it would be written in a program: strings in quotes, lists and objects with their
+ * contents, nested ones at most one level deep.
+ */
 export function show(value: unknown): string {
   const told = written(value, 0);
   return told.length > LONGEST ? `${told.slice(0, LONGEST)}…` : told;

@@ -1,21 +1,25 @@
-/** Times that a world is given in the wrong unit, or where it takes none. */
+/** Checks of times: milliseconds that are given to `advance`, and any argument of `step`. */
 import { ThudError } from "../error.js";
 import { show } from "./show.js";
 
-/** Seconds; the engine refuses more. */
+/** Seconds (THUD_ADVANCE_MAX): the engine itself refuses more. */
 const LONGEST = 1e9;
 
-/** Nobody shows a game so many times as fast as it is, and milliseconds are a thousand times as many. */
+/**
+ * The largest ratio of simulated to real time that is taken as meant. Chosen, above what a game
+ * plays at and below 1000, the ratio where milliseconds are taken for seconds.
+ */
 const FASTEST = 100;
 
-/** When a world last left out time, by the clock of the host. */
+/** By world, when `advance` last dropped time: seconds on the host's clock. */
 const leftOut = new WeakMap<object, number>();
 
 /**
- * Refuses milliseconds, which are known by this: more time goes by than the clock says, and most of it
- * is left out, as steps make up for `made` at most. A page that comes back to the front after a minute
- * does not look so, nor does a game that runs ten times as fast. A world that never left out time is
- * taken to have begun with the program.
+ * Throws "invalid" where `elapsed` seems to be in milliseconds: it is more than `made`, the seconds
+ * that the steps of the call cover, so that time is dropped, and more than FASTEST times the time
+ * on the clock since this world last dropped time (the first time: more than the program has run).
+ * A page that returns to the foreground after a minute passes the test, and so does a game that
+ * runs at ten times its speed.
  */
 export function checkElapsed(world: object, elapsed: number, made: number): void {
   if (elapsed <= made || !(elapsed <= LONGEST)) return;
@@ -28,7 +32,7 @@ export function checkElapsed(world: object, elapsed: number, made: number): void
   throw new ThudError("invalid", `advance: ${elapsed} ${why}`);
 }
 
-/** Refuses what a step is given. */
+/** Throws "invalid": `step` takes no argument, and `given` is one. */
 export function checkStep(given: unknown): void {
   const why = "a step is as long as setTimeStep says, and takes no argument; advance takes seconds";
   throw new ThudError("invalid", `step: ${show(given)} is not taken: ${why}`);

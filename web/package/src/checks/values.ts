@@ -1,6 +1,6 @@
 /**
- * What no range tells of the value of an option: whether it is of the right type. Numbers are passed to
- * the module as they are, and it refuses those out of range; bits and flags it would take of anything.
+ * Checks the types of options. The module receives numbers as they are and refuses those out of
+ * range; but JavaScript would convert any value to bits or a flag, so types are checked here.
  */
 import { ThudError } from "../error.js";
 import {
@@ -17,7 +17,10 @@ import {
 } from "../generated/slots.js";
 import { show } from "./show.js";
 
-/** A switch over numbers takes half the time of calls through a table. */
+/**
+ * The types of options. Numbers, since a switch over them takes half the time of calls through a
+ * table of functions.
+ */
 const enum Type {
   number,
   flag,
@@ -25,12 +28,13 @@ const enum Type {
   pair,
   bits,
   group,
-  /** What is not finite has a range that tells. */
+  /** A whole number. NaN and infinities pass, since the message about the range says more. */
   count,
-  /** Of a drive a number, of a box its corner. */
+  /** `lower` and `upper`: of a drive a number, of bounds a pair. */
   end,
 }
 
+/** The types as error messages name them. */
 const WORDS: Readonly<Record<Type, string>> = {
   [Type.number]: "a number",
   [Type.flag]: "true or false",
@@ -42,6 +46,7 @@ const WORDS: Readonly<Record<Type, string>> = {
   [Type.end]: "a number",
 };
 
+/** Whether the value is of the type. */
 function fits(value: unknown, type: Type): boolean {
   const number = value as number;
   switch (type) {
@@ -53,7 +58,7 @@ function fits(value: unknown, type: Type): boolean {
       return typeof value === "string";
     case Type.pair:
       return isPair(value);
-    case Type.bits: // the negative ones are those that ~ gives
+    case Type.bits: // also negative whole numbers, which the operator ~ gives
       return (number | 0) === value || number >>> 0 === value;
     case Type.group:
       return (number | 0) === value;
@@ -65,18 +70,21 @@ function fits(value: unknown, type: Type): boolean {
 }
 
 /**
- * What the module would take for two numbers and is none; it refuses the rest itself. A typed array in
- * which more is kept may be longer.
+ * Whether the value may be a pair of numbers. False only for what would be converted to numbers by
+ * mistake: longer lists, strings and booleans; the module refuses the rest. A typed array may be
+ * longer, since programs keep further numbers in it.
  */
 function isPair(value: unknown): boolean {
   const pair = value as readonly unknown[] | null;
   return !(Array.isArray(value) && value.length > 2) && !isText(pair?.[0]) && !isText(pair?.[1]);
 }
 
+/** Whether Number() would convert the value although it is no number. */
 function isText(value: unknown): boolean {
   return typeof value === "string" || typeof value === "boolean";
 }
 
+/** The type of each option by its name; undefined for options that are not checked here. */
 const TYPES: Record<string, Type | undefined> = Object.create(null);
 for (const names of [
   WORLD_OPTIONS,
@@ -93,6 +101,7 @@ for (const names of [
   names.forEach((name, i) => {
     TYPES[name] = names[i + 1] === "." ? Type.pair : Type.number;
   });
+/** Options that are not in those lists, or of another type than a number or pair. */
 const OTHERS: readonly (readonly [Type, string])[] = [
   [Type.number, "radius halfWidth halfHeight angle length ratio x0 spacing slope speed jump drag lift"],
   [Type.number, "breakForce breakTorque mass inertia"],
@@ -106,10 +115,10 @@ const OTHERS: readonly (readonly [Type, string])[] = [
   [Type.flag, "collideConnected onlyReports enabled skip"],
 ];
 for (const [type, names] of OTHERS) for (const name of names.split(" ")) TYPES[name] = type;
-// Those are looked at where they are read.
+// These are checked where they are read (numbers.ts); "." marks the second number of a pair.
 for (const name of ["quality", "userData", "."]) delete TYPES[name];
 
-/** Throws for a value that its option cannot have. */
+/** Throws "invalid" where the value of the option `name` is not of its type; `what`: the call. */
 export function checkValue(what: string, name: string, options: object): void {
   const type = TYPES[name];
   if (type === undefined) return;
@@ -119,7 +128,7 @@ export function checkValue(what: string, name: string, options: object): void {
   throw new ThudError("invalid", told + hintOf(type, value));
 }
 
-/** What is likely to be meant. */
+/** What the value was probably meant to be, to add to the message; "" where that is not known. */
 function hintOf(type: Type, value: unknown): string {
   if (type === Type.pair && Array.isArray(value) && value.length === 3)
     return "; the third is none of a place, and an angle is told by itself";

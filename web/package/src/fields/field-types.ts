@@ -1,64 +1,96 @@
-/** Forces on bodies from what is around them, as the calls of world-fields.ts take them. */
+/**
+ * Options of explosions, wind, water and tyres, which world-fields.ts takes. Units as in types.ts;
+ * thud_fields.h has the formulas.
+ */
 import type { QueryFilter } from "../query-types.js";
 import type { Vec2 } from "../types.js";
 
 export const COVERS = ["none", "static", "all"] as const;
-/** What hides a body from an explosion: nothing, what stands still, or every other body. */
+/**
+ * Which bodies shield a shape from an explosion: none, static and kinematic ones ("static"), or
+ * every other body ("all").
+ */
 export type Cover = (typeof COVERS)[number];
 
-/** A push away from a place, on each body by the length of it that faces the place. */
+/**
+ * An explosion: an impulse on shapes, away from its centre, in proportion to the length of the side
+ * that faces the centre.
+ */
 export interface Explosion {
-  /** Default [0, 0]. */
+  /** The centre, a place in the world up to 10⁹ length scales away. Default [0, 0]. */
   center?: Vec2;
-  /** Up to here all of it arrives, length. Default 0. */
+  /**
+   * The distance up to which the impulse is constant: a length, 0 to 10⁹ length scales. Default 0.
+   * Radius and falloff must not both be 0.
+   */
   radius?: number;
-  /** Over so much more it falls to nothing, length. Default 0. */
+  /**
+   * The distance beyond the radius over which the impulse falls linearly to 0: a length, 0 to 10⁹
+   * length scales. Default 0.
+   */
   falloff?: number;
-  /** Mass times speed, for each length of a shape across the way; below 0 it draws in. Default 1. */
+  /**
+   * The impulse for each length of a shape, measured at a right angle to the direction from the
+   * centre: mass/s, up to 10¹⁵ either way; a negative one pulls towards the centre. Default 1.
+   */
   impulse?: number;
-  /** Default "all". */
+  /** Which bodies shield others from the explosion. Default "all". */
   cover?: Cover;
-  /** For each shape, 1 to 16: how finely cover is told. Default 5. */
+  /** The number of rays to each shape that test for shields: whole, 1 to 16. Default 5. */
   rays?: number;
-  /** Who is pushed. Default everybody. */
+  /** Which shapes are pushed; the body `ignore` does not shield others either. Default all. */
   filter?: QueryFilter;
 }
 
-/** The air, and what it does to a body. */
+/** The air, and the coefficients of a body in it. */
 export interface Wind {
-  /** Mass per area, 0 or more. Default 1. */
+  /** The density of the air, mass per area, 0 to 10¹². Default 1. */
   density?: number;
-  /** 0 or more; about 1 for plates. Default 1. */
+  /** The drag coefficient, 0 to 10⁶; about 1 for plates. Default 1. */
   drag?: number;
-  /** Likewise. Default 1. */
+  /** The lift coefficient, 0 to 10⁶; about 1 for plates. Default 1. */
   lift?: number;
 }
 
+/** Water below a straight water line. */
 export interface Water {
-  /** On the water line. Default [0, 0]. */
+  /** A point of the water line, up to 10⁹ length scales away. Default [0, 0]. */
   point?: Vec2;
-  /** Out of the water, of length 1. Default [0, 1]. */
+  /** The direction out of the water, of length 1 within 10⁻³. Default [0, 1]. */
   normal?: Vec2;
-  /** Mass per area, 0 or more. Default 1. */
+  /** The density of the water, mass per area, 0 to 10¹². Default 1. */
   density?: number;
-  /** How it flows, length/s. Default [0, 0]. */
+  /**
+   * The velocity of the water, length/s, components up to 10⁶ length scales a second. Default [0,
+   * 0].
+   */
   flow?: Vec2;
-  /** What slows motion in it, 1/s, 0 or more. Default 2. */
+  /**
+   * The drag, 1/s, 0 to 10⁶: the force is this, times the mass of the displaced water, times the
+   * velocity relative to the water. Default 2.
+   */
   linearDrag?: number;
-  /** What slows turning in it, 1/s, 0 or more. Default 2. */
+  /** The same for rotation, 1/s, 0 to 10⁶. Default 2. */
   angularDrag?: number;
 }
 
-/** A tyre of a body that is seen from above, in one step. Forces are mass times length/s². */
+/**
+ * A tyre of a body that is seen from above, and what acts on it in one step. Forces are mass times
+ * length/s², up to 10³⁰.
+ */
 export interface Tyre {
-  /** Where it stands, in the body's frame. */
+  /** The place of the tyre in the body's frame. */
   at: Vec2;
-  /** Where it rolls to: radians from the body's x axis. Default 0. */
+  /**
+   * The direction in which the tyre rolls: radians from the body's x axis, up to 10⁶. Default 0.
+   */
   steer?: number;
-  /** What drives it on; below 0 back. Default 0. */
+  /** The driving force along the rolling direction; a negative one drives backwards. Default 0. */
   thrust?: number;
-  /** The most force against its rolling, which never turns that around. Default 0. */
+  /** The maximum braking force, 0 or more; it at most stops the tyre. Default 0. */
   brake?: number;
-  /** The most force that the ground gives it; what would take more slides. */
+  /**
+   * The maximum force of the ground on the tyre, 0 or more; where more is needed the tyre slides.
+   */
   grip: number;
 }

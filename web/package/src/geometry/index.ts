@@ -1,6 +1,7 @@
 /**
- * Geometry of two shapes without a world: how far apart they are, when they meet on their ways, and
- * what bounds them. Every call throws for sizes that are not above 0 and numbers that are not finite.
+ * "thud/geometry": geometry of two shapes without a world: distances, times of impact of moving
+ * shapes, Minkowski sums and bounding volumes. Every call throws a ThudError "invalid" for sizes
+ * that are not above 0, numbers that are not finite, and coordinates and sizes above 10¹⁵.
  *
  *     import { closestPoints } from "thud/geometry";
  *     const { distance } = closestPoints(thud, { kind: "circle", center: [0, 0], radius: 1 }, other);

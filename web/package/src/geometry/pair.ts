@@ -1,4 +1,4 @@
-/** Two shapes on their way into the module's slots. */
+/** Writes two shapes and their motions to the module's slots, for the calls of geometry/. */
 import type { Engine } from "../engine.js";
 import { ThudError } from "../error.js";
 import { GeometryPairAt, PlacedAt } from "../generated/slots.js";
@@ -6,25 +6,28 @@ import { solidNumbers } from "../numbers.js";
 import type { SolidShape } from "../query-types.js";
 import type { Vec2 } from "../types.js";
 
-/** A shape where it stands. */
+/** A shape at a place. */
 export type PlacedShape = SolidShape & { center: Vec2 };
 
-/** A straight way, and by how many radians an OBB turns along it. */
+/** A motion along a straight line, with a rotation at a constant rate. */
 export interface Motion {
+  /** The displacement of the centre, length. */
   way: Vec2;
-  /** Default 0. */
+  /** The rotation of an OBB along the way, radians. Default 0. */
   turn?: number;
 }
 
-/** What a shape does that stays. */
+/** The motion of a shape at rest. */
 export const STILL: Motion = { way: [0, 0] };
 
+/** Writes a shape to the slots from `at` on. */
 export function putShape(engine: Engine, shape: PlacedShape, at: number): void {
   const { slots } = engine;
   slots.set(solidNumbers(shape, ["center"]), at);
   slots.set(shape.center, at + PlacedAt.center);
 }
 
+/** Writes both shapes and motions to the slots of `geometry_pair` (web/wasm/slots.h). */
 export function putPair(
   engine: Engine,
   a: PlacedShape,
@@ -38,7 +41,7 @@ export function putPair(
   engine.slots.set([...motionB.way, motionB.turn ?? 0], GeometryPairAt.motionB);
 }
 
-/** Throws if the module refused. */
+/** Throws "invalid" unless the result is 0. `name`: the call, for the message. */
 export function checkGeometry(name: string, result: number): void {
   if (result !== 0)
     throw new ThudError("invalid", `${name}: sizes must be above 0 and all numbers in range`);

@@ -1,4 +1,4 @@
-/** How far apart two shapes are, and when they meet on their ways. */
+/** Distances of two shapes, and times at which moving shapes meet or pass each other. */
 import type { Engine } from "../engine.js";
 import { ClosestFeaturesAt, CrossingAt, MeetingAt } from "../generated/slots.js";
 import { vecAt } from "../numbers.js";
@@ -8,14 +8,15 @@ import { checkGeometry, type Motion, type PlacedShape, putPair } from "./pair.js
 export type { Motion, PlacedShape } from "./pair.js";
 
 export interface ClosestPoints {
-  /** They share a point; touching counts. */
+  /** Whether the shapes share a point; touching counts. */
   overlaps: boolean;
-  /** Negative: so deep in each other, by the shortest way out. */
+  /** The distance between the surfaces, a length; negative: the penetration depth. */
   distance: number;
-  /** Unit, from a to b. */
+  /** Unit vector, from a to b. */
   normal: Vec2;
-  /** On each surface; b's less a's is the distance times the normal. */
+  /** The closest point on a's surface. pointB - pointA is the distance times the normal. */
   pointA: Vec2;
+  /** The closest point on b's surface. */
   pointB: Vec2;
 }
 
@@ -34,8 +35,9 @@ export function closestPoints(engine: Engine, a: PlacedShape, b: PlacedShape): C
 }
 
 /**
- * The part of their motions after which two shapes first come within `target` of each other, 0 to 1;
- * null if they never do. Exact without turning; with it never late.
+ * The time of impact: the fraction of their motions, 0 to 1, at which two shapes first come within
+ * the distance `target`, 0 to 10¹⁵, of each other; null where they do not. Exact where neither
+ * turns; else it may be too early, never too late.
  */
 export function timeOfImpact(
   engine: Engine,
@@ -52,15 +54,19 @@ export function timeOfImpact(
 }
 
 export interface Collision {
-  /** At which they are still apart; they overlap within the tolerance of it. Null: not found. */
+  /**
+   * The fraction of the motions, 0 to 1, at which the shapes are still apart; they overlap within
+   * the tolerance after it. Null: not found.
+   */
   time: number | null;
-  /** They move so little that no passage through the middle of each other can have been missed. */
+  /** Whether the motions are so short that the shapes cannot have passed through each other. */
   sure: boolean;
 }
 
 /**
- * When two shapes that are apart at the start and overlap at the end began to, by halving: as many
- * overlap tests as it takes halvings of the motion to `tolerance`, 1e-15 to 1.
+ * When two shapes begin to overlap that are apart at the start of their motions and overlap at the
+ * end, by bisection. It takes one overlap test for each halving of the motion down to `tolerance`,
+ * a fraction of the motion from 1e-15 to 1.
  */
 export function timeOfCollision(
   engine: Engine,
@@ -80,15 +86,18 @@ export function timeOfCollision(
 }
 
 export interface Approach {
-  /** Of the impact, 0 to 1; null without one. */
+  /** The time of impact as a fraction of the motions, 0 to 1; null where there is none. */
   time: number | null;
-  /** The smallest distance that separates the centres on the whole way, as if nothing stopped them. */
+  /**
+   * The smallest distance of the centres over the whole motions, a length, without regard to an
+   * impact.
+   */
   least: number;
-  /** When. */
+  /** The time of the smallest distance, 0 to 1. */
   leastTime: number;
 }
 
-/** How two moving circles pass each other, in closed form. */
+/** The impact and the closest approach of two moving circles, in closed form. */
 export function circlesApproach(
   engine: Engine,
   a: PlacedShape,
@@ -107,15 +116,16 @@ export function circlesApproach(
 }
 
 export interface SumCrossing {
-  /** Of the way, 0 to 1. */
+  /** The fraction of the relative motion, 0 to 1. */
   fraction: number;
-  /** Unit, out of the sum. */
+  /** Unit normal of the sum's surface, outward. */
   normal: Vec2;
 }
 
 /**
- * Where b's centre, as a point, enters the Minkowski sum of both while the two move without turning:
- * two moving shapes are a segment against one shape. Null if it does not.
+ * Where b's centre enters the Minkowski sum of both shapes while the two move without turning: the
+ * test of two moving shapes is then that of a segment against one shape. Null where it does not
+ * enter the sum.
  */
 export function castInSum(
   engine: Engine,

@@ -1,4 +1,4 @@
-/** Bounding volumes: cheap tests that let only some pairs through to the exact one. */
+/** Bounding volumes, whose overlap test is cheaper than the exact test of shapes. */
 import type { Engine } from "../engine.js";
 import { GeometryPairAt, NumberAt, VolumeAt } from "../generated/slots.js";
 import { indexOf, vecAt } from "../numbers.js";
@@ -7,7 +7,7 @@ import { checkGeometry, type PlacedShape, putPair, putShape } from "./pair.js";
 
 export type VolumeKind = PlacedShape["kind"];
 
-/** The smallest circle, AABB or OBB around a shape. */
+/** The smallest circle, AABB or OBB that contains a shape. */
 export function volumeAround(engine: Engine, kind: VolumeKind, shape: PlacedShape): PlacedShape {
   putShape(engine, shape, GeometryPairAt.a);
   const number = indexOf(SHAPE_KINDS, kind, "volume kind");
@@ -29,8 +29,8 @@ export function volumesOverlap(engine: Engine, a: PlacedShape, b: PlacedShape): 
 }
 
 /**
- * Makes the same test so many times, so that a clock can tell what one takes: `exact`, as for shapes,
- * or as for volumes. Tells how many times they overlapped.
+ * Runs the same overlap test `count` times, to measure its time: `exact`, the test of shapes, or
+ * that of bounding volumes. Returns how many of the tests found an overlap.
  */
 export function overlapOften(
   engine: Engine,

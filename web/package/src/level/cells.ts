@@ -1,25 +1,26 @@
 /**
- * The tile numbers of a layer, in whichever way the file holds them: a list, text with commas,
- * base64, packed or not; all at once or, in infinite maps, by chunks.
+ * Reads the tile numbers of a layer in all forms that the file format has: a list, text with
+ * commas, or base64, compressed or not; for the whole layer or, in infinite maps, in chunks.
  */
 import type { Layer, Reader } from "../level.js";
 import { isRecord, type Json, type JsonRecord, numberOf, Values } from "./values.js";
 import { unpack } from "./unpack.js";
 
-/** More cells than this are read of no map, in all its layers. */
+/** The maximum number of cells of all layers of a map, 64 million. Chosen: 256 MiB of numbers. */
 export const MOST_CELLS = 2 ** 26;
 
-/** The cells of a layer, of all its chunks if the map is infinite. */
+/** The cells of a layer; of an infinite map the smallest rectangle that contains all its chunks. */
 export interface Cells {
-  /** Row by row, tile numbers with their flips. */
+  /** Tile numbers with their flip bits, row by row; 0: empty. */
   at: Uint32Array;
   width: number;
   height: number;
-  /** Of the first cell. */
+  /** The column and row of the first cell in the map. */
   column: number;
   row: number;
 }
 
+/** A rectangle of cells. */
 interface Area {
   column: number;
   row: number;
@@ -27,7 +28,7 @@ interface Area {
   height: number;
 }
 
-/** The cells, or null after a report. */
+/** The cells of a layer, or null, with a problem in the report. */
 export async function readCells(reader: Reader, layer: Layer): Promise<Cells | null> {
   const { json } = layer;
   if (Array.isArray(json.chunks)) return readChunks(reader, layer, json.chunks);
@@ -40,10 +41,12 @@ export async function readCells(reader: Reader, layer: Layer): Promise<Cells | n
   return cells && (await readNumbers(reader, layer, json.data, cells)) ? cells : null;
 }
 
+/** Reports a problem of the layer, which is left out. */
 function complain(reader: Reader, layer: Layer, what: string): void {
   reader.report.add("skip", 0, `layer '${layer.name}': ${what}`);
 }
 
+/** The cells of all chunks, or null, with a problem in the report. Wrong chunks are left out. */
 async function readChunks(reader: Reader, layer: Layer, chunks: Json[]): Promise<Cells | null> {
   let all: Area | null = null;
   const areas: { chunk: JsonRecord; area: Area }[] = [];
@@ -69,7 +72,7 @@ async function readChunks(reader: Reader, layer: Layer, chunks: Json[]): Promise
   return cells;
 }
 
-/** Where a layer or a chunk lies, in cells; null after a report. */
+/** The rectangle of a layer or a chunk (`placed`); null, with a problem in the report. */
 function readArea(reader: Reader, layer: Layer, json: JsonRecord, placed: boolean): Area | null {
   const v = new Values(reader.report, layer.chain, 0, layer.name);
   const column = placed ? v.required(json, "x", -1e6, 1e6) : 0;
@@ -82,7 +85,7 @@ function readArea(reader: Reader, layer: Layer, json: JsonRecord, placed: boolea
   return null;
 }
 
-/** The least area with both in it. */
+/** The smallest rectangle that contains both. */
 function around(a: Area, b: Area): Area {
   const column = Math.min(a.column, b.column);
   const row = Math.min(a.row, b.row);
@@ -91,7 +94,7 @@ function around(a: Area, b: Area): Area {
   return { column, row, width, height };
 }
 
-/** Room for an area's cells, all empty; null after a report. */
+/** Empty cells for a rectangle; null, with a problem in the report, where there are too many. */
 function makeRoom(reader: Reader, layer: Layer, area: Area): Cells | null {
   const count = area.width * area.height;
   if (count > reader.cells) {
@@ -102,7 +105,7 @@ function makeRoom(reader: Reader, layer: Layer, area: Area): Cells | null {
   return { ...area, at: new Uint32Array(count) };
 }
 
-/** The numbers of a layer or a chunk; false after a report. */
+/** Reads the numbers of a layer or a chunk to `at`; false, with a problem in the report. */
 async function readNumbers(
   reader: Reader,
   layer: Layer,
@@ -143,6 +146,7 @@ async function readNumbers(
   return true;
 }
 
+/** The words of a text with commas or white space between them. */
 function wordsOf(text: string): string[] {
   return text.split(/[, \t\r\n]+/).filter((word) => word !== "");
 }

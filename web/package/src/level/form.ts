@@ -1,39 +1,48 @@
-/** One outline in pixels, and turning by degrees. What is done with outlines is in forms.ts. */
+/**
+ * The outline of a shape in the map's pixels, and rotation by degrees. forms.ts has the operations.
+ */
 import type { ShapeOptions, Vec2 } from "../types.js";
 
-/** Pixels beyond which a map is absurd. */
+/** The largest coordinate and size, pixels. Chosen. */
 export const FAR = 1e9;
+/** The largest rotation either way, degrees. Chosen. */
 export const DEGREES = 1e6;
+/** Radians of a degree. */
 export const RADIANS = 0.017453292519943295;
 
-/** One shape in pixels, y down. */
+/** A shape in pixels, y down. */
 export interface Form {
   kind: "box" | "circle" | "line" | "polygon";
-  /** Centre; of a line or polygon the place that its points start from. */
+  /** The centre; of a line or polygon the origin of its points. */
   x: number;
   y: number;
-  /** Half extents; of a circle its radius, twice. */
+  /** Half extents; of a circle the radius in both. */
   hx: number;
   hy: number;
   /** Degrees, clockwise, in [-180, 180). */
   rotation: number;
-  /** Of a line or polygon. */
+  /** The points of a line or polygon, relative to (x, y); null for other kinds. */
   points: Vec2[] | null;
-  /** A line that was a polygon: stands for it only where all below it is solid. */
+  /**
+   * Whether the line is the upper side of a polygon. It stands for the polygon only where all below
+   * it is solid, since a terrain is solid below its line.
+   */
   ground: boolean;
-  /** How far down that polygon reached, below y. */
+  /** The highest point of that polygon's lower side, pixels below y. */
   foot: number;
   material: ShapeOptions;
 }
 
+/** A form of this kind; fields that are not given are 0, false, null or empty. */
 export function form(kind: Form["kind"], more: Partial<Form> = {}): Form {
   const none = { x: 0, y: 0, hx: 0, hy: 0, rotation: 0, ground: false, foot: 0 };
   return { kind, ...none, points: null, material: {}, ...more };
 }
 
 /**
- * Cosine and sine of a rotation in degrees by Taylor series on the nearest quarter turn: the same
- * bits as level_turn in demo/level/turn.c, which Math.cos does not promise.
+ * Cosine and sine of a rotation in degrees, and `r`, the rotation in [-180, 180). By Taylor series
+ * around the nearest quarter turn: the result has the same bits as that of level_turn in
+ * demo/level/turn.c; Math.cos may differ between platforms.
  */
 export function turn(degrees: number): { r: number; c: number; s: number } {
   const r = degrees - 360 * Math.floor(degrees / 360 + 0.5);

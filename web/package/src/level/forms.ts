@@ -1,21 +1,30 @@
-/** Outlines of objects on their way from the file to bodies. Follows demo/level/forms.c. */
+/**
+ * Reads the outlines of objects, moves, flips and scales them, and makes bodies of them. The same
+ * arithmetic as demo/level/forms.c.
+ */
 import type { LevelShape, Reader } from "../level.js";
 import { FAR, type Form, form, RADIANS, turn } from "./form.js";
 import { readPolygon, toGround } from "./polygon.js";
 import { grid, isRecord, type Json, type JsonRecord, type Physics, type Values } from "./values.js";
 import type { Vec2 } from "../types.js";
 
-/** Sizes, in length scales, between which the engine takes them with room for rounding. */
+/**
+ * The range of half extents, length scales: within that of the engine (1e-4 to 16384) with a margin
+ * for rounding.
+ */
 const SMALLEST = 2e-4;
 const LARGEST = 16000;
 
-/** The upper bits of a tile number tell how it is flipped. */
+/**
+ * The upper bits of a tile number: flips in x, in y, and along the diagonal; the rest is the
+ * number.
+ */
 export const FLIP_X = 0x80000000;
 export const FLIP_Y = 0x40000000;
 export const FLIP_TURN = 0x20000000;
 export const NUMBER = 0x0fffffff;
 
-/** Two lengths count as equal within a thousandth: the editor rounds what it writes. */
+/** Whether two lengths differ by at most a thousandth, since the editor rounds what it writes. */
 function nearlyEqual(a: number, b: number): boolean {
   return Math.abs(a - b) <= 1e-3 * Math.max(Math.abs(a), Math.abs(b));
 }
@@ -23,8 +32,8 @@ function nearlyEqual(a: number, b: number): boolean {
 // ---- reading ----
 
 /**
- * What the outline of an object is, that is no tile, point or text, unturned about its own place;
- * null after a report.
+ * The forms of an object that is no tile, point or text, relative to the object's place and without
+ * its rotation; null, with a problem in the report.
  */
 export function readForms(v: Values, object: JsonRecord): Form[] | null {
   if (object.polyline !== undefined) return readLine(v, object.polyline, false);
@@ -42,6 +51,7 @@ export function readForms(v: Values, object: JsonRecord): Form[] | null {
   return [form(round ? "circle" : "box", { x: hx, y: hy, hx, hy })];
 }
 
+/** The forms of a polyline, or of a polygon (`closed`); null, with a problem in the report. */
 function readLine(v: Values, list: Json, closed: boolean): Form[] | null {
   if (!Array.isArray(list) || list.length < (closed ? 3 : 2)) {
     const what = closed ? "a polygon needs three" : "a line needs two";
@@ -59,9 +69,12 @@ function readLine(v: Values, list: Json, closed: boolean): Form[] | null {
   return closed ? readPolygon(points) : [form("line", { points })];
 }
 
-// ---- moving ----
+// ---- motion ----
 
-/** Turns a form about its frame's origin, then moves that to (x, y). */
+/**
+ * Turns a form about the origin of its frame, clockwise by degrees, then moves the origin to (x,
+ * y).
+ */
 export function turnForm(f: Form, x: number, y: number, degrees: number): void {
   const { c, s } = turn(degrees);
   [f.x, f.y] = [x + (c * f.x - s * f.y), y + (s * f.x + c * f.y)];
@@ -69,7 +82,7 @@ export function turnForm(f: Form, x: number, y: number, degrees: number): void {
   else f.rotation = turn(f.rotation + degrees).r;
 }
 
-/** In a tile of this size, as the upper bits of its number tell. */
+/** Flips a form within a tile of this size (pixels), by the upper bits of the tile number `gid`. */
 export function flipForm(f: Form, gid: number, width: number, height: number): void {
   const mirror = (change: (point: Vec2) => Vec2) => {
     f.rotation = turn(0 - f.rotation).r;
@@ -91,7 +104,10 @@ export function flipForm(f: Form, gid: number, width: number, height: number): v
   }
 }
 
-/** False after a report: an ellipse or a slanted box would come of it. */
+/**
+ * Scales a form. False, with a problem in the report, where a circle would become an ellipse or a
+ * box would no longer have right angles.
+ */
 export function scaleForm(v: Values, f: Form, sx: number, sy: number): boolean {
   const across = f.rotation === 90 || f.rotation === -90;
   const along = f.rotation === 0 || f.rotation === -180;
@@ -108,8 +124,9 @@ export function scaleForm(v: Values, f: Form, sx: number, sy: number): boolean {
   return true;
 }
 
-// ---- what the engine takes ----
+// ---- what the engine accepts ----
 
+/** Whether a form's size is in range; if not, a problem is in the report. */
 function sizeFits({ pixelsPerUnit: ppu, level }: Reader, v: Values, f: Form): boolean {
   const [hx, hy] = [f.hx / ppu, f.hy / ppu];
   const low = SMALLEST * level.lengthScale;
@@ -119,6 +136,10 @@ function sizeFits({ pixelsPerUnit: ppu, level }: Reader, v: Values, f: Form): bo
   return false;
 }
 
+/**
+ * Whether x increases strictly along a line, in units; if not, a problem is in the report. A line
+ * from right to left is reversed first.
+ */
 function lineFits({ pixelsPerUnit: ppu }: Reader, v: Values, points: Vec2[]): boolean {
   if (points[points.length - 1][0] < points[0][0]) points.reverse();
   for (let i = 1; i < points.length; i++) {
@@ -132,9 +153,10 @@ function lineFits({ pixelsPerUnit: ppu }: Reader, v: Values, points: Vec2[]): bo
 }
 
 /**
- * The forms of a body that the engine takes, the others reported: polygons become ground, and lines
- * run from left to right. `degrees` is the body's rotation, which lines and polygons take over.
- * Ground reaches down to `lowest` at least, pixels below the body.
+ * The forms of a body that the engine accepts; problems of the others are in the report. Polygons
+ * become ground lines, and lines run from left to right. `degrees`: the body's rotation, by which
+ * lines and polygons are turned, since terrain cannot be. A polygon is ground only where its lower
+ * side is at `lowest`, pixels below the body, or lower.
  */
 export function settleForms(
   reader: Reader,
@@ -161,9 +183,12 @@ export function settleForms(
   });
 }
 
-// ---- adding ----
+// ---- bodies ----
 
-/** A body at (x, y) pixels with these forms, but for lines, which get one each. */
+/**
+ * Adds a body at (x, y) pixels with these forms to the level, and a body for each line. `id`: the
+ * object in the map, 0: none; `withGround`: ground lines are added, too.
+ */
 export function addBody(
   reader: Reader,
   { kind, body }: Physics,

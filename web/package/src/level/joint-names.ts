@@ -1,8 +1,8 @@
-/** The names in a map that mean a joint or something of one. */
+/** The classes of objects in a map that are joints, and the properties of joints. */
 import type { Direction, JointKind } from "../joint-types.js";
 import type { Json } from "./values.js";
 
-/** Which directions each kind drives. */
+/** The directions that each kind of joint drives. */
 export const KINDS: Record<JointKind, Direction[]> = {
   distance: ["along"],
   hinge: ["turn"],
@@ -16,7 +16,7 @@ export const KINDS: Record<JointKind, Direction[]> = {
 const DRIVE = "lower upper frequency damping target spring_force motor_speed motor_force".split(" ");
 const COMMON = ["break_force", "break_torque", "collide_connected"];
 
-/** What the properties of an object mean something to. */
+/** The names of the properties of each kind of joint. */
 const MEANINGS = new Map(
   Object.entries(KINDS).map(([kind, directions]) => {
     const drives = directions.flatMap((one) => DRIVE.map((name) => `${one}_${name}`));
@@ -26,12 +26,12 @@ const MEANINGS = new Map(
   }),
 );
 
-/** The kind that a class of objects is, or null. */
+/** The kind of joint that a class of objects names, or null. */
 export function jointKind(name: Json): JointKind | null {
   return typeof name === "string" && Object.hasOwn(KINDS, name) ? (name as JointKind) : null;
 }
 
-/** Whether a property means something to a kind, or to any. */
+/** Whether a kind of joint, or any kind, has a property of this name. */
 export function jointKnows(kind: JointKind | "any", name: string): boolean {
   if (kind === "any") return [...MEANINGS.values()].some((names) => names.has(name));
   return MEANINGS.get(kind)?.has(name) === true;

@@ -1,6 +1,6 @@
 /**
- * Objects of a Tiled map that are joints: what they are, where, and how they are driven. Which
- * bodies they tie is found by tie.ts, when all of the map is read. Follows demo/level/joints.c.
+ * Reads objects of a Tiled map that are joints: their kind, places and options. tie.ts finds their
+ * bodies after the whole map has been read. The same arithmetic as demo/level/joints.c.
  */
 import type { Direction, Drive, JointKind } from "../joint-types.js";
 import type { Reader } from "../level.js";
@@ -10,13 +10,16 @@ import { KINDS } from "./joint-names.js";
 import { direction } from "./polygon.js";
 import { grid, isRecord, type Json, type JsonRecord, type Values } from "./values.js";
 
-/** Length scales; the engine takes 1e6, give or take what single precision rounds. */
+/** The largest length, length scales: the engine's 1e6 less a margin for single precision. */
 const LONGEST = 999999;
+/** The smallest length of a distance, length scales. Chosen. */
 const SHORTEST = 1e-6;
+/** The largest angle of limits and targets, radians: pi in single precision. */
 const LARGEST_TURN = 3.1415927;
+/** The largest force or torque (THUD_JOINT_FORCE_MAX): no maximum. */
 const LARGEST_FORCE = 1e30;
 
-/** The options of World.createJoint that stand in a map. */
+/** The options of World.createJoint that a map can set. */
 export interface TieOptions {
   length?: number;
   ratio?: number;
@@ -28,38 +31,45 @@ export interface TieOptions {
   breakTorque: number;
 }
 
-/** An object that is a joint, until all that it may refer to is read. */
+/** An object that is a joint, kept until all objects that it may refer to have been read. */
 export interface Tie {
   kind: JointKind;
   options: TieOptions;
-  /** Of objects; a is 0 if it holds to the world. */
+  /** The id of the object. */
   id: number;
+  /** The ids of the objects of its bodies or joints; a is 0 for a joint to the world. */
   a: number;
   b: number;
-  /** Pixels: where it is in a and in b. */
+  /** The places of its anchors on a and on b, pixels. */
   places: [Vec2, Vec2];
-  /** Of its axis, degrees, clockwise. */
+  /** The rotation of its axis, degrees, clockwise. */
   rotation: number;
 }
 
-/** Whether the engine takes a length of either sign. */
+/** Whether a length of either sign is in the engine's range. */
 export function jointFits({ level }: Reader, length: number): boolean {
   return Math.abs(length) <= LONGEST * level.lengthScale;
 }
 
-/** Where a side of a joint is, in the world. */
+/** The place of a joint's anchor on a side, in units, on the grid of bodies. */
 export function jointPlace({ pixelsPerUnit: ppu, mapHeight }: Reader, tie: Tie, side: 0 | 1): Vec2 {
   const [x, y] = tie.places[side];
   return [grid(x / ppu), grid((mapHeight - y) / ppu)];
 }
 
+/**
+ * Whether an object has a form that a joint may have: no tile, no polygon, a line of two points.
+ */
 function isDrawnFit({ gid, polygon, polyline }: JsonRecord): boolean {
   const isLine = polyline !== undefined;
   const fits = !isLine || (Array.isArray(polyline) && polyline.length === 2);
   return gid === undefined && polygon === undefined && fits;
 }
 
-/** A line is from one place to the other, or from the only place along the axis. */
+/**
+ * Reads the places of a joint that is drawn as a line: of a distance both ends; of other kinds the
+ * first point, from which the line is the axis.
+ */
 function readLine(v: Values, line: Json[], tie: Tie): void {
   const { c, s } = turn(tie.rotation);
   const [[x0, y0], [x1, y1]] = line.map((item): Vec2 => {
@@ -78,6 +88,7 @@ function readLine(v: Values, line: Json[], tie: Tie): void {
   tie.rotation = dx * dx + dy * dy > 0 ? direction(dx, dy) : 0;
 }
 
+/** Reads the places of a joint: from its line, or else the centre of the object. */
 function readPlace(v: Values, object: JsonRecord, tie: Tie): void {
   if (Array.isArray(object.polyline)) {
     readLine(v, object.polyline, tie);
@@ -89,10 +100,11 @@ function readPlace(v: Values, object: JsonRecord, tie: Tie): void {
   const [x, y] = tie.places[0];
   const place: Vec2 = [x + (c * hx - s * hy), y + (s * hx + c * hy)];
   tie.places = [place, place];
-  // A wheel's suspension is upright.
+  // The axis of a wheel, its suspension, is vertical unless the object is turned.
   if (tie.kind === "wheel") tie.rotation = tie.rotation - 90;
 }
 
+/** The distance of both anchors in units. */
 function lengthAsDrawn(reader: Reader, tie: Tie): number {
   const [x0, y0] = jointPlace(reader, tie, 0);
   const [x1, y1] = jointPlace(reader, tie, 1);
@@ -100,7 +112,11 @@ function lengthAsDrawn(reader: Reader, tie: Tie): number {
   return Math.sqrt(dx * dx + dy * dy);
 }
 
-/** A distance's drive is about `length`; of other kinds that is undefined. */
+/**
+ * Reads the drive of a direction from properties such as "along_frequency". `scale`: the length
+ * scale; `length`: the length of a distance, the default of its upper limit and target; of other
+ * kinds undefined.
+ */
 function readDrive(scale: number, v: Values, way: Direction, length: number | undefined): Drive {
   const fastest = way === "turn" ? LONGEST : LONGEST * scale;
   const most = way === "turn" ? LARGEST_TURN : LONGEST * scale;
@@ -126,6 +142,7 @@ function readDrive(scale: number, v: Values, way: Direction, length: number | un
   return drive;
 }
 
+/** Reads the options of a joint from its properties. */
 function readOptions(reader: Reader, v: Values, tie: Tie): void {
   const { kind, options } = tie;
   const scale = reader.level.lengthScale;
@@ -143,7 +160,10 @@ function readOptions(reader: Reader, v: Values, tie: Tie): void {
   for (const way of KINDS[kind]) options[way] = readDrive(scale, v, way, options.length);
 }
 
-/** Keeps the joint that an object at (x, y) pixels is, or reports why it is none. */
+/**
+ * Adds the joint of an object at (x, y) pixels to reader.ties, or reports why it cannot be used.
+ * `rotation`: degrees, clockwise.
+ */
 export function readJoint(
   reader: Reader,
   v: Values,

@@ -1,24 +1,30 @@
-/** The files of a map: itself, and the tilesets and templates that it refers to, each read once. */
+/**
+ * Loads and parses the files of a map: the map, and the tilesets and templates that it refers to.
+ */
 import { messageOf } from "../error.js";
 import { isRecord, type Json, type JsonRecord, type Report } from "./values.js";
 
-/** A file's content; bytes are taken as UTF-8. */
+/** The content of a file; bytes are UTF-8. */
 export type FileContent = string | Uint8Array | ArrayBuffer;
 
 /**
- * Gives the files that a map refers to. `path` is relative to the map's own folder, with "/" and
- * no "." in it: "templates/block.tx", "../tiles/ground.tsx". Paths that are absolute, or name a
- * host, are refused before. Null, or anything thrown, means that there is no such file.
+ * Returns the content of a file that a map refers to. `path` is relative to the map's folder, with
+ * "/" between its parts and no part ".": "templates/block.tx", "../tiles/ground.tsx". It is not
+ * called for absolute paths and addresses. Null or an exception means that the file does not exist.
  */
 export type FileOpener = (path: string) => Promise<FileContent | null> | FileContent | null;
 
+/** A file that was loaded. */
 interface Document {
+  /** Its content, null where it cannot be used. */
   json: JsonRecord | null;
+  /** Whether the problem is in the report. */
   reported: boolean;
+  /** Why it cannot be used. */
   trouble: string;
 }
 
-/** Reads .tmj, .tsj, .tj or their XML forms; throws if it is neither. */
+/** Parses JSON (.tmj, .tsj, .tj), or XML into the same JSON. Throws an Error for other content. */
 export async function parseDocument(content: FileContent): Promise<Json> {
   const raw = typeof content === "string" ? content : new TextDecoder().decode(content);
   const text = raw.replace(/^\uFEFF/, "");
@@ -37,7 +43,10 @@ export async function parseDocument(content: FileContent): Promise<Json> {
   }
 }
 
-/** What `source` in the file `from` is called from the map's folder; null if that is nowhere. */
+/**
+ * The path, from the map's folder, of the path `source` in the file `from`; null for an absolute
+ * path, an address, or the folder itself.
+ */
 function join(from: string, source: string): string | null {
   if (/^[/\\]/.test(source) || source.includes(":")) return null;
   const parts = from.includes("/") ? from.slice(0, from.lastIndexOf("/")).split("/") : [];
@@ -50,6 +59,7 @@ function join(from: string, source: string): string | null {
   return parts.length > 0 ? parts.join("/") : null;
 }
 
+/** The tilesets and templates of a map; each file is loaded once. */
 export class Library {
   readonly #open: FileOpener | undefined;
   readonly #documents = new Map<string, Document>();
@@ -58,12 +68,13 @@ export class Library {
     this.#open = open;
   }
 
-  /** Reads all that a map may come to need. */
+  /** Loads all files to which the map refers, also through templates. */
   async prepare(map: JsonRecord): Promise<void> {
     for (const tileset of listOf(map.tilesets)) await this.#load("", tileset.source);
     await this.#prepareLayers(map, 0);
   }
 
+  /** Loads the templates of objects in all layers and groups, to 64 levels of groups. */
   async #prepareLayers(parent: JsonRecord, depth: number): Promise<void> {
     if (depth > 64) return;
     for (const layer of listOf(parent.layers)) {
@@ -76,7 +87,7 @@ export class Library {
     }
   }
 
-  /** The path of what was loaded, now or before. */
+  /** Loads a file unless it was loaded before. Returns its path, null where `source` has none. */
   async #load(from: string, source: Json): Promise<string | null> {
     const path = typeof source === "string" ? join(from, source) : null;
     if (path === null || this.#documents.has(path)) return path;
@@ -86,7 +97,7 @@ export class Library {
     try {
       content = (await this.#open?.(path)) ?? null;
     } catch {
-      // As if it were not there.
+      // The same as a file that does not exist.
     }
     if (content === null) {
       document.trouble = "it is not there, or cannot be read";
@@ -101,12 +112,15 @@ export class Library {
     return path;
   }
 
-  /** What was reported will be again: before a map is read anew. */
+  /** Lets problems be reported again, before the map is read a second time. */
   forgetReports(): void {
     for (const document of this.#documents.values()) document.reported = false;
   }
 
-  /** What `source` in the file `from` means, of what was prepared; null after one report. */
+  /**
+   * The content of the file `source`, as it is named in the file `from`, among those that `prepare`
+   * loaded; null, with one problem in the report, where it cannot be used.
+   */
   open(
     report: Report,
     from: string,
@@ -131,6 +145,7 @@ export class Library {
   }
 }
 
+/** The objects in a list; an empty list for anything else. */
 function listOf(json: Json): JsonRecord[] {
   return Array.isArray(json) ? json.filter(isRecord) : [];
 }

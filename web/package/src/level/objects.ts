@@ -1,4 +1,7 @@
-/** Objects of a Tiled map: a body for each. Follows demo/level/objects.c. */
+/**
+ * Reads the objects of a Tiled map: each becomes a body, a joint, or the spawn point. The same
+ * arithmetic as demo/level/objects.c.
+ */
 import type { JointKind } from "../joint-types.js";
 import type { Layer, Reader } from "../level.js";
 import { DEGREES, FAR, turn } from "./form.js";
@@ -8,16 +11,17 @@ import { readJoint } from "./joints.js";
 import { findTile, listTilesets, readTileForms, type Tileset } from "./tilesets.js";
 import { isRecord, type Json, type JsonRecord, readPhysics, Values } from "./values.js";
 
-/** An object with what its template says. */
+/** An object together with its template. */
 interface Thing {
-  /** Its fields; those of its template where it has none. */
+  /** The fields of the object, and those of its template that it does not have. */
   json: JsonRecord;
-  /** Where its properties are: the template's, then its own. */
+  /** The objects with its properties: the template, then the object itself. */
   links: JsonRecord[];
-  /** What its tile number is of. */
+  /** The tilesets in which its tile number is looked up. */
   tilesets: Tileset[];
 }
 
+/** Reads all objects of a layer. */
 export function readObjects(reader: Reader, layer: Layer): void {
   const { objects } = layer.json;
   const { report } = reader;
@@ -33,7 +37,7 @@ export function readObjects(reader: Reader, layer: Layer): void {
   if (unmarked > 0) report.add("note", 0, `layer '${layer.name}': ${what}`);
 }
 
-/** True if it is a tile of which nothing says that it collides. */
+/** Reads one object. True where it is a tile of which nothing says whether it collides. */
 function readObject(reader: Reader, layer: Layer, object: JsonRecord): boolean {
   const { id } = object;
   const { report } = reader;
@@ -73,7 +77,7 @@ function readObject(reader: Reader, layer: Layer, object: JsonRecord): boolean {
   return false;
 }
 
-/** Finds the template of an object that has one; null after a report. */
+/** The object together with its template, if it has one; null, with a problem in the report. */
 function resolve(reader: Reader, v: Values, object: JsonRecord): Thing | null {
   if (object.template === undefined)
     return { json: object, links: [object], tilesets: reader.tilesets };
@@ -84,41 +88,51 @@ function resolve(reader: Reader, v: Values, object: JsonRecord): Thing | null {
     v.complain("skip", `its template ${what}`);
     return null;
   }
-  // A number of the template's own is of its own tileset.
+  // A tile number in the template belongs to the template's tileset.
   const tilesets =
     object.gid === undefined ? listTilesets([file.json.tileset], file.path) : reader.tilesets;
   return { json: { ...own, ...object }, links: [own, object], tilesets };
 }
 
-/** The class of an object: `type`, but `class` in files of Tiled 1.9. */
+/** The class of an object: the field `type`, or `class` in files of Tiled 1.9. */
 function classOf(object: JsonRecord): Json {
   return typeof object.type === "string" ? object.type : object.class;
 }
 
-/** A class that says nothing to thud; of a point that is told in any case. */
+/**
+ * Counts the class of an object that has no meaning here. Points are left out: they are reported.
+ */
 function countClass({ level }: Reader, object: JsonRecord): void {
   const name = classOf(object);
   if (typeof name !== "string" || name === "" || object.point === true || jointKind(name)) return;
   level.classes[name] = (Object.hasOwn(level.classes, name) ? level.classes[name] : 0) + 1;
 }
 
-/** What joint an object is. A shape may be called a wheel, too: it is one if it says what it holds. */
+/**
+ * The kind of joint of an object, or null. An object with the class of a joint is one only if it is
+ * a point or has a property `a` or `b`, since shapes may have a class such as "wheel", too.
+ */
 function jointOf(v: Values, object: JsonRecord): JointKind | null {
   const refers = v.find("a") !== undefined || v.find("b") !== undefined;
   return refers || object.point === true ? jointKind(classOf(object)) : null;
 }
 
+/** Reads a point: the spawn point, or a note that it has no meaning. */
 function readPoint(reader: Reader, v: Values, object: JsonRecord, x: number, y: number): void {
   const { pixelsPerUnit: ppu, mapHeight, level } = reader;
   if (classOf(object) === "spawn") level.spawn = [x / ppu, (mapHeight - y) / ppu];
   else v.complain("note", "a point has no meaning here, unless its class is 'spawn'");
 }
 
-/** How far below `y` ground reaches at least: nothing falls between it and the map's lower edge. */
+/**
+ * How far below `y`, pixels, the lower side of a ground polygon must be: in the map's last row of
+ * tiles or lower, so that the solid part below its line hides no free space of the map.
+ */
 function lowestBelow({ mapHeight, tileHeight }: Reader, y: number): number {
   return mapHeight - tileHeight - y;
 }
 
+/** Adds the body of an object with an outline of its own. */
 function addShape(
   reader: Reader,
   v: Values,
@@ -142,6 +156,7 @@ function addShape(
   addBody(reader, physics, v.object, settled, true, x, y, degrees);
 }
 
+/** Adds the body of a tile object. True where nothing says whether the tile collides. */
 function addTile(
   reader: Reader,
   layer: Layer,

@@ -1,14 +1,15 @@
 /**
- * Which polygons the engine has shapes for: those that boxes make up, and ground. Follows
- * demo/level/polygon.c.
+ * Converts polygons to shapes of the engine: to boxes, where its edges are parallel to the axes or
+ * it is a rectangle, or to a ground line. The same arithmetic as demo/level/polygon.c.
  */
 import { type Form, form, RADIANS, turn } from "./form.js";
 import type { Values } from "./values.js";
 import type { Vec2 } from "../types.js";
 
-/** Corners of what is cut into boxes: more are an outline of something else. */
+/** The maximum number of corners of a polygon that is cut into boxes. Chosen. */
 const MOST_CORNERS = 64;
 
+/** The larger of width and height of the points' bounds. */
 function extent(points: Vec2[]): number {
   let [[x0, y0]] = points;
   let [x1, y1] = [x0, y0];
@@ -20,8 +21,10 @@ function extent(points: Vec2[]): number {
 }
 
 /**
- * The rotation of (x, y), which is not (0, 0), in degrees, by operations that every language has alike: from the nearest
- * quarter turn each round takes off the sine of what is left, which triples the digits.
+ * The direction of (x, y), which is not (0, 0), in degrees, clockwise with y down. It uses only
+ * operations that give the same bits in every language: it starts from the nearest quarter turn,
+ * and each of six iterations adds the sine of the angle that is left, which triples the correct
+ * digits.
  */
 export function direction(x: number, y: number): number {
   const length = Math.sqrt(x * x + y * y);
@@ -33,7 +36,7 @@ export function direction(x: number, y: number): number {
   return turn(degrees).r;
 }
 
-/** Four corners with square angles, turned as they may be. */
+/** The box of four corners with right angles, at any rotation; null where they are none. */
 function readTurnedBox(points: Vec2[], near: number): Form[] | null {
   if (points.length !== 4) return null;
   const [[x0, y0], [x1, y1], [x2, y2], [x3, y3]] = points;
@@ -47,7 +50,7 @@ function readTurnedBox(points: Vec2[], near: number): Form[] | null {
   return [form("box", { x, y, hx: a * 0.5, hy: b * 0.5, rotation: direction(ax, ay) })];
 }
 
-/** Numbers in order, those nearer to each other than `near` only once. */
+/** The numbers in ascending order without those that are within `near` of the one before. */
 function sorted(values: number[], near: number): number[] {
   const kept: number[] = [];
   for (const value of values.sort((a, b) => a - b))
@@ -55,7 +58,7 @@ function sorted(values: number[], near: number): number[] {
   return kept;
 }
 
-/** One more box, or the one above it made longer. */
+/** Adds a box, or extends the box of the same width directly above it. */
 function addSlab(forms: Form[], [x0, x1]: Vec2, [y0, y1]: Vec2, near: number): void {
   const x = (x0 + x1) * 0.5;
   const hx = (x1 - x0) * 0.5;
@@ -71,8 +74,8 @@ function addSlab(forms: Form[], [x0, x1]: Vec2, [y0, y1]: Vec2, near: number): v
 }
 
 /**
- * An outline of upright and level edges: cut at every corner's height into slabs, of which those
- * that are equal and one above the other become one.
+ * The boxes of a polygon with vertical and horizontal edges; null for another polygon. It is cut at
+ * the height of each corner into slabs; slabs of the same width above each other become one box.
  */
 function readUprightBoxes(points: Vec2[], near: number): Form[] | null {
   if (points.length > MOST_CORNERS) return null;
@@ -92,7 +95,7 @@ function readUprightBoxes(points: Vec2[], near: number): Form[] | null {
   return forms.length > 0 ? forms : null;
 }
 
-/** A polygon as the boxes that make it up, else as itself. */
+/** The boxes of a polygon, or the polygon itself where boxes cannot make it up. */
 export function readPolygon(points: Vec2[]): Form[] {
   const near = 1e-3 * extent(points);
   const boxes = readUprightBoxes(points, near) ?? readTurnedBox(points, near);
@@ -100,9 +103,10 @@ export function readPolygon(points: Vec2[]): Form[] {
 }
 
 /**
- * Makes a polygon, turned as it will lie, the line of its upper side; false after a report. Round
- * once, the upper side runs to the right, then a wall or none goes down, the lower side runs to the
- * left, and a wall or none goes up.
+ * Replaces a polygon, which is turned already, by the line of its upper side; false, with a problem
+ * in the report, where it has none. The polygon must be monotone in x: once around, the upper side
+ * runs to the right, then there may be a wall down, the lower side runs to the left, and there may
+ * be a wall up.
  */
 export function toGround(v: Values, f: Form): boolean {
   const points = f.points as Vec2[];

@@ -1,27 +1,32 @@
 /**
- * Ties the bodies that a map's joints refer to, when all of the map is read. Follows
- * demo/level/tie.c.
+ * Finds the bodies and joints to which the joints of a map refer, after the whole map has been
+ * read, and adds the joints to the level. The same arithmetic as demo/level/tie.c.
  */
 import type { JointFrame } from "../joint-types.js";
 import type { LevelJoint, Reader } from "../level.js";
 import { RADIANS, turn } from "./form.js";
 import { jointFits, jointPlace, type Tie } from "./joints.js";
 
-/** A body of an object. */
+/** The body of an object. */
 export interface Placed {
-  /** In Level.bodies. */
+  /** Its index in Level.bodies. */
   index: number;
   /** Degrees, clockwise, in [-180, 180). */
   rotation: number;
 }
 
+/** The kinds of joints that a gear can couple. */
 const VALUED = ["hinge", "wheel", "slider", "distance"];
 
+/** Reports why a joint is left out. */
 function complain(reader: Reader, { id, kind }: Tie, what: string): void {
   reader.report.add("skip", id, `a ${kind} ${what}`);
 }
 
-/** What both sides refer to, undefined for the world; null after a report. */
+/**
+ * What a and b of a joint refer to in `found`; a is undefined for the world. Null, with a problem
+ * in the report, where an object is not there. `what`: a body or a joint, for the message.
+ */
 function findBoth<T>(
   reader: Reader,
   tie: Tie,
@@ -36,11 +41,12 @@ function findBoth<T>(
   return isWhole ? [found.get(tie.a), b] : null;
 }
 
+/** The kind of a body of the level. */
 function kindOf({ level }: Reader, index: number): string | undefined {
   return level.bodies[index].body.kind;
 }
 
-/** False after a report: the engine would refuse it. */
+/** Whether the engine allows the joint between these bodies; if not, a problem is in the report. */
 function mayTie(reader: Reader, tie: Tie, a: Placed | undefined, b: Placed): boolean {
   const aMoves = a !== undefined && kindOf(reader, a.index) === "dynamic";
   const bMoves = kindOf(reader, b.index) === "dynamic";
@@ -52,8 +58,8 @@ function mayTie(reader: Reader, tie: Tie, a: Placed | undefined, b: Placed): boo
 }
 
 /**
- * Where a side of a joint is in its body, or in the world's where there is none; null if that is
- * further than the engine takes.
+ * The frame of a joint in the body of a side, or in its anchor where there is no body; null where
+ * it is further from the body's origin than the engine accepts.
  */
 function frameOf(
   reader: Reader,
@@ -72,14 +78,14 @@ function frameOf(
   return fits ? { position: [x, y], angle: axis - angle } : null;
 }
 
-/** What holds to the world holds to a body without shapes. */
+/** Adds a static body without shapes, the anchor of a joint to the world; returns its index. */
 function addAnchor(reader: Reader, tie: Tie): number {
   const position = jointPlace(reader, tie, 0);
   reader.level.bodies.push({ body: { kind: "static", position, userData: tie.id }, shapes: [] });
   return reader.level.bodies.length - 1;
 }
 
-/** The joint's place in Level.joints, or null after a report. */
+/** Adds a joint. Returns its index in Level.joints, or null, with a problem in the report. */
 function tieBodies(reader: Reader, tie: Tie): number | null {
   const { level, placed } = reader;
   const both = findBoth(reader, tie, placed, "body");
@@ -99,13 +105,17 @@ function tieBodies(reader: Reader, tie: Tie): number | null {
   return level.joints.length - 1;
 }
 
-/** The body that a joint moves, which a gear can tie to another; or -1. */
+/**
+ * The index of the body that a joint lets move, where its other body is static; -1 where a gear
+ * cannot couple the joint.
+ */
 function movedBy(reader: Reader, { a, b, options }: LevelJoint): number {
   if (!VALUED.includes(options.kind)) return -1;
   if (kindOf(reader, a) === "static") return b;
   return kindOf(reader, b) === "static" ? a : -1;
 }
 
+/** Adds a gear, or reports why not. `made`: the indices in Level.joints by the id of the object. */
 function mesh(reader: Reader, tie: Tie, made: ReadonlyMap<number, number>): void {
   const both = findBoth(reader, tie, made, "joint");
   if (!both) return;
@@ -119,7 +129,7 @@ function mesh(reader: Reader, tie: Tie, made: ReadonlyMap<number, number>): void
   else joints.push({ a, b, options: { kind: "gear", ...tie.options } });
 }
 
-/** Adds to the level the joints that were kept, or reports why not: gears after all others. */
+/** Adds all joints of reader.ties to the level, gears after the others, or reports why not. */
 export function tieJoints(reader: Reader): void {
   const made = new Map<number, number>();
   for (const tie of reader.ties) {

@@ -1,8 +1,8 @@
 /**
- * Tile layers of a Tiled map: a static body for every tile that collides. The property `solid` of
- * the layer decides for all its tiles; where it has none, that of the tile decides, then that of
- * its tileset; without any a tile collides with the shapes that Tiled's collision editor gave it,
- * and one that has none is decoration. Follows demo/level/tiles.c.
+ * Reads the tile layers of a Tiled map: each tile that collides becomes a static body. Whether it
+ * does is decided by the property `solid` of the layer, else of the tile, else of its tileset.
+ * Where none has it, a tile with shapes from Tiled's collision editor collides with these, and a
+ * tile without is decoration. The same arithmetic as demo/level/tiles.c.
  */
 import type { Layer, Reader } from "../level.js";
 import { type Cells, readCells } from "./cells.js";
@@ -11,22 +11,26 @@ import { addBody, NUMBER, settleForms } from "./forms.js";
 import { findTile, isTurned, readTileForms, type Tile } from "./tilesets.js";
 import { flagOf, ownProperty, type Physics, Values } from "./values.js";
 
-/** What one tile number stands for in this layer. */
+/** What a tile number of this layer stands for. Lengths are pixels. */
 interface TileKind {
+  /** Whether the number is that of a tile in a tileset that can be used. */
   known: boolean;
+  /** See TileForms. */
   solid: "open" | "unmarked" | "solid";
   physics: Physics | null;
   forms: Form[];
-  /** It fills its cell, and stops what comes. */
+  /** Whether a box of the tile that is no sensor covers the whole cell. */
   full: boolean;
+  /** Whether a form of the tile is a ground line. */
   hasGround: boolean;
-  /** The highest that ground of it reaches down to, from the cell's lower edge. */
+  /** The smallest y, from the cell's lower edge, of the lower sides of its ground polygons. */
   foot: number;
-  /** From the cell's lower left corner to its middle. */
+  /** From the cell's lower left corner to the tile's middle. */
   dx: number;
   dy: number;
 }
 
+/** Reads all tiles of a layer. */
 export async function readTiles(reader: Reader, layer: Layer): Promise<void> {
   if (flagOf(ownProperty(layer.json, "solid")) === false) return;
   const cells = await readCells(reader, layer);
@@ -73,6 +77,7 @@ export async function readTiles(reader: Reader, layer: Layer): Promise<void> {
     say("note", `none of its ${used} tiles is solid`);
 }
 
+/** Adds the body of a tile in a cell of the map. `grounded`: with its ground lines. */
 function addTile(
   reader: Reader,
   layer: Layer,
@@ -86,6 +91,7 @@ function addTile(
   if (physics) addBody(reader, physics, 0, forms, grounded, x, y, 0);
 }
 
+/** Reads what a tile number stands for; problems are in the report. */
 function readKind(reader: Reader, layer: Layer, gid: number): TileKind {
   const none = { solid: "open" as const, physics: null, forms: [], full: false };
   const kind: TileKind = { ...none, known: false, hasGround: false, foot: Infinity, dx: 0, dy: 0 };
@@ -121,13 +127,16 @@ function readKind(reader: Reader, layer: Layer, gid: number): TileKind {
   return kind;
 }
 
-/** Whether a picture that is to fill its cell, and to keep its shape, cannot do both. */
+/**
+ * Whether a tile is to fill its cell and to keep its aspect ratio although the two differ. `w`,
+ * `h`: the size of its picture.
+ */
 function isSqueezed(tile: Tile, width: number, height: number, w: number, h: number): boolean {
   const askew = Math.abs(width * h - height * w) > 1e-3 * (width * h);
   return tile.fillsCell && tile.keepsAspect && askew;
 }
 
-/** Whether a form of a tile covers the cell that the tile lies in. */
+/** Whether a form of a tile is a box that covers the tile's cell, within a thousandth of it. */
 function covers({ tileWidth, tileHeight }: Reader, f: Form, { dx, dy }: TileKind): boolean {
   const near = 1e-3 * Math.max(tileWidth, tileHeight);
   const x = f.x + (dx - tileWidth * 0.5);
@@ -142,8 +151,8 @@ function covers({ tileWidth, tileHeight }: Reader, f: Form, { dx, dy }: TileKind
 }
 
 /**
- * In each column the row from which on all cells are full. What is below the lowest row is out of
- * the map.
+ * For each column the first row from which all cells down to the last row are full. Ground lines
+ * are allowed directly above that row only, since all below a terrain's line is solid.
  */
 function findFloors(
   layer: Layer,

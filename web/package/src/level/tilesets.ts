@@ -1,5 +1,6 @@
 /**
- * What a tile number stands for, and what of that tile collides. Follows demo/level/tilesets.c.
+ * Finds the tile of a tile number, and the forms with which it collides. The same arithmetic as
+ * demo/level/tilesets.c.
  */
 import type { Reader } from "../level.js";
 import { DEGREES, FAR, type Form, form } from "./form.js";
@@ -17,35 +18,37 @@ import {
 
 /** An entry of a map's or a template's list of tilesets. */
 export interface Tileset {
-  /** The first tile number. */
+  /** The tile number of its first tile. */
   first: number;
-  /** Itself, or what tells its file. */
+  /** The tileset, or an object with the path of its file in `source`. */
   json: JsonRecord;
-  /** Of the file that this stands in, "" for the map's own. */
+  /** The path of the file with this entry, "" for the map. */
   path: string;
 }
 
-/** A tile as it lies in a map. */
+/** A tile of a map. */
 export interface Tile {
   tileset: JsonRecord;
-  /** The tile's own entry. */
+  /** The tile's entry in the tileset; undefined where it has none. */
   json: JsonRecord | undefined;
+  /** Its number in the tileset. */
   id: number;
-  /** Of its picture, pixels. */
+  /** The size of its picture, pixels. */
   width: number;
   height: number;
-  /** Of the tileset, likewise. */
+  /** The offset at which the tileset's tiles are drawn, pixels. */
   offsetX: number;
   offsetY: number;
-  /** Of tile objects, as a fraction of the picture. */
+  /** The point of the picture that lies at a tile object's place, as fractions of its size. */
   anchorX: number;
   anchorY: number;
-  /** In a layer drawn as large as a cell of the map. */
+  /** Whether a layer draws the tile as large as a cell of the map. */
   fillsCell: boolean;
-  /** But no wider or higher than the picture is. */
+  /** Whether it keeps the aspect ratio of its picture then. */
   keepsAspect: boolean;
 }
 
+/** The entries of a list of tilesets in the file `path`; wrong entries are left out. */
 export function listTilesets(list: Json, path: string): Tileset[] {
   if (!Array.isArray(list)) return [];
   return list.filter(isRecord).flatMap((json): Tileset[] => {
@@ -54,7 +57,7 @@ export function listTilesets(list: Json, path: string): Tileset[] {
   });
 }
 
-/** Null: there is none, or it cannot be used, which is reported. */
+/** The tile of a number; null where there is none, or it cannot be used, which is in the report. */
 export function findTile(reader: Reader, tilesets: Tileset[], gid: number): Tile | null {
   const number = gid & NUMBER;
   let best: Tileset | null = null;
@@ -92,25 +95,29 @@ export function findTile(reader: Reader, tilesets: Tileset[], gid: number): Tile
   };
 }
 
-/** The tileset itself, wherever it stands; null after a report. */
+/** The tileset, from its entry or its own file; null, with a problem in the report. */
 function contentOf({ library, report }: Reader, { json, path }: Tileset): JsonRecord | null {
   if (json.source === undefined) return json;
   return library.open(report, path, json.source, "tileset")?.json ?? null;
 }
 
-/** The entry of a tile in its tileset, which only tiles with something to say have. */
+/** The entry of a tile in its tileset, which only tiles with properties or shapes have. */
 function entryOf(tileset: JsonRecord, id: number): JsonRecord | undefined {
   const tiles = Array.isArray(tileset.tiles) ? tileset.tiles : [];
   return tiles.filter(isRecord).find((tile) => tile.id === id);
 }
 
-/** A length in pixels, or 0. */
+/** A field that is a length in pixels, 0.001 to a million; else 0. */
 function lengthOf(json: Json, name: string): number {
   const value = isRecord(json) ? json[name] : undefined;
   return typeof value === "number" && value >= 1e-3 && value <= 1e6 ? value : 0;
 }
 
-/** Of a part of a picture, a picture of its own, or a piece of the tileset's; 0 if nothing tells. */
+/**
+ * Width or height of a tile: of the part of a picture that it shows, of its own picture, or of the
+ * tiles of the tileset's picture; 0 where no field says it. The last three arguments are the names
+ * of these fields.
+ */
 function sideOf(
   tileset: JsonRecord,
   tile: JsonRecord | undefined,
@@ -122,6 +129,7 @@ function sideOf(
   return own || lengthOf(tileset, piece);
 }
 
+/** The drawing offset of a tileset along an axis, pixels; 0 where it has none. */
 function shiftOf({ tileoffset }: JsonRecord, axis: string): number {
   const value = isRecord(tileoffset) ? tileoffset[axis] : undefined;
   return typeof value === "number" && Math.abs(value) <= 1e6 ? value : 0;
@@ -131,19 +139,20 @@ function shiftOf({ tileoffset }: JsonRecord, axis: string): number {
 
 export interface TileForms {
   /**
-   * open: something says that it does not collide; unmarked: nothing says whether it does, so that
-   * it does not; solid: it does, with no forms if all of them were reported.
+   * open: a property says that the tile does not collide. unmarked: nothing says whether it does,
+   * so that it does not. solid: it collides; `forms` is empty where all of them were refused.
    */
   solid: "open" | "unmarked" | "solid";
-  /** Of the body. */
+  /** The properties of the tile's body. */
   physics: Physics | null;
   forms: Form[];
 }
 
 /**
- * The forms of a tile drawn as large as told, about its middle: its collision shapes, else a box if
- * something says that it is solid. The chain of `v` has the layer, the tileset, the tile's own
- * entry if it has one (`outer` links up to here), and, of a tile object, what it is.
+ * The forms of a tile that is drawn at width by height pixels, relative to its middle: its
+ * collision shapes, or else a box if it is solid. The chain of `v` has the layers, the tileset, the
+ * tile's entry if it has one (`outer` links up to here) and, for a tile object, template and
+ * object.
  */
 export function readTileForms(
   reader: Reader,
@@ -173,14 +182,17 @@ export function readTileForms(
   }
   const forms = objects.flatMap((value) => {
     const object = isRecord(value) ? value : {};
-    // A collision shape knows better than its tile; what a tile object says goes before both.
+    // Properties of a collision shape override those of its tile; a tile object overrides both.
     const own = v.within([...chain.slice(0, outer), object, ...chain.slice(outer)]);
     return readShape(own, object, gid, tile, width, height);
   });
   return { solid: "solid", physics, forms };
 }
 
-/** What says whether a tile is solid: the object, else its layer, the tile, its tileset. */
+/**
+ * The property `solid` that decides for a tile: that of the object, else of its layer, the tile, or
+ * its tileset.
+ */
 function solidOf(chain: readonly JsonRecord[], tile: Tile, outer: number): Json {
   const layer = chain[outer - (tile.json ? 3 : 2)];
   const places = [...chain.slice(outer).reverse(), layer, tile.json, tile.tileset];
@@ -191,7 +203,7 @@ function solidOf(chain: readonly JsonRecord[], tile: Tile, outer: number): Json 
   return undefined;
 }
 
-/** What an object of a tile's collision shapes is that none can be. */
+/** What an object is that cannot be a collision shape, for the message; null where it can. */
 function noShape(object: JsonRecord): string | null {
   if (object.gid !== undefined) return "a tile";
   if (object.template !== undefined) return "an object from a template";
@@ -200,7 +212,7 @@ function noShape(object: JsonRecord): string | null {
   return object.point !== undefined ? "a point" : null;
 }
 
-/** One collision shape as the tile lies. */
+/** The forms of one collision shape, turned, flipped and scaled like the tile. */
 function readShape(
   v: Values,
   object: JsonRecord,
@@ -232,7 +244,7 @@ function readShape(
   });
 }
 
-/** Whether a tile's number says that its width and height change places. */
+/** Whether the tile number has the diagonal flip, which exchanges width and height. */
 export function isTurned(gid: number): boolean {
   return (gid & 0x20000000) !== 0;
 }

@@ -1,26 +1,31 @@
 /**
- * The XML form of Tiled's files (.tmx, .tsx, .tx) as the JSON that Tiled would have written for the
- * same, so that the rest of the reader knows one form only. Follows demo/level/tmx.c.
+ * Converts the XML form of Tiled's files (.tmx, .tsx, .tx) to the JSON that Tiled writes for the
+ * same map, so that the rest of the reader handles one form only. The same rules as
+ * demo/level/tmx.c.
  */
 import type { XmlElement } from "@rgrove/parse-xml";
 import { ThudError } from "../error.js";
 import { type Json, type JsonRecord, numberOf } from "./values.js";
 
-/** Groups in groups, as deep as anybody builds. */
+/**
+ * The maximum nesting of elements. Chosen, so that a malicious file does not overflow the stack.
+ */
 const DEEPEST = 64;
 
-/** What becomes of an element inside another. */
+/** How an element inside certain parents becomes JSON. */
 interface Rule {
+  /** The names of the parents, with spaces between them. */
   parents: string;
   element: string;
   /**
-   * list: one more of it; field: an object of its own; place: what it holds belongs to the element
-   * around it; flag: true; points; cell: a number of a list, the oldest form of cells.
+   * list: an element of a list of the parent; field: an object in a field of the parent; place: its
+   * contents become those of the parent; flag: a field that is true; points: a list of points;
+   * cell: a number in a list (the oldest form of cells).
    */
   kind: "list" | "field" | "place" | "flag" | "points" | "cell";
-  /** Of the list or field. */
+  /** The name of the field or list. */
   name: string;
-  /** The field "type" of layers. */
+  /** The value of the field "type" of layers. */
   type?: string;
 }
 
@@ -58,12 +63,13 @@ const RULES: Rule[] = [
   rule("properties", "property", "list", "properties"),
 ];
 
-/** The attributes that the reader asks for: those that are numbers in JSON, too, and others. */
+/** The attributes that the reader uses and that are numbers in JSON. */
 const NUMBERS = new Set(
   (
     "width height tilewidth tileheight firstgid id gid x y rotation offsetx offsety"
   ).split(" "),
 );
+/** The attributes that the reader uses and that are text. */
 const TEXTS = new Set(
   (
     "name type class value source template encoding compression orientation objectalignment " +
@@ -71,7 +77,10 @@ const TEXTS = new Set(
   ).split(" "),
 );
 
-/** Reads XML; throws if it is none, or if the package that parses it is not installed. */
+/**
+ * Parses XML. Rejects with an Error where it is malformed, with a ThudError "load" where the
+ * package that parses it is not installed.
+ */
 export async function parseTmx(text: string): Promise<JsonRecord> {
   const { parseXml } = await import("@rgrove/parse-xml").catch((cause) => {
     const what = "a map in XML needs the package @rgrove/parse-xml";
@@ -86,13 +95,14 @@ export async function parseTmx(text: string): Promise<JsonRecord> {
   return json;
 }
 
-/** Of two of a name the first stays. */
+/** Sets a field unless it is there already, and returns whether it did. */
 function put(json: JsonRecord, name: string, value: Json): boolean {
   if (Object.hasOwn(json, name)) return false;
   json[name] = value;
   return true;
 }
 
+/** Copies the attributes that the reader uses to fields. */
 function putAttributes(json: JsonRecord, { attributes }: XmlElement): void {
   for (const [name, text] of Object.entries(attributes)) {
     if (NUMBERS.has(name)) put(json, name, numberOf(text) ?? text);
@@ -100,6 +110,7 @@ function putAttributes(json: JsonRecord, { attributes }: XmlElement): void {
   }
 }
 
+/** Appends a value to the list in a field; false where the field is no list. */
 function putInList(json: JsonRecord, name: string, value: Json): boolean {
   put(json, name, []);
   const list = json[name];
@@ -108,7 +119,7 @@ function putInList(json: JsonRecord, name: string, value: Json): boolean {
   return true;
 }
 
-/** Goes through an element's children; `textAs` is the field that its text becomes. */
+/** Converts an element's children. `textAs`: the field for its text, "": none. */
 function walk(json: JsonRecord, element: XmlElement, textAs: string, depth: number): void {
   if (depth > DEEPEST) throw new ThudError("invalid", "its elements are nested too deeply");
   let text = "";
@@ -121,10 +132,11 @@ function walk(json: JsonRecord, element: XmlElement, textAs: string, depth: numb
     }
   }
   if (textAs && text.trim() !== "") put(json, textAs, text);
-  // An infinite map's layer without a tile has not even chunks.
+  // A layer of an infinite map that has no tiles has no chunks in XML, but an empty list in JSON.
   else if (element.name === "data" && json.data === undefined) put(json, "chunks", []);
 }
 
+/** Converts a child element by the rule for its parent; elements without a rule are ignored. */
 function enter(around: JsonRecord, parent: string, child: XmlElement, depth: number): void {
   const found = RULES.find(
     ({ parents, element }) => element === child.name && parents.split(" ").includes(parent),
@@ -151,16 +163,16 @@ function enter(around: JsonRecord, parent: string, child: XmlElement, depth: num
   }
 }
 
-/** A property's value in the type that it says it has. */
+/** Converts the value of a custom property to the property's type. */
 function putTypedValue(property: JsonRecord): void {
   const { type, value } = property;
   if (typeof value !== "string") return;
-  // An object is told by its id.
+  // A property that refers to an object has the object's id.
   if (type === "int" || type === "float" || type === "object") property.value = numberOf(value) ?? value;
   else if (type === "bool") property.value = value === "true";
 }
 
-/** "0,0 16,-8": pairs that are none become points without x or y, which is told later. */
+/** The points of a text such as "0,0 16,-8". A wrong pair becomes {}, which is reported later. */
 function pointsOf(text: string): Json[] {
   const pairs = text.split(/[ \t\r\n]+/).filter((pair) => pair !== "");
   return pairs.map((pair) => {

@@ -1,11 +1,12 @@
-/** Cells in base64, packed by zlib, gzip or Zstandard. Follows demo/level/unpack.c. */
+/** Decodes cells in base64, compressed by zlib, gzip or Zstandard. As demo/level/unpack.c does. */
 
-/** Zstandard's own bound on how far back a frame may refer: 2 to the power of it. */
+/** The largest window of a Zstandard frame that is accepted, log2 of bytes: zstd's own default. */
 const LARGEST_WINDOW = 27;
 
 /**
- * Unpacks base64, then by `compression`, to exactly `size` bytes, or tells why not. Unpacks no
- * more, whatever the data claims.
+ * Decodes base64 and decompresses it by `compression` ("" for none) to exactly `size` bytes.
+ * Returns a text that says why not where that fails. It never allocates more, whatever the data
+ * claims.
  */
 export async function unpack(
   text: string,
@@ -29,11 +30,12 @@ export async function unpack(
       whole = unpackZstd(Decompress, bytes, size);
     } else return "are packed in a way that is not known";
   } catch {
-    // Damaged: the same as not enough.
+    // Damaged data gives the same message as data of another size.
   }
   return whole ?? "do not unpack to as many as it has columns and rows";
 }
 
+/** Decompresses by the platform's DecompressionStream; null where the size differs. */
 async function inflate(
   bytes: Uint8Array<ArrayBuffer>,
   format: "deflate" | "gzip",
@@ -51,7 +53,7 @@ async function inflate(
   }
 }
 
-/** Bytes of a known number. */
+/** Collects the chunks of output whose total size is known. */
 class Out {
   readonly bytes: Uint8Array;
   #used = 0;
@@ -60,7 +62,7 @@ class Out {
     this.bytes = new Uint8Array(size);
   }
 
-  /** False if there are too many. */
+  /** Appends bytes; false where there are more than `size` in all. */
   add(more: Uint8Array): boolean {
     if (this.#used + more.length > this.bytes.length) return false;
     this.bytes.set(more, this.#used);
@@ -68,18 +70,21 @@ class Out {
     return true;
   }
 
+  /** All bytes, or null where fewer than `size` have come. */
   get whole(): Uint8Array | null {
     return this.#used === this.bytes.length ? this.bytes : null;
   }
 }
 
+/** Decompresses Zstandard; null where the size differs or the frame would need too much memory. */
 function unpackZstd(
   Decompress: typeof import("fzstd").Decompress,
   bytes: Uint8Array,
   size: number,
 ): Uint8Array | null {
-  // The window is allocated before anything else is looked at: a frame of one segment says its
-  // size, others the window's exponent less ten.
+  // fzstd allocates the window that the frame's header claims before it reads the data. So the
+  // header is checked first: a single-segment frame has its content size, others the window's
+  // exponent minus ten (RFC 8878, section 3.1.1.1).
   const oneSegment = (bytes[4] & 0x20) !== 0;
   if (!oneSegment && 10 + (bytes[5] >> 3) > LARGEST_WINDOW) return null;
   if (oneSegment && !claims(bytes, size)) return null;
@@ -93,7 +98,7 @@ function unpackZstd(
   return fits ? out.whole : null;
 }
 
-/** Whether a frame of one segment says that it holds so much, as frames of cells do. */
+/** Whether the header of a single-segment frame gives `size` as its content size. */
 function claims(bytes: Uint8Array, size: number): boolean {
   const form = bytes[4] >> 6;
   const at = 5 + [0, 1, 2, 4][bytes[4] & 3];

@@ -1,4 +1,7 @@
-/** Values of a Tiled map: fields of the format, and custom properties that objects inherit. */
+/**
+ * Reads and checks values of a Tiled map: fields of the file format, and custom properties, which
+ * objects inherit from their layer, tileset, tile and template. Collects the problems in a report.
+ */
 import type { JointKind } from "../joint-types.js";
 import type { BodyKind, BodyOptions, ShapeOptions } from "../types.js";
 import { jointKnows } from "./joint-names.js";
@@ -8,15 +11,20 @@ export interface JsonRecord {
   [name: string]: Json;
 }
 
+/** A part of a map that is left out or has no effect. */
 export interface Problem {
-  /** note: no effect on the world; skip: left out, or the level refused; fatal: always refused. */
+  /**
+   * note: it has no effect on the world. skip: the part is left out, or the level is refused (see
+   * ReadOptions.skip). fatal: the level is refused.
+   */
   severity: "note" | "skip" | "fatal";
-  /** Id of the object, or 0 if it is about a layer or the map. */
+  /** The id of the object, or 0 for a layer or the map. */
   object: number;
-  /** Says what and where. */
+  /** What is wrong, and where. */
   text: string;
 }
 
+/** The custom properties that have a meaning, apart from those of joints. */
 const KNOWN = new Set(
   (
     "body bodyType fixed_rotation sensor may_sleep velocity_x velocity_y angular_velocity gravity_scale " +
@@ -30,10 +38,13 @@ export function isRecord(json: Json): json is JsonRecord {
   return typeof json === "object" && json !== null && !Array.isArray(json);
 }
 
-/** Problems in words: only a file made to fill the memory has more, which are only counted. */
+/**
+ * The maximum number of problems that are kept; further ones are counted only. Chosen: it bounds
+ * the memory that a malicious file can take.
+ */
 const MOST_PROBLEMS = 100000;
 
-/** All that a reader has to say about a map. */
+/** The problems of a map, and the numbers of those that leave something out and that are fatal. */
 export class Report {
   readonly problems: Problem[] = [];
   skipped = 0;
@@ -51,8 +62,9 @@ export class Report {
   }
 
   /**
-   * Notes every property that means nothing to what the object is: a joint, none (null), or what
-   * may be either ("any"). A misspelt name ought not to pass in silence.
+   * Notes every custom property that has no meaning for the object, so that a misspelt name is not
+   * ignored. `joint`: the kind of joint that the object is, null: no joint, "any": properties of
+   * shapes and of all joints are allowed.
    */
   noteUnknown(json: JsonRecord, object: number, where: string, joint: JointKind | null | "any"): void {
     const isShape = joint === null || joint === "any";
@@ -78,25 +90,30 @@ export function ownProperty(json: JsonRecord, name: string): Json {
   return ownProperties(json).find(([known]) => known === name)?.[1];
 }
 
-/** As JSON writes numbers; longer ones than anybody writes are none. */
+/** The syntax of numbers in JSON, and their maximum length in characters, which is chosen. */
 const NUMBER = /^-?\d+(\.\d+)?([eE][-+]?\d+)?$/;
 const LONGEST_NUMBER = 60;
 
-/** The number that a whole text is, or null. */
+/** The number that the whole text stands for, or null. */
 export function numberOf(text: string): number | null {
   return text.length <= LONGEST_NUMBER && NUMBER.test(text) ? Number(text) : null;
 }
 
-/** True, false, or neither. */
+/** The boolean of a property, which may also be a text; null for other values. */
 export function flagOf(value: Json): boolean | null {
   if (value === true || value === "true") return true;
   return value === false || value === "false" ? false : null;
 }
 
-/** Reads values for one thing; `bad` is set, and the reason reported, when one cannot be used. */
+/** Reads the values of one object, tile or layer, and reports values that cannot be used. */
 export class Values {
+  /** Whether a value could not be used. */
   bad = false;
 
+  /**
+   * `chain`: the objects in which properties are looked up, the last of them first. `object`: the
+   * id for reports, or 0, then `where` names the place.
+   */
   constructor(
     readonly report: Report,
     readonly chain: readonly JsonRecord[],
@@ -104,17 +121,18 @@ export class Values {
     readonly where: string,
   ) {}
 
-  /** Values for the same thing that are looked up elsewhere. */
+  /** Values of the same object with another chain. */
   within(chain: readonly JsonRecord[]): Values {
     return new Values(this.report, chain, this.object, this.where);
   }
 
+  /** Adds a problem to the report. */
   complain(severity: Problem["severity"], text: string): void {
     const place = this.object !== 0 ? "" : `${this.where}: `;
     this.report.add(severity, this.object, place + text);
   }
 
-  /** What it is about cannot be used. */
+  /** Sets `bad`, and reports why the object cannot be used. */
   refuse(text: string): void {
     this.bad = true;
     this.complain("skip", text);
@@ -124,6 +142,7 @@ export class Values {
     this.refuse(`${name} ${what}`);
   }
 
+  /** The value, or `low` after a report where it is no number or out of range. */
   #checked(value: Json, name: string, low: number, high: number): number {
     if (typeof value !== "number") {
       this.#complain(name, "is not a number");
@@ -140,7 +159,7 @@ export class Values {
     return value;
   }
 
-  /** A property from the innermost place that has it. */
+  /** The custom property of the innermost object of the chain that has it; undefined: none has. */
   find(name: string): Json {
     for (let i = this.chain.length - 1; i >= 0; i--) {
       const value = ownProperty(this.chain[i], name);
@@ -149,7 +168,7 @@ export class Values {
     return undefined;
   }
 
-  /** A number that is a field of the format itself. */
+  /** A field of `json` that must be a number in this range. */
   required(json: JsonRecord, name: string, low: number, high: number): number {
     const value = json[name];
     if (value === undefined) {
@@ -159,20 +178,23 @@ export class Values {
     return this.#checked(value, name, low, high);
   }
 
-  /** The same where a file may do without. */
+  /** The same, or `fallback` where the field is missing. */
   optional(json: JsonRecord, name: string, fallback: number, low: number, high: number): number {
     return json[name] === undefined ? fallback : this.required(json, name, low, high);
   }
 
-  /** Properties, each from the innermost place that has it. */
+  /**
+   * A custom property (`find`) that is a number in this range, or `fallback` where there is none.
+   */
   number(name: string, fallback: number, low: number, high: number): number {
     const value = this.find(name);
-    // A property's type is string where nobody chose another.
+    // Tiled makes a custom property a string unless its user chooses another type.
     const number = typeof value === "string" ? numberOf(value) : null;
     if (number !== null) return this.#ranged(number, name, low, high);
     return value === undefined ? fallback : this.#checked(value, name, low, high);
   }
 
+  /** A custom property that is a boolean. */
   flag(name: string, fallback: boolean): boolean {
     const value = this.find(name);
     if (value === undefined) return fallback;
@@ -181,6 +203,7 @@ export class Values {
     return flag === true;
   }
 
+  /** A custom property that is a text. */
   text(name: string, fallback: string): string {
     const value = this.find(name);
     if (value === undefined) return fallback;
@@ -188,12 +211,14 @@ export class Values {
     return typeof value === "string" ? value : fallback;
   }
 
+  /** A custom property that is a whole number. */
   whole(name: string, fallback: number, low: number, high: number): number {
     const value = this.number(name, fallback, low, high);
     if (value !== Math.floor(value)) this.#complain(name, "is not a whole number");
     return value;
   }
 
+  /** The kind of the body: the property `body`, or else `bodyType`; default static. */
   kind(): BodyKind {
     const kind = this.text("body", this.text("bodyType", "static"));
     if (kind === "dynamic" || kind === "kinematic" || kind === "static") return kind;
@@ -209,8 +234,9 @@ export interface Physics {
   material: ShapeOptions;
 }
 
+/** Reads the physical properties; v.bad is set where one is wrong. Units are those of the world. */
 export function readPhysics(v: Values): Physics {
-  const huge = 1e9; // what follows from larger values leaves single precision
+  const huge = 1e9; // products of larger values exceed single precision
   const kind = v.kind();
   const fixedRotation = v.flag("fixed_rotation", false);
   const sensor = v.flag("sensor", false);
@@ -234,7 +260,7 @@ export function readPhysics(v: Values): Physics {
   return { kind, body, material };
 }
 
-/** The nearest multiple of 2^-16, on which bodies lie. */
+/** The nearest multiple of 2^-16, on which all positions of bodies lie. */
 export function grid(x: number): number {
   return Math.floor(x * 65536 + 0.5) / 65536;
 }

@@ -1,7 +1,8 @@
 /**
- * Networked play without waiting: a peer plays each step at once by the inputs that it knows, takes
- * the others to hold what they held last, and plays again what that was wrong in. Inputs alone are
- * sent.
+ * Rollback for networked games: each peer runs every step at once with the inputs that it knows,
+ * and predicts for the other players their last known input. When an input arrives that differs
+ * from the prediction, the peer restores the snapshot before that step and runs the steps since
+ * then again. Only inputs are sent over the network.
  *
  *     const rollback = new Rollback(world, { idle: [0, 0], step });
  *     rollback.input(me, rollback.steps, held); // and another's as it arrives, with its step
@@ -12,26 +13,28 @@ import type { Mover, MoverState } from "../mover.js";
 import { checkNames } from "../checks/names.js";
 import type { World } from "../world.js";
 
+/** The maximum of `depth`, steps (THUD_ROLLBACK_DEPTH_MAX). */
 const DEEPEST = 1000;
 
-/** Inputs are compared by `===`: numbers and strings serve. */
+/** Inputs are compared by `===`, so they should be numbers or strings. */
 export interface RollbackOptions<Input, State> {
-  /** One for each player: what it holds until something is known of it. */
+  /** For each player, its input before the first that is known. At least one player. */
   idle: readonly Input[];
   /**
-   * Plays one step: does what each player's input says, and calls `world.step()`. From the same
-   * world, state and inputs it does the same, on every peer; nothing else changes the world.
+   * Runs one step of the game: applies the input of each player, and calls `world.step()`. It must
+   * be deterministic: the same world, state and inputs give the same result on every peer. Nothing
+   * else may change the world.
    */
   step: (inputs: readonly Input[], state: State) => void;
-  /** What a game keeps beside its world, score and all: plain data, for `step` to change. */
+  /** The game's data beside the world, such as the score: plain data, which `step` may change. */
   state?: State;
-  /** Who goes back with the world. Default none. */
+  /** The movers that are restored with the world. Default none. */
   movers?: readonly Mover[];
-  /** How many steps an input may be late, 1 to 1000. Default 60. */
+  /** The number of steps that an input may arrive late, 1 to 1000. Default 60. */
   depth?: number;
 }
 
-/** What was before a step, and what the step was played with. */
+/** The state before a step, and the inputs with which the step was run. */
 interface Moment<Input, State> {
   snapshot: Uint8Array;
   hash: string;
@@ -40,28 +43,29 @@ interface Moment<Input, State> {
   inputs: readonly Input[];
 }
 
-/** What is known of a player: its inputs by step, all of them before one. */
+/** The known inputs of a player by step; those of all steps below `before` have arrived. */
 interface Known<Input> {
   readonly inputs: Map<number, Input>;
   before: number;
 }
 
-/** Of one world, which it steps; it holds nothing that is to be freed. */
+/** The rollback of one world, which it steps. It needs no `close`. */
 export class Rollback<Input = number, State = undefined> {
   readonly #world: World;
   readonly #idle: readonly Input[];
   readonly #step: (inputs: readonly Input[], state: State) => void;
   readonly #movers: readonly Mover[];
   readonly #depth: number;
-  /** Of the last steps. */
+  /** The moments of the last depth + 2 steps, by step. */
   readonly #moments = new Map<number, Moment<Input, State>>();
   readonly #known: readonly Known<Input>[];
   #state: State;
   #steps = 0;
   #replayed = 0;
-  /** The first step that is to be played again. */
+  /** The first step with a wrong prediction, which is to be run again; Infinity: none. */
   #wrong = Infinity;
 
+  /** @throws {ThudError} "invalid" for an unknown option or a value out of range. */
   constructor(world: World, options: RollbackOptions<Input, State>) {
     checkNames("rollback", options, ["idle", "step", "state", "movers", "depth"]);
     const { idle, step, state, movers = [], depth = 60 } = options;
@@ -79,30 +83,32 @@ export class Rollback<Input = number, State = undefined> {
     this.#state = structuredClone(state) as State;
   }
 
-  /** How many steps were made: the number of the next. */
+  /** The number of steps that were run, which is the number of the next step. */
   get steps(): number {
     return this.#steps;
   }
 
-  /** Before this step every input is known: nothing there is played again. */
+  /** All inputs of the steps before this one are known: they are final. */
   get confirmed(): number {
     return Math.min(this.#steps, ...this.#known.map(({ before }) => before));
   }
 
-  /** How many steps were played again, in all. */
+  /** How many times in all a step was run again. */
   get replayed(): number {
     return this.#replayed;
   }
 
-  /** The game's own, as of now. */
+  /** The game's data, after wrongly predicted steps were run again. */
   get state(): State {
     this.settle();
     return this.#state;
   }
 
   /**
-   * What a player held in a step, from 0 on: in any order, late, early, or once more. Throws for one
-   * more than `depth` steps ahead, or another than was told before.
+   * Sets the input of a player, from 0 on, in a step, from 0 on. Inputs may come in any order,
+   * late, early, or more than once.
+   * @throws {ThudError} "invalid" for an unknown player, a step more than `depth` ahead, or another
+   * input than was set for that step before.
    */
   input(player: number, step: number, input: Input): void {
     const known = this.#known[player] as Known<Input> | undefined;
@@ -120,22 +126,23 @@ export class Rollback<Input = number, State = undefined> {
   }
 
   /**
-   * Plays again what was wrong, and the next step. False, and the next step is not made, while an
-   * input of `depth` steps ago is not known: then wait for the others.
+   * Runs wrongly predicted steps again, and then the next step. Returns false, without the next
+   * step, while an input of `depth` steps ago is not known: wait for the other peers then.
    */
   advance(): boolean {
     this.settle();
     if (this.#steps - this.confirmed >= this.#depth) return false;
     this.#play(this.#steps);
     this.#steps++;
-    // The moment before the earliest that may be wrong is kept: who is not known holds what it held.
+    // The moment before the earliest step that may still be wrong is kept: its inputs are the
+    // prediction for that step.
     const old = this.#steps - this.#depth - 2;
     this.#moments.delete(old);
     for (const { inputs } of this.#known) inputs.delete(old);
     return true;
   }
 
-  /** Plays again what was wrong, and no more. Returns how many steps that were. */
+  /** Runs wrongly predicted steps again, and no further step. Returns the number of these steps. */
   settle(): number {
     const from = this.#wrong;
     const moment = this.#moments.get(from);
@@ -150,8 +157,10 @@ export class Rollback<Input = number, State = undefined> {
   }
 
   /**
-   * The world's hash before a step, of the last `depth`: the same on all peers up to `confirmed`, or
-   * else the game's `step` does not do the same everywhere.
+   * The world's hash before one of the last `depth` steps, or before the next one. Up to
+   * `confirmed` it is the same on all peers; where it is not, the game's `step` is not
+   * deterministic.
+   * @throws {ThudError} "invalid" for a step that is not kept.
    */
   hashAt(step: number): string {
     this.settle();
@@ -160,7 +169,10 @@ export class Rollback<Input = number, State = undefined> {
     return hash;
   }
 
-  /** Whatever throws in between, the next `settle` begins here again. */
+  /**
+   * Keeps the moment before the step, and runs the step with known and predicted inputs. Where the
+   * game's `step` throws, #wrong names this step, and the next `settle` starts from it.
+   */
   #play(step: number): void {
     const world = this.#world;
     const before = this.#moments.get(step - 1)?.inputs ?? this.#idle;

@@ -1,19 +1,20 @@
 /**
- * Handles as plain numbers: the generation times 2²¹, the kind times 2¹⁹, and the index plus 1; exact,
- * as all together have 53 bits. The kind keeps a shape's number from being a body's. Whoever keeps
- * numbers makes no objects that the collector must find again.
+ * Handles as plain numbers: generation * 2²¹ + kind * 2¹⁹ + index + 1, which is exact in 53 bits.
+ * The kind makes the number of a shape differ from that of a body. A program that keeps numbers
+ * instead of handles makes no objects for the garbage collector.
  */
 import { shown } from "../checks/hook.js";
 import { ThudError } from "../error.js";
 import type { BodyId, JointId, ShapeId } from "../types.js";
 
-/** Of each kind as many have a number: half a million. */
+/** 2¹⁹: indices below it, half a million of each kind, have a number. */
 const INDICES = 0x80000;
+/** 2²¹, the factor of the generation. */
 const GENERATIONS = 0x200000;
 
 type Id = BodyId | ShapeId | JointId;
 
-/** What a call is of; the number is that in the numbers of handles. */
+/** The kinds of handles, as they are encoded in numbers. */
 export const enum Kind {
   body = 1,
   shape,
@@ -22,7 +23,8 @@ export const enum Kind {
 const NAMES: readonly (Id["kind"] | "")[] = ["", "body", "shape", "joint"];
 
 /**
- * The number of a handle, which every method takes in its place.
+ * The number of a handle, which every method takes instead of the handle.
+ * @throws {ThudError} "null" for a value that is no handle; "invalid" for an index above 2¹⁹ - 2.
  * @example const ball = numberOf(world.createBody({ kind: "dynamic" }))
  */
 export function numberOf(id: Id): number {
@@ -30,8 +32,10 @@ export function numberOf(id: Id): number {
 }
 
 /**
- * The same of a handle in a list of two numbers each, such as those of `eventViews`, of the kind that
- * the list has; 0, which is nobody's, where there is none.
+ * The number of the handle at `at` in a list of numbers, such as those of `eventViews`, where a
+ * handle is two numbers (index1 and generation). `kind`: the kind of the list's handles. Returns 0,
+ * which is the number of no handle, where index1 is 0.
+ * @throws {ThudError} "null" for an unknown kind; "invalid" for an index above 2¹⁹ - 2.
  * @example const shape = numberAt(world.eventViews().begin, 0, "shape")
  */
 export function numberAt(list: ArrayLike<number>, at: number, kind: Id["kind"]): number {
@@ -39,7 +43,8 @@ export function numberAt(list: ArrayLike<number>, at: number, kind: Id["kind"]):
 }
 
 /**
- * The handle of a number. With a kind a number of another is refused.
+ * The handle of a number. `kind`: the kind that it must be of.
+ * @throws {ThudError} "null" for a number of no handle; "invalid" for one of another kind.
  * @example const ball = handleOf(number, "body")
  */
 export function handleOf<Kind extends Id["kind"]>(number: number, kind?: Kind): Id & { kind: Kind } {
@@ -49,14 +54,18 @@ export function handleOf<Kind extends Id["kind"]>(number: number, kind?: Kind): 
   return Object.freeze({ kind: NAMES[its], index, generation }) as Id & { kind: Kind };
 }
 
-/** Of the two numbers that the module gives. */
+/** The number of a handle, from the two numbers that the module uses; 0 where index1 is 0. */
 export function numberOfPair(index1: number, generation: number, kind: Kind): number {
   if (index1 >= INDICES)
     throw new ThudError("invalid", `only the first ${INDICES - 1} of a kind have numbers`);
   return index1 === 0 ? 0 : generation * GENERATIONS + kind * INDICES + index1;
 }
 
-/** What the module takes first of a handle. Throws for one of another kind than is wanted. */
+/**
+ * The first number of a handle, as the module takes it: the slot + 1, or 0 for a number of no
+ * handle. Throws "invalid" for a handle of another kind than `wanted`, "null" for what is no
+ * handle.
+ */
 export function index1Of(handle: Id | number, wanted: Kind): number {
   if (typeof handle === "number") {
     const low = lowOf(handle);
@@ -67,12 +76,18 @@ export function index1Of(handle: Id | number, wanted: Kind): number {
   return handle.index + 1;
 }
 
-/** And second; signed, which the module does not mind: a small number lies in no object. */
+/**
+ * The second number of a handle, the generation, as a signed integer: V8 stores small integers
+ * without allocation, and WebAssembly takes signed and unsigned ones alike.
+ */
 export function generationOf(handle: Id | number): number {
   return typeof handle === "number" ? Math.floor(handle / GENERATIONS) | 0 : handle.generation | 0;
 }
 
-/** As the handle says itself; throws where `told` is another. Of 0, which is nobody's, as told. */
+/**
+ * The kind of a handle. `told`: the kind that the caller expects; throws "invalid" where it
+ * differs. For a number of no handle, such as 0, the expected kind, or else body.
+ */
 export function kindOf(handle: Id | number, told?: Id["kind"]): Kind {
   const wanted = told === undefined ? undefined : kindNamed(told);
   const its = typeof handle === "number" ? lowOf(handle) >> 19 : NAMES.indexOf(handle?.kind);
@@ -81,17 +96,22 @@ export function kindOf(handle: Id | number, told?: Id["kind"]): Kind {
   return its;
 }
 
+/** The kind of this name. Throws "null" for an unknown name. */
 function kindNamed(name: Id["kind"]): Kind {
   const kind = NAMES.indexOf(name);
   if (kind < 1) throw new ThudError("null", `a kind is "body", "shape" or "joint": ${shown(name)}`);
   return kind;
 }
 
-/** What is below the generation; 0 of what is no number of a handle. A remainder is slower. */
+/**
+ * The part of a number below the generation: kind * 2¹⁹ + index1; 0 unless the number is positive.
+ * The operator % would be slower.
+ */
 function lowOf(number: number): number {
   return number > 0 ? (number - Math.floor(number / GENERATIONS) * GENERATIONS) | 0 : 0;
 }
 
+/** Throws "null" for what is no handle, "invalid" for a handle of another kind. */
 function refuse(handle: unknown, wanted: Kind): never {
   const its = typeof handle === "number" ? lowOf(handle) >> 19 : NAMES.indexOf(Object(handle).kind);
   if (its < 1) throw new ThudError("null", `this is no handle: ${shown(handle)}`);

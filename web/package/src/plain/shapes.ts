@@ -1,41 +1,42 @@
 /**
- * Shapes in few words, for bodies, movers and queries: plain objects, which may as well be written
- * out. Numbers are checked by the call that is given them.
+ * Short functions that make the options of shapes for bodies, movers and queries. They return plain
+ * objects, which could be written out as well, and check nothing: the call that gets them does.
  *
  *     world.createBody({ position: [0, 3], shapes: [circle(0.5, { restitution: 0.8 })] });
  */
 import { ThudError } from "../error.js";
 import type { BoxOptions, CircleOptions, ObbOptions } from "../types.js";
 
-/** What a shape is given beside its form. */
+/** The options of a circle beside its radius. */
 export type CircleRest = Omit<CircleOptions, "kind" | "radius">;
-/** Likewise. */
+/** The options of an AABB beside its half extents. */
 export type BoxRest = Omit<BoxOptions, "kind" | "halfWidth" | "halfHeight">;
-/** Likewise. */
+/** The options of an OBB beside its half extents. */
 export type ObbRest = Omit<ObbOptions, "kind" | "halfWidth" | "halfHeight">;
 
 type Circle = CircleOptions & { kind: "circle" };
 type Aabb = BoxOptions & { kind: "aabb" };
 type Obb = ObbOptions & { kind: "obb"; angle: number };
 
-/** A circle of a body. */
+/** A circle; `radius`: length. */
 export function circle(radius: number, rest?: CircleRest): Circle {
   return { ...rest, kind: "circle", radius };
 }
 
-/** A box that keeps its axes: the rotation of its body is fixed. */
+/** An axis-aligned box by its half extents, length. It fixes the rotation of its body. */
 export function aabb(halfWidth: number, halfHeight: number, rest?: BoxRest): Aabb {
   return { ...rest, kind: "aabb", halfWidth, halfHeight };
 }
 
-/** A box that turns with its body. */
+/** An oriented box by its half extents, length, which turns with its body. */
 export function obb(halfWidth: number, halfHeight: number, rest?: ObbRest): Obb {
   return { angle: 0, ...rest, kind: "obb", halfWidth, halfHeight };
 }
 
 /**
- * Four boxes around a rectangle that keep in what is in it. Half the sizes are those of the rectangle,
- * and `offset` its centre; throws where the walls are not above 0 thick.
+ * Four boxes that enclose a rectangle with these half extents, whose centre is `offset`; all
+ * lengths.
+ * @throws {ThudError} "invalid" for a thickness that is not above 0.
  */
 export function walls(
   halfWidth: number,

@@ -1,4 +1,7 @@
-/** Calls from the module into JavaScript, by the address of the world that makes them. */
+/**
+ * The functions that the module imports and calls: listeners, pair filters, step callbacks and cast
+ * listeners, found by the address of the world that calls them.
+ */
 import { ListenedRowAt } from "../generated/slots.js";
 import { shapeId } from "../numbers.js";
 import type { StepCalls } from "../types.js";
@@ -9,28 +12,31 @@ interface Callbacks extends Listeners, StepCalls {
 }
 
 /**
- * Of one engine. What a callback throws would leave its world locked if it went through the module:
- * it is kept, the others of the step are not called any more, and who called the module throws it.
+ * The callbacks of one engine. An exception must not pass through the module, which would leave its
+ * world locked: it is kept, no further callback is called, and `rethrow` throws it after the call
+ * of the module has returned.
  */
 export class CallbackTable {
   readonly #worlds = new Map<number, Callbacks>();
   #thrown: { readonly cause: unknown } | null = null;
   #hear: (() => unknown) | null = null;
 
-  /** Some of a world's; undefined takes one away. */
+  /** Sets callbacks of a world; undefined removes one, and those that are not named stay. */
   set(world: number, callbacks: Callbacks): void {
     this.#worlds.set(world, { ...this.of(world), ...callbacks });
   }
 
+  /** The callbacks of a world. */
   of(world: number): Readonly<Callbacks> {
     return this.#worlds.get(world) ?? {};
   }
 
+  /** Removes all callbacks of a world that is closed. */
   forget(world: number): void {
     this.#worlds.delete(world);
   }
 
-  /** Casts, and `hear` is told of each hit; casts inside casts tell their own. */
+  /** Runs `cast`, during which `hear` is called for each hit. Casts may be nested. */
   hearing(hear: () => unknown, cast: () => void): void {
     const before = this.#hear;
     this.#hear = hear;
@@ -41,11 +47,12 @@ export class CallbackTable {
     }
   }
 
+  /** Whether a callback has thrown since the last `rethrow`. */
   get hasThrown(): boolean {
     return this.#thrown !== null;
   }
 
-  /** Throws what a callback has thrown since. */
+  /** Throws what a callback threw since the last `rethrow`, if one did. */
   rethrow(): void {
     if (this.#thrown === null) return;
     const { cause } = this.#thrown;
@@ -53,7 +60,7 @@ export class CallbackTable {
     throw cause;
   }
 
-  /** What the module imports. */
+  /** The functions that the module imports. `buffer` returns the module's memory at that time. */
   imports(buffer: () => ArrayBuffer): WebAssembly.ModuleImports {
     const listen = (listener: Listener | undefined, address: number, count: number) =>
       this.#call(undefined, () =>
@@ -74,11 +81,12 @@ export class CallbackTable {
         const calls = this.of(world);
         this.#call(undefined, () => (after ? calls.after : calls.before)?.());
       },
-      // What is thrown ends the cast.
+      // Returns the cast's limit: 0 ends the cast after an exception.
       thud_met: () => this.#call(0, () => Number(this.#hear!() ?? 1)),
     };
   }
 
+  /** Calls a callback, unless one has thrown; keeps its exception, and returns `otherwise` then. */
   #call<T>(otherwise: T, callback: () => T | undefined): T | undefined {
     if (this.#thrown !== null) return otherwise;
     try {

@@ -1,56 +1,70 @@
-/** What two kinds of shapes are to each other, and what listeners of contacts are given. */
+/** The types of collision rules between kinds of shapes, and of the listeners of contacts. */
 import { ImpulseEventAt, ListenedRowAt } from "../generated/slots.js";
 import type { ShapeId, Vec2 } from "../types.js";
 
 /**
- * `ignore`: the two never make a pair, as if their filters kept them apart. `oneWay`: the first
- * holds the second on one side only, as a plank does that is jumped through from below.
+ * `collide`: the shapes collide. `ignore`: they never make a pair, as if their filters excluded it.
+ * `oneWay`: they collide on one side of the first kind only, as a platform that is jumped through
+ * from below.
  */
 export const MEETINGS = ["collide", "ignore", "oneWay"] as const;
 export type RuleMeeting = (typeof MEETINGS)[number];
 
 /**
- * Between two kinds of shapes; the kind of a shape is the lowest bit of its `category`. What is not
- * given is as the two shapes make it.
+ * The rule of two kinds of shapes. The kind of a shape is the lowest bit of its `category`. Without
+ * friction, restitution or surfaceSpeed the pair has the value of its two shapes (ShapeOptions).
  */
 export interface Rule {
-  /** Default "collide". */
+  /** How the shapes interact. Default "collide". */
   meeting?: RuleMeeting;
   /**
-   * Of "oneWay": the side of the first kind's shape on which it holds, in the frame of its body.
-   * Default [0, 1], the top. What begins to touch elsewhere passes until the two part.
+   * Of "oneWay": the side of the first kind's shape on which the second collides with it, as a
+   * direction in the frame of the first's body, of any length but 0. A shape that begins to touch
+   * on another side passes until the two part. Default [0, 1], the top.
    */
   solidSide?: Vec2;
-  /** [0, 1e6]. */
+  /** The coefficient of friction of the pair, 0 to 10⁶. Default: that of the two shapes. */
   friction?: number;
-  /** [0, 4]; above 1 the pair leaves faster than it came. */
+  /**
+   * The restitution of the pair, 0 to 4; above 1 a bounce adds energy. Default: that of the two
+   * shapes.
+   */
   restitution?: number;
-  /** Length/s, of either surface, clockwise: on top to +x, as a conveyor belt. */
+  /**
+   * The speed of each of the two surfaces, length/s, clockwise about the shape, to +x on its top,
+   * up to 10⁶ length scales a second either way. Default: those of the two shapes.
+   */
   surfaceSpeed?: number;
-  /** Mass * length/s in a step; a contact that gives more is told by `impulses`. Default: none. */
+  /**
+   * A contact whose normal impulse in a step is larger is reported by `impulses`: mass times
+   * length/s, 0 or more. Default: none is.
+   */
   mostImpulse?: number;
 }
 
-/** A rule as it is kept; what is not in it is as the two shapes make it. */
+/** A rule of a world. Values that are undefined are those of the two shapes. */
 export interface RuleFound extends Rule {
   meeting: RuleMeeting;
   solidSide: Vec2;
-  /** It was set with the second kind first: `solidSide` is of that. */
+  /**
+   * Whether the rule was set with the second kind first: `solidSide` is then that of the second.
+   */
   reversed: boolean;
 }
 
-/** A contact that gave more than its rule's `mostImpulse`. */
+/** A contact whose normal impulse was larger than its rule's `mostImpulse`. */
 export interface ImpulseEvent {
   a: ShapeId;
   b: ShapeId;
+  /** In the world. */
   point: Vec2;
-  /** From a to b. */
+  /** Unit vector, from a to b. */
   normal: Vec2;
-  /** Along the normal, the sum over the step: mass * length/s. */
+  /** The impulse along the normal, the sum over the step: mass times length/s. */
   impulse: number;
 }
 
-/** Where in a row of `World.impulseView` its numbers begin; a row has `length` of them. */
+/** The index of each number in a row of `World.impulseView`; a row has `length` numbers. */
 export const IMPULSE_ROW = {
   shapeA: ImpulseEventAt.shapeA,
   shapeB: ImpulseEventAt.shapeB,
@@ -61,10 +75,12 @@ export const IMPULSE_ROW = {
 } as const;
 
 /**
- * Where in a row of what listeners are given its numbers begin; a row has `length` of them. Handles
- * are two numbers, index1 (one above the slot) and generation. Of a static and a moving shape, a is
- * the static one. Impulses are an epilogue's. A prologue writes its answers into the last four,
- * which begin as what the pair has by itself: 0 into `collide` has the pair do nothing.
+ * The index of each number in a row of a listener; a row has `length` numbers and describes one
+ * contact. Handles are two numbers, index1 (slot + 1) and generation. Of a static and a moving
+ * shape, a is the static one. Normal: unit, from a to b. Separation: length, of the deepest point,
+ * negative where the shapes overlap. Impulses are set for epilogues only: mass times length/s, the
+ * sum over the step. A prologue writes its answers to the last four numbers, which begin with the
+ * values of the pair: with 0 in `collide` the pair has no effect in this step.
  */
 export const LISTENED_ROW = {
   shapeA: ListenedRowAt.shapeA,
@@ -85,23 +101,29 @@ export const LISTENED_ROW = {
 } as const;
 
 /**
- * Called once a step for all contacts, with rows as LISTENED_ROW has them: a view into wasm memory
- * that ends with the call, or with a call that makes the memory grow. What detection finds on the
- * way is asked about by itself, with a `count` of 1.
+ * Is called once a step for all contacts, with `count` rows (LISTENED_ROW): a view into wasm
+ * memory, valid until the callback returns, or calls something that makes the memory grow. Each
+ * collision that detection finds within the step makes a call of its own, with a `count` of 1.
  */
 export type Listener = (rows: Float64Array, count: number) => void;
 
-/** Of a row: bodyA and bodyB; point. */
+/** Parts of a row that a listener may do without: bodyA and bodyB, or point. */
 export type ContactPart = "bodies" | "point";
 
+/** The callbacks of a world for contacts. */
 export interface Listeners {
-  /** Before contacts are solved (pre-solve). */
+  /** Called before contacts are solved (pre-solve). Default none. */
   prologue?: Listener;
-  /** After them, and after the step's motion (post-solve). */
+  /** Called after the motion of the step (post-solve). Default none. */
   epilogue?: Listener;
-  /** What neither of them looks at: numbers that may be zero then, and take no time. */
+  /**
+   * Parts of a row that neither callback reads: they are not computed, and may be 0. Default none.
+   */
   without?: readonly ContactPart[];
 }
 
-/** False: the two never make a pair. While nothing else changes it must answer the same. */
+/**
+ * Whether two shapes may make a pair. As long as nothing else changes it must return the same. The
+ * order of the two shapes is not specified.
+ */
 export type PairFilter = (shapeA: ShapeId, shapeB: ShapeId) => boolean;

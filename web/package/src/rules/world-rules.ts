@@ -1,6 +1,6 @@
 /**
- * What two kinds of shapes are to each other, and who is asked and told of contacts. thud_rules.h
- * and thud_listeners.h say all of it.
+ * The layer of World with collision rules between kinds of shapes, listeners of contacts, and the
+ * pair filter. thud_rules.h and thud_listeners.h describe them in full.
  */
 import { ImpulseEventAt, ListAt, RULE_OPTIONS, RuleFoundAt, RuleOptionsAt } from "../generated/slots.js";
 import { checkNames } from "../checks/names.js";
@@ -20,7 +20,10 @@ const CONTACT_PARTS = ["bodies", "point"] as const;
 
 export class WorldRules extends WorldFields {
   /**
-   * The rule between kinds of shapes, bits of `category`, from the next step on; null takes it away.
+   * Sets the rule between each kind of `first` and each of `second` (category bits, at least one
+   * each), from the next step on. It replaces the rules that these kinds had; null removes them.
+   * @throws {ThudError} "invalid" for a value out of range, or a one-way rule of a kind with
+   * itself; "memory"; "locked" inside a callback.
    * @example world.setRule(PLANK, PLAYER, { meeting: "oneWay" })
    */
   setRule(first: number, second: number, rule: Rule | null): void {
@@ -32,7 +35,10 @@ export class WorldRules extends WorldFields {
     if (result !== 0 || callbacks.hasThrown) this.refuse(result, "setRule", rule ?? {});
   }
 
-  /** The rule of two kinds, one bit each; null where there is none. */
+  /**
+   * The rule of two kinds, one category bit each; null where there is none.
+   * @throws {ThudError} "invalid" for a number that is not one bit.
+   */
   rule(first: number, second: number): RuleFound | null {
     const { exports, slots: s } = this.engine;
     this.engine.check(exports.api_world_rule(this.address, first, second));
@@ -48,13 +54,18 @@ export class WorldRules extends WorldFields {
     };
   }
 
-  /** Makes a world that never had a rule ready to be restored from a snapshot that has some. */
+  /**
+   * Prepares a world that never had a rule for `restore` from a snapshot with rules, which it would
+   * refuse otherwise.
+   * @throws {ThudError} "memory"; "locked" inside a callback.
+   */
   useRules(): void {
     this.engine.check(this.engine.exports.api_world_use_rules(this.address));
   }
 
   /**
-   * The contacts that gave more in the last step than their rule's `mostImpulse`; copied.
+   * The contacts of the last step, or of all steps of the last `advance`, whose impulse was larger
+   * than their rule's `mostImpulse`. A copy.
    * @example for (const { a } of world.impulses()) world.destroy(a)
    */
   impulses(): ImpulseEvent[] {
@@ -63,7 +74,10 @@ export class WorldRules extends WorldFields {
     return rowsOf(Float64Array, buffer, slots, ListAt.address, ImpulseEventAt.length, readImpulse);
   }
 
-  /** The same without copies: rows as IMPULSE_ROW has them, valid until the next call. */
+  /**
+   * The same contacts as rows (IMPULSE_ROW): a view into wasm memory, valid until the next call of
+   * the engine.
+   */
   impulseView(): Float64Array {
     this.onWorld("api_world_impulses");
     const { buffer, slots: s } = this.engine;
@@ -72,8 +86,13 @@ export class WorldRules extends WorldFields {
   }
 
   /**
-   * Asked before contacts are solved, and told after: once a step for all of them, as rows. What
-   * most prologues are for, `setRule` does without a call. Null: nobody listens.
+   * Sets the callbacks before and after contacts are solved, each called once a step for all
+   * contacts, as rows. For fixed behaviour of kinds of shapes `setRule` needs no calls. Null
+   * removes them.
+   *
+   * Inside the callbacks edits wait for the next step, or throw "locked".
+   * @throws {ThudError} "invalid" for an unknown option or part; "memory"; "locked" inside a
+   * callback.
    * @example world.setListeners({ prologue: (rows, count) => veto(rows, count) })
    */
   setListeners(listeners: Listeners | null): void {
@@ -87,20 +106,21 @@ export class WorldRules extends WorldFields {
   }
 
   /**
-   * Asked of two shapes whose bounds come to overlap: false keeps them apart, as their filters
-   * might. To have all asked anew, set it again. Null: none.
+   * Sets the function that decides whether two shapes may make a pair. It is called when the bounds
+   * of two shapes begin to overlap, and for all pairs when it is set. Null removes it.
+   * @throws {ThudError} "memory"; "locked" inside a callback.
    */
   setPairFilter(filter: PairFilter | null): void {
     const { exports, callbacks } = this.engine;
     const before = callbacks.of(this.address).filter;
-    callbacks.set(this.address, { filter: filter ?? undefined }); // what touches is asked at once
+    callbacks.set(this.address, { filter: filter ?? undefined }); // api_world_set_filter calls it
     const result = exports.api_world_set_filter(this.address, Number(filter !== null));
     if (result !== 0) callbacks.set(this.address, { filter: before });
     this.engine.check(result);
   }
 }
 
-/** Not-a-number, and for an impulse infinite, is what was not given. */
+/** A value of a rule; undefined where it was not given: the module has NaN, or Infinity, there. */
 function given(value: number): number | undefined {
   return Number.isFinite(value) ? value : undefined;
 }
