@@ -286,3 +286,21 @@ for (const [size, options] of [["desktop", DESKTOP], ["phone", PHONE]])
     assert.deepEqual(violations, []);
     await close();
   });
+
+test("way_back_to_an_address_shows_the_overlays_of_that_address", async () => {
+  const { page, errors, close } = await visitor.open("?scene=cradle&paused=1");
+  await page.waitForFunction(() => document.title.startsWith("Rows of elastic"));
+  await page.click("#scenes-button");
+  await page.click('[data-entry="tall_stack"]');
+  await page.waitForFunction(() => location.search.includes("scene=tall_stack"));
+  await page.keyboard.press("3");
+  await page.waitForFunction(() => location.search.includes("show="));
+  await page.goBack();
+  await page.waitForFunction(() => document.title.startsWith("Rows of elastic"));
+  // What is written of the state from now on would name overlays that were left behind.
+  await page.keyboard.press("Space");
+  await page.waitForFunction(() => !location.search.includes("paused"));
+  assert.doesNotMatch(await page.evaluate(() => location.search), /show=/);
+  assert.deepEqual(errors, []);
+  await close();
+});

@@ -91,6 +91,32 @@ for (const [name, view] of [["thud", 0], ["box2d", 1]])
     await close();
   });
 
+test("body_is_taken_where_box2d_has_it_in_the_view_of_box2d", async () => {
+  // The explosion throws thud's ball alone.
+  const body = `export default function ({ createWorld }) {
+    const world = createWorld({ gravity: [0, 0] });
+    const ball = world.createBody({ kind: "dynamic" });
+    world.createCircle(ball, { radius: 2 });
+    const blast = { center: [0, -4], radius: 9, impulse: 200 };
+    return { world, update: ({ step }) => void (step === 1 && world.explode(blast)) };
+  }`;
+  const { page, errors, close } = await visitor.open("?scene=sketch&paused=1", DESKTOP, (page) =>
+    page.route("**/scenes/sketch.js", (route) =>
+      route.fulfill({ contentType: "text/javascript", body }),
+    ),
+  );
+  await page.keyboard.press("x");
+  await untilBox2D(page);
+  await stepBy(page, 60);
+  const [thuds, box2ds] = await untilTwo(page);
+  assert.ok(Math.abs(thuds.y - box2ds.y) > 50, `${thuds.y} and ${box2ds.y}`);
+  await page.mouse.move(box2ds.x, box2ds.y);
+  await page.mouse.down();
+  await page.waitForSelector("#overlay[data-mode=pull]");
+  assert.deepEqual(errors, []);
+  await close();
+});
+
 test("body_that_a_scene_paints_itself_is_drawn_in_the_view_of_box2d", async () => {
   const body = `export default function ({ createWorld }) {
     const world = createWorld({ gravity: [0, 0] });

@@ -109,7 +109,7 @@ export class Stage {
       tool: () => this.tool,
       taken: () => this.tool === "hand" && (app.scene?.pointer ?? false),
       point: (x, y, down) => app.do({ kind: "pointer", x, y, down }),
-      grab: (x, y, reach) => this.#grab(x, y, reach),
+      grab: (x, y, reach, pane) => this.#grab(x, y, reach, pane),
       drag: (x, y) => app.do({ kind: "drag", x, y }),
       release: () => app.do({ kind: "release" }),
       apply: (tool, x, y) => this.apply(tool, x, y),

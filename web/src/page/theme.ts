@@ -11,8 +11,12 @@ const systemIsLight = matchMedia("(prefers-color-scheme: light)");
 const systemColours = matchMedia("(forced-colors: active)");
 const listeners = new Set<(dark: boolean) => void>();
 
-/** The visitor's stored choice; "system" if there is none. */
+/** The visitor's choice, where the browser could not store it; null: it is stored, or none. */
+let notStored: ThemeChoice | null = null;
+
+/** The visitor's choice; "system" if there is none. */
 export function chosenTheme(): ThemeChoice {
+  if (notStored) return notStored;
   let stored: string | null = null;
   try {
     stored = localStorage.getItem(KEY);
@@ -24,14 +28,13 @@ export function chosenTheme(): ThemeChoice {
 
 /** Stores the visitor's choice; `applyTheme` makes it visible. */
 export function chooseTheme(theme: ThemeChoice): void {
+  notStored = null;
   try {
     localStorage.setItem(KEY, theme);
   } catch {
     notStored = theme;
   }
 }
-/** The choice, where the browser did not store it. */
-let notStored: ThemeChoice | null = null;
 
 /** While the page is printed its theme is light. */
 let printing = false;
@@ -40,7 +43,7 @@ let printing = false;
 export function isDark(): boolean {
   if (printing) return false;
   if (systemColours.matches) return !systemIsLight.matches;
-  const choice = notStored ?? chosenTheme();
+  const choice = chosenTheme();
   return choice === "system" ? !systemIsLight.matches : choice === "dark";
 }
 

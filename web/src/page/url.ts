@@ -139,7 +139,7 @@ export async function readState(address: URL): Promise<Partial<State>> {
   if (params.has("paused")) state.paused = params.get("paused") !== "0";
   state.panel = params.get("panel");
   const show = params.get("show")?.split(",");
-  if (show) state.overlays = OVERLAYS.filter((name) => show.includes(name));
+  state.overlays = show ? OVERLAYS.filter((name) => show.includes(name)) : USUAL_OVERLAYS;
   state.camera = readPlace(params.get("view"));
   const step = wholeIn(params.get("step"), 1, MOST_STEPS);
   const hash = params.get("hash");
