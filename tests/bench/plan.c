@@ -1,5 +1,6 @@
-/* plan.c: the table of plans, with everything that thud is held to. Ten steps make the contacts and
- * grow the buffers; longer warm-ups wait for a scene to become what it is meant to measure. */
+/* plan.c: the table of plans, with the bounds that thud is held to. A warm-up of ten steps creates
+ * the contacts and grows the buffers; a longer one waits until the scene is in the state that it is
+ * meant to measure. */
 #include "plan.h"
 
 #include <string.h>

@@ -1,5 +1,6 @@
-/* operations_lines.c: lines of ground without a world. A line that thud_terrain_check refuses may
- * give results without a meaning, but no more than that. */
+/* operations_lines.c: functions of terrain lines without a world. A line that thud_terrain_check
+ * refuses may give results without a meaning, but must not make a function crash or read out of
+ * bounds. */
 #include "operations.h"
 
 typedef struct ground {
@@ -8,8 +9,8 @@ typedef struct ground {
     bool valid;
 } ground;
 
-/* The memory sanitizer would rightly say that what has no meaning goes by what was never written.
- */
+/* With such lines the memory sanitizer reports branches on values that were never written; under it
+ * they are left out. */
 #if defined(__has_feature)
 #if __has_feature(memory_sanitizer)
 #define ONLY_VALID

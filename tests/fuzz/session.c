@@ -27,7 +27,7 @@ _Noreturn void fuzz_fail(const fuzz_session *s, const char *format, ...) {
 static void *allocate(size_t bytes, void *context) {
     fuzz_session *s = context;
     if (s->memory_allowed == 0) {
-        s->memory_allowed = -2; /* one failed, and no other will */
+        s->memory_allowed = -2; /* this allocation fails, and all later ones succeed */
         return NULL;
     }
     s->memory_allowed -= s->memory_allowed > 0;
@@ -55,7 +55,7 @@ static double tell_time(void *context) {
     return s->clock += 1e-4;
 }
 
-/* Threads that are none: the calls come one after the other. */
+/* A job system without threads: the workers' tasks run one after the other. */
 static void run_in_turn(thud_task_fn *task, void *argument, int workers, void *context) {
     (void)context;
     for (int i = 0; i < workers; i++) {
@@ -63,6 +63,7 @@ static void run_in_turn(thud_task_fn *task, void *argument, int workers, void *c
     }
 }
 
+/* Real threads for one in eight inputs, and for all if FUZZ_THREADS is set. */
 static thud_job_system job_system(unsigned byte) {
     static pool *threads;
     if (byte % 8 != 0 && !getenv("FUZZ_THREADS")) {
@@ -106,7 +107,8 @@ static void take_hooks(fuzz_session *s) {
     s->listeners.epilogue = s->mood ? session_epilogue : NULL;
 }
 
-/* What the second session has otherwise; the first has the grid, or what the byte says. */
+/* Applies what distinguishes the second session from the first, by the kind of twin; the broadphase
+ * of both follows from the byte. */
 static void take_twin(fuzz_session *s, unsigned byte) {
     static const thud_broadphase *const broadphases[] = {&thud_broadphase_grid,
                                                          &thud_broadphase_sweep,

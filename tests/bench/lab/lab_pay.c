@@ -1,4 +1,4 @@
-/* lab_pay.c: the price of each feature: the same scene with it and without it. */
+/* lab_pay.c: the cost of each feature: times the same scene with it and without it. */
 #include "lab/lab.h"
 
 #include "lab/lab_pair.h"
@@ -79,8 +79,8 @@ static void fill_continuous(bool with, scene *s, thud_world_def *def) {
     def->detection = with ? &thud_detection_continuous : &thud_detection_overlap;
 }
 
-/* The hundred fly up and down between two plates, beside the heap, a plate's distance a step and
- * more; without them it is the same world at rest there. */
+/* A hundred circles fly up and down between two plates beside the heap, at the distance of the
+ * plates per step or faster; without the feature they are at rest there. */
 static void fill_fast(bool with, scene *s, thud_world_def *def) {
     (void)def;
     floor_and_walls(s, 34);
@@ -132,8 +132,8 @@ static void fill_asleep(bool with, scene *s, thud_world_def *def) {
         scene_dynamic_box(s, i * 1.5 - 750, 0.5, 0.5, 0.5);
 }
 
-/* 20,000 asleep beside a hundred that never rest, against the hundred alone (with one sleeper: a
- * scene is never empty). */
+/* 20,000 sleeping bodies beside a hundred that never rest, against the hundred and one sleeping
+ * body (a scene cannot be empty). */
 static void fill_crowd(bool with, scene *s, thud_world_def *def) {
     def->sleeping = true;
     scene crowd;

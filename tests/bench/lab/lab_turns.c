@@ -1,5 +1,5 @@
-/* lab_turns.c: see lab_turns.h. A turn is some steps, so that a world mostly finds the caches as it
- * left them. */
+/* lab_turns.c: see lab_turns.h. A turn is several steps, so that in most of them a world's data are
+ * still in the cache. */
 #include "lab/lab_turns.h"
 
 #include "progress.h"

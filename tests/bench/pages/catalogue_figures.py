@@ -4,7 +4,7 @@ import math
 
 BROADPHASES = ["grid", "plane sweep", "all pairs"]
 WAYS = ["overlap", "continuous", "bisect", "swept"]
-# What a pair has passed, from first to last, and its name in tables and pictures.
+# The tests that a pair has passed, from first to last, and their names in tables and pictures.
 LEVELS = {"pairs": "all", "circles": "circles", "boxes": "AABBs", "oriented": "OBBs",
           "exact": "overlap"}
 # The same for the narrowphase.

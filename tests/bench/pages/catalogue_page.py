@@ -180,7 +180,8 @@ def mover(results):
     return "; ".join(f"{m['mover']} {ns(m['ns'])} ns" for m in results["mover"])
 
 
-# What of the results a placeholder needs, and what makes its text of them.
+# For each placeholder of the notes: the part of the results that it needs, and the function that
+# makes its text.
 SECTIONS = {f.__name__: (needs, f) for needs, f in [
     ("growth", growth), ("coherence", coherence), ("sizes", sizes), ("gathering", gathering),
     ("detections", detections), ("walls", walls), ("throws", throws), ("levels", levels), ("levels", narrowphase),

@@ -21,8 +21,8 @@ import sources
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(HERE)))
-# Rivals race thud one at a time: a third engine in turn would only push the other two out of the
-# caches.
+# Each rival runs alone beside thud: a third engine in turn would evict the data of the other two
+# from the caches.
 RACES = {"scenes": "box2d", "rapier": "rapier"}
 PARTS = ["scenes", "rapier", "growth", "pay", "workers", "profile", "wasm"]
 

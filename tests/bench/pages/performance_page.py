@@ -137,7 +137,7 @@ def profile(results):
                   for p in results["profile"]])
 
 
-WASM_TARGET = 3  # times as fast as box2d3-wasm "deluxe", in Node and in Chromium
+WASM_TARGET = 3  # bound on box2d3-wasm "deluxe"'s time over thud's, in Node and in Chromium
 
 
 def wasm(results):
@@ -154,7 +154,8 @@ def wasm(results):
                   "of worst steps", f"at least {WASM_TARGET}"], rows)
 
 
-# Placeholder, what of the results it needs, and what makes its text of them.
+# For each placeholder of the notes: the part of the results that it needs, and the function that
+# makes its text.
 SECTIONS = {"races": ("scenes", races), "overlaps": ("scenes", overlaps),
             "gaps": ("scenes", gaps), "alone": ("alone", alone),
             "growth": ("growth", growth), "memory": ("memory", memory), "pay": ("pay", pay),

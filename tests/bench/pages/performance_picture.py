@@ -10,7 +10,7 @@ from xml.sax.saxutils import escape
 
 # Pixels.
 WIDTH, NAMES, RIGHT, TOP, ROW, BAR = 900, 190, 50, 92, 32, 20
-FIGURE = 40  # a bar that is shorter has its figure beside it
+FIGURE = 40  # pixels: the figure of a shorter bar stands beside it
 GREEN, AMBER, INK, GREY = "#2a7f62", "#c9822b", "#202020", "#8a8a8a"
 
 

@@ -99,7 +99,8 @@ class Figures(unittest.TestCase):
     def test_reigns_hand_over_at_crossings(self):
         (first, _, end), (last, start, upto) = figures.reigns(RESULTS["growth"])
         self.assertEqual((first, last, upto), ("all pairs", "grid", 100000))
-        # 40 to 20 against 20 to 80: they meet where the ratio, 2 to 1/4, is 1, a third of the way.
+        # From 40 to 20 against 20 to 80: the ratio falls from 2 to 1/4 and is 1 at a third of the
+        # way.
         self.assertAlmostEqual(end, 10 * 10 ** (1 / 3))
         self.assertEqual(start, end)
 
