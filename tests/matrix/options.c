@@ -60,7 +60,7 @@ static bool parse_valued(const char *option, const char *value, matrix_options *
     return complain("there is no option", option);
 }
 
-/* True where the option has no value. */
+/* Reads an option without a value; false if it is not one of them. */
 static bool parse_plain(const char *option, matrix_options *out) {
     if (strcmp(option, "--baseline") == 0)
         out->baseline = true;

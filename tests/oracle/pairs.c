@@ -1,4 +1,5 @@
-/* pairs.c: sort and sweep, anew every time: the oracle has no need of speed, nor of a memory. */
+/* pairs.c: see pairs.h. The spans are sorted anew in each call, since the oracle need not be fast.
+ */
 #include "pairs.h"
 
 #include <math.h>

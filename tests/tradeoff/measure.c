@@ -1,8 +1,7 @@
-/* measure.c: see measure.h. Each setting runs once to be looked at after every step, and then all
- * of them together to be timed: their worlds take turns, a few steps each, so that whatever else
- * the machine does hits all alike, and nothing is looked at meanwhile. Engines are deterministic,
- * so that a step is the same work in every repetition, and the least of its times is the best
- * estimate. */
+/* measure.c: see measure.h. Each setting runs once with its errors measured after every step. Then
+ * all settings run together and are timed, without measuring errors: their worlds take turns of a
+ * few steps, so that load of other processes affects all alike. Engines are deterministic, so that
+ * a step is the same work in each repetition, and the minimum of its times is the best estimate. */
 #include "measure.h"
 
 #include "series.h"
@@ -21,8 +20,8 @@ typedef struct run {
     engine_body *bodies;
     void *worlds[SETTINGS_MAX];
     series times[SETTINGS_MAX];
-    int used[SETTINGS_MAX], count; /* settings that go through the case */
-    double done, all;              /* steps of any world, for the progress */
+    int used[SETTINGS_MAX], count; /* indices of the settings that run the case, and their number */
+    double done, all;              /* steps of all worlds, for the progress */
 } run;
 
 static double now_ms(void) {
@@ -105,7 +104,7 @@ static bool repeat_once(run *r, int repetition) {
         ok = open_world(r, r->used[i]);
     for (int first = 0; ok && first < r->steps; first += TURN) {
         int count = r->steps - first < TURN ? r->steps - first : TURN;
-        /* Going first goes round. */
+        /* The setting that goes first changes each time. */
         for (int i = 0; ok && i < r->count; i++) {
             int which = r->used[(first / TURN + repetition + i) % r->count];
             ok = take_turn(r, which, r->times[which].ms + repetition * r->steps + first, count);

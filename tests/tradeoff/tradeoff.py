@@ -43,7 +43,7 @@ def parse(arguments):
                         help="only this case; may be given several times")
     parser.add_argument("--repeat", type=int, metavar="N",
                         help="timed repetitions (default 9, with --quick 1)")
-    # For ./run, before it builds.
+    # For ./run, which checks the options before it builds.
     parser.add_argument("--check", action="store_true", help=argparse.SUPPRESS)
     how = parser.add_mutually_exclusive_group()
     how.add_argument("--again", action="store_true",
@@ -92,7 +92,7 @@ def list_cases(arguments):
     """[(name, its share of the work)], of those that are wanted."""
     words = [arguments.program, "--list"] + (["--quick"] if arguments.quick else [])
     done = subprocess.run(words, capture_output=True, text=True, check=True)
-    # What a step costs beside its bodies is about that of twenty.
+    # The fixed cost of a step is about that of twenty bodies.
     all_cases = {name: (int(bodies) + 20) * int(steps)
                  for name, bodies, steps, *_ in map(str.split, done.stdout.splitlines())}
     unknown = [name for name in arguments.cases or [] if name not in all_cases]

@@ -2,7 +2,8 @@
 
 import math
 
-# A picture's curves; the second one's start is the first one's, see settings.c.
+# The curves of a picture; "box2d stiff" begins with the points of "box2d" up to SHARED_SUBSTEPS,
+# see settings.c.
 CURVES = ["thud", "thud soft", "thud swept", "box2d", "box2d stiff", "chipmunk"]
 SHARED_SUBSTEPS = 4
 

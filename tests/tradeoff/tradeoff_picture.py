@@ -6,8 +6,8 @@ from xml.sax.saxutils import escape
 
 import tradeoff_figures as figures
 
-# Colours that stay apart for the colour-blind, and signs that do so without colours. The pictures
-# bring their own white ground, so that a dark page does not matter.
+# Colours that colour-blind readers can distinguish, and different signs for those who cannot.
+# Pictures have a white background of their own, for pages in dark mode.
 COLOURS = {"thud": "#00734d", "thud soft": "#3fae86", "thud swept": "#00734d", "box2d": "#c4541c",
            "box2d stiff": "#3a5bbf", "chipmunk": "#8a4fa3"}
 SIGNS = {"thud": "circle", "thud soft": "circle", "thud swept": "ring", "box2d": "square",
@@ -51,7 +51,7 @@ class Axis:
 
     def __init__(self, values, start, end):
         low, high = (math.log10(f(values)) for f in (min, max))
-        # A margin, and never less than a decade in all: small differences are to look small.
+        # A margin, and at least a decade in all, so that small differences look small.
         room = max(0.06 * (high - low), 0.5 * (1 - (high - low)))
         self.low, self.high, self.start, self.end = low - room, high + room, start, end
 

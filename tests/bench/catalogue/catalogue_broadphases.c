@@ -9,8 +9,7 @@
 
 enum { REPETITIONS = 3 };
 
-/* Seconds: a broadphase whose second step takes longer is left out of the following rows. Chosen.
- */
+/* Seconds: a world whose second step takes longer is not timed further. Chosen. */
 static const double TOO_DEAR = 0.5;
 
 /* Opens a world for each broadphase. Detection is given by the caller: continuous detection queries

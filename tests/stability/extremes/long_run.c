@@ -1,11 +1,13 @@
-/* long_run.c: an hour of standing still, and ten minutes of bodies that come and go. */
+/* long_run.c: the extreme "long-run": a stack that stands for an hour, and ten minutes in which
+ * bodies are destroyed and created. Measured are the drift of the stack, the growth of memory, and
+ * allocations. */
 #include "extremes/stack.h"
 
 #include <math.h>
 
 enum { BOXES = 10, SECOND = 60, MINUTE = 60 * SECOND };
 
-/* Memory since some step. */
+/* Memory in use, and allocations, since a step. */
 typedef struct growth {
     uint64_t bytes, blocks;
 } growth;
@@ -24,7 +26,8 @@ static void growth_tell(const growth *g, trial *t, entrant e, figure *bytes, fig
         figure_tell(blocks, e, (double)g->blocks);
 }
 
-/* Figures of one entrant; the first ten seconds, in which the stack settles, do not count. */
+/* Runs a stack for an hour with one entrant; the first ten seconds, in which it settles, are not
+ * counted. */
 static void stand(ledger *l, entrant e, const scene *s, figure *drift, figure *bytes,
                   figure *blocks) {
     trial *t = trial_begin(l, e, s, (engine_settings){0});
@@ -56,7 +59,7 @@ static void stand(ledger *l, entrant e, const scene *s, figure *drift, figure *b
 
 enum { RAIN = 200 };
 
-/* Circles over a trough, half a radius apart. */
+/* Circles above a trough, with gaps of half a radius. */
 static void fill_rain(scene *s) {
     scene_init(s);
     scene_static_box(s, 0, -1, 10, 1);
@@ -66,8 +69,8 @@ static void fill_rain(scene *s) {
         scene_dynamic_circle(s, -7.5 + 0.625 * (i % 21), 12 + 0.625 * (i / 21), 0.25);
 }
 
-/* In every step one circle goes and comes anew, each in its turn. The first minute does not count.
- */
+/* In each step one circle is destroyed and created again at its start, each in turn. The first
+ * minute is not counted. */
 static void rain(ledger *l, entrant e, const scene *s, figure *bytes, figure *blocks) {
     trial *t = trial_begin(l, e, s, (engine_settings){0});
     if (!t)
