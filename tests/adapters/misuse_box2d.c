@@ -1,5 +1,5 @@
-/* misuse_box2d.c: each wrong call in Box2D's words, as a release build takes them: without its
- * assertions. None of these has a result. */
+/* misuse_box2d.c: makes each invalid call in Box2D, in a release build without assertions. None of
+ * these functions returns a result. */
 #include "misuse_box2d.h"
 
 static void add_circle(b2BodyId body, float radius, float density, float friction) {

@@ -1,4 +1,4 @@
-/* misuse_thud.c: each wrong call in thud's words. */
+/* misuse_thud.c: makes each invalid call in thud. */
 #include "misuse_thud.h"
 
 static thud_result add_circle(thud_world *w, thud_body_id body, float radius, float density,

@@ -1,4 +1,4 @@
-"""./run bench as far as it goes without building: its help, and what it refuses.
+"""Tests ./run bench without building: its help, and that wrong options are refused.
 
 usage: check_run.py THUD_BENCH
 """

@@ -25,10 +25,10 @@ COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 FUNCTION = re.compile(r"^(?:THUD_NODISCARD )?(?:THUD_API |bool )[^;{}#]*?\b(thud_\w+)\(([^;{}]*)\);", re.MULTILINE)
 NUMBER = re.compile(r"(?:<=|>=|\[|\]|,) *-?\d[\d.]*e\+?\d")
 COMPARED = re.compile(r"[<>]=? *-?\d[\d.]*e\+?\d")
-# Handles and structs that only a world has.
+# Handles and structs that belong to a world.
 OF_A_WORLD = re.compile(r"\bthud_(?:world|mover|mover_hit) \*|\bthud_(?:body|shape|joint)_id\b")
 PAIR = re.compile(r"\bdouble \*?([a-z_]*?)x, double \*?\1y\b")
-# Ways of rays and casts, and sizes in queries; thud_math.h has the reasons.
+# Prefixes of paths of rays and casts, and of sizes in queries; thud_math.h has the reasons.
 WAYS = {"d", "half_"}
 
 

@@ -46,7 +46,7 @@ def parse(arguments):
 
 
 def run(arguments):
-    """The results, and how thud-envelope ended: 1 is for misses that are not as known."""
+    """The results, and the exit code of thud-envelope: 1 if a known miss is wrong."""
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "stability.json")
         words = [arguments.program, "--json", path]

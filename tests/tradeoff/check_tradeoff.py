@@ -1,5 +1,5 @@
-"""Runs every case of thud-tradeoff small and short, through ./run tradeoff's own Python, and checks
-what must hold on any machine: nothing of how long it takes.
+"""Runs every case of thud-tradeoff in its quick form through ./run tradeoff's Python program, and
+checks what must hold on any machine; times are not checked.
 
 usage: check_tradeoff.py THUD_TRADEOFF
 """
@@ -143,7 +143,7 @@ def finished_in(folder):
 
 
 def waiting_at(case, program, folder):
-    """A program like thud-tradeoff that waits in a case for a file: (program, file)."""
+    """A program like thud-tradeoff that waits in a case until a file exists: (program, file)."""
     waiting, there = os.path.join(folder, "waiting-tradeoff"), os.path.join(folder, "go-on")
     with open(waiting, "w", encoding="utf-8") as file:
         file.write('#!/bin/sh\n'
@@ -156,7 +156,7 @@ def waiting_at(case, program, folder):
 
 
 def check_interrupted_run_goes_on(program, folder):
-    """Ctrl-C reaches the whole group of processes, as from a terminal."""
+    """Ctrl-C is sent to the whole process group, as by a terminal."""
     os.mkdir(folder)
     few = ["slope", "rolling", "cradle"]
     waiting, there = waiting_at(few[2], program, folder)

@@ -60,7 +60,7 @@ def parse(arguments):
 
 
 def write(path, words):
-    """All of it or nothing, whenever it is interrupted."""
+    """Writes the file atomically: an interruption leaves the old or the new text."""
     with open(path + ".new", "w", encoding="utf-8") as file:
         file.write(words)
     os.replace(path + ".new", path)
@@ -89,7 +89,7 @@ def build_of(program):
 
 
 def list_cases(arguments):
-    """[(name, its share of the work)], of those that are wanted."""
+    """[(name, its share of the work)] of the wanted cases."""
     words = [arguments.program, "--list"] + (["--quick"] if arguments.quick else [])
     done = subprocess.run(words, capture_output=True, text=True, check=True)
     # The fixed cost of a step is about that of twenty bodies.
@@ -103,7 +103,7 @@ def list_cases(arguments):
 
 
 class Progress:
-    """A bar with the time that is left, where somebody looks."""
+    """Shows a bar with the remaining time, if stderr is a terminal."""
 
     def __init__(self, work):
         self.work, self.done, self.begun = max(work, 1), 0, time.monotonic()
@@ -150,7 +150,7 @@ def measure_case(arguments, name, work, progress):
 
 
 def left_over(arguments, wanted):
-    """The results of an interrupted run of the same, or new ones."""
+    """The results of an interrupted run with the same options and build, or empty ones."""
     terms = {"build": build_of(arguments.program), "quick": arguments.quick,
              "repeat": arguments.repeat, "wanted": wanted}
     fresh = {"about": {}, **terms, "missing": wanted, "cases": []}
@@ -165,7 +165,7 @@ def left_over(arguments, wanted):
 
 
 def measure(arguments):
-    """Case by case; each is written as soon as it is there."""
+    """Measures case by case, and writes each result when it is done."""
     cases = list_cases(arguments)
     wanted = [name for name, _ in cases]
     results = left_over(arguments, wanted)

@@ -27,7 +27,7 @@ def table(head, rows):
 
 
 def digits(value, count=3):
-    """So many digits, without an exponent where people read one more easily without."""
+    """The number with `count` digits; with an exponent only if it is very small or large."""
     if value == 0:
         return "0"
     if not math.isfinite(value):
@@ -47,7 +47,7 @@ def amount(case, point):
 
 
 def times(value):
-    """A factor, with two digits; over a point of Box2D that lost bodies it is infinite."""
+    """A factor with two digits; infinite if the point of Box2D lost bodies."""
     if not math.isfinite(value):
         return "∞"
     if value < 10:
@@ -65,7 +65,7 @@ def named(case, rivals):
 
 
 def exceptions(case):
-    """Why points of Box2D are not beaten, if any are not."""
+    """A text that names the points of Box2D which are not beaten, and why; empty if all are."""
     missed = figures.unbeaten(case)
     out_of_reach = [r for r in missed if figures.cheapest_as_accurate(case, r) is None]
     dearer = [r for r in missed if figures.cheapest_as_accurate(case, r)]
@@ -83,7 +83,7 @@ def exceptions(case):
 
 
 def verdict(case):
-    """One sentence: whether thud's curve lies left of and below Box2D's, or where not."""
+    """One sentence: whether thud's curve is left of and below Box2D's, or where it is not."""
     rivals = figures.rivals(case)
     if not rivals:
         return UNMEASURED
@@ -108,7 +108,7 @@ def verdict(case):
 
 
 def beside_chipmunk(case):
-    """Whether thud's curve lies left of and below Chipmunk's, where that was asked."""
+    """One sentence: whether thud's curve is left of and below Chipmunk's, if Chipmunk ran."""
     points = figures.chipmunks(case)
     unbeaten = [p for p in points if not figures.is_beaten(case, p)]
     if not points:
@@ -159,7 +159,7 @@ def range_of(values, missing):
 
 
 def summary(results):
-    """A line a case: the verdict in a word, and the figures behind it."""
+    """A row for each case: the verdict in a word, and the figures behind it."""
     rows = []
     for case in results["cases"]:
         rivals = figures.rivals(case)
@@ -182,7 +182,7 @@ def summary(results):
 
 
 def anchor(title):
-    """As GitHub makes it of a heading."""
+    """The anchor that GitHub makes for a heading."""
     return re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
 
 
@@ -194,7 +194,7 @@ def thoroughness(results):
 
 
 def fill(notes, results, folder):
-    """The notes with every {{name}} replaced; a name that nothing makes is an error."""
+    """The notes with every {{name}} replaced; an unknown name is an error."""
     made = {"thoroughness": thoroughness, "summary": summary,
             "sections": lambda r: sections(r, folder), "folder": lambda _: folder,
             "measured": lambda r: measured.line(r["about"])}

@@ -1,5 +1,5 @@
-"""Error over cost as SVG: a chart for each case, and all of them small, side by side. Each point is
-named where it stands, so that nobody has to look for a legend."""
+"""Draws error over cost as SVG: a chart for each case, and an overview of all. Each point has its
+name beside it instead of a legend."""
 
 import math
 from xml.sax.saxutils import escape
@@ -60,7 +60,7 @@ class Axis:
         return self.start + part * (self.end - self.start)
 
     def ticks(self, at_most):
-        """Powers of ten, and where these are too few, twice and five times them."""
+        """Powers of ten and, if these are too few, their double and fivefold."""
         powers = range(math.floor(self.low), math.ceil(self.high) + 1)
         inside = [[10.0 ** k * m for k in powers for m in steps
                    if self.low <= math.log10(10.0 ** k * m) <= self.high]
@@ -76,7 +76,7 @@ def short(value):
 
 
 def heights(case):
-    """Every point's error; lost ones stand above all others."""
+    """The error of each point; lost ones are drawn above all others."""
     errors = [figures.error(case, p) for p in case["points"]]
     finite = [e for e in errors if math.isfinite(e)]
     top = 10 * max(finite, default=1)
@@ -92,7 +92,7 @@ def axes_of(case, left, right, top, bottom):
 
 
 def lines(case, places, width, radius):
-    """Curves, the rivals' first so that thud's lie on top."""
+    """Draws the curves, those of rivals first, so that thud's are on top."""
     parts = []
     for name in reversed(figures.CURVES):
         points = [places[id(p)] for p in figures.curve(case, name)]
@@ -107,14 +107,14 @@ def lines(case, places, width, radius):
 
 
 def along(start, end, every=6):
-    """Places on the straight way between two points."""
+    """Points on the straight line between two points."""
     count = max(1, int(math.dist(start, end) / every))
     return [(start[0] + (end[0] - start[0]) * i / count, start[1] + (end[1] - start[1]) * i / count)
             for i in range(count + 1)]
 
 
 class Room:
-    """Finds places for labels, where they cover neither each other, nor a point, nor a line."""
+    """Finds places for labels that cover no other label, no point and no line."""
 
     def __init__(self, case, places, bounds, size):
         self.bounds, self.size = bounds, size
@@ -134,7 +134,7 @@ class Room:
         return 100 * beyond + covered
 
     def place(self, px, py, words):
-        """The nearest free place round a point: x and y of the text's start."""
+        """The nearest free place around a point: x and y of the text's start."""
         width, height = CHARACTER * self.size * len(words), self.size
         tries = []
         for far in (0.6, 1, 1.6, 2.4, 3.4, 4.5):
@@ -164,7 +164,7 @@ def labels(case, places, bounds):
 
 
 def end_labels(case, places, bounds):
-    """The same in a small picture, where there is room for the ends of the curves only."""
+    """The same for a small picture, where only the ends of the curves are labelled."""
     room = Room(case, places, bounds, SMALL_LABEL)
     parts = []
     for name in figures.CURVES:
@@ -216,7 +216,7 @@ def draw_case(case):
 
 
 def key(width):
-    """Names of the curves beside the signs themselves."""
+    """Draws the names of the curves beside their signs."""
     parts = [text(20, 34, "What accuracy costs: error over time a step", 18, weight="bold"),
              text(width - 20, 34, "better: to the left and further down", 13, "end", GREY)]
     at, line = 20, 56
@@ -250,6 +250,6 @@ def draw_overview(cases):
 
 
 def draw(results):
-    """Every picture by its file's name."""
+    """All pictures by their file names."""
     pictures = {f"{case['case']}.svg": draw_case(case) for case in results["cases"]}
     return {**pictures, "overview.svg": draw_overview(results["cases"])}

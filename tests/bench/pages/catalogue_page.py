@@ -7,7 +7,7 @@ from performance_page import table
 
 
 def ns(value):
-    """Three digits."""
+    """A number with three digits."""
     return f"{value:,.0f}" if value >= 99.95 else f"{value:.3g}"
 
 
@@ -24,7 +24,7 @@ def millimetres(value):
 
 
 def broadphase_cells(row):
-    """Broadphase and step of each in ns a shape, the cheapest broadphase in bold."""
+    """For each broadphase its time and that of the step in ns per shape; the fastest is bold."""
     cells = []
     for name in BROADPHASES:
         found = row[name]
@@ -190,6 +190,6 @@ SECTIONS = {f.__name__: (needs, f) for needs, f in [
 
 
 def fill(notes, results):
-    """The notes with every {{...}} replaced; a name that nothing makes is an error."""
+    """The notes with every {{...}} replaced; an unknown name is an error."""
     thoroughness = "a quick run, which compares little" if results["quick"] else "a full run"
     return page_parts.fill(notes, results, SECTIONS, {"thoroughness": thoroughness})

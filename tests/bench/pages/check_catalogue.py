@@ -1,4 +1,5 @@
-"""Runs thud-catalogue, quickly, and checks its tables, its JSON and its errors. No time is asserted.
+"""Runs thud-catalogue with --quick and checks its tables, its JSON and its errors. No time is
+asserted.
 
 usage: check_catalogue.py THUD_CATALOGUE
 """
@@ -27,7 +28,7 @@ def results_of(program, folder, *arguments):
 
 
 def rows_of(results, part):
-    """Of which there are some, or nothing of them would be checked."""
+    """The rows of a part, which must not be empty."""
     assert results[part], part
     return results[part]
 
@@ -36,7 +37,7 @@ def check_broadphases(results):
     for part in ("growth", "coherence", "sizes", "gathering"):
         for row in rows_of(results, part):
             for name in BROADPHASES:
-                # The broadphase is a stage of the step, and no stage takes the whole of it.
+                # The broadphase is a stage of the step, so its time is shorter than the step's.
                 assert 0 < row[name]["ns_per_shape"] < row[name]["step_ns_per_shape"], row
             # In a crowd the grid reports its pairs over several steps.
             pairs = {row[name]["pairs"] for name in BROADPHASES[part == "gathering":]}

@@ -45,7 +45,7 @@ def read(path):
 
 
 def is_kept(path, label):
-    """A part that was measured under the same label: commit and thoroughness."""
+    """Whether a part was measured with the same label, that is, commit and thoroughness."""
     try:
         return read(path + ".label") == label
     except (OSError, ValueError):
@@ -67,8 +67,8 @@ def measure(part, arguments, commit):
 
 
 def add_rival(scenes, others):
-    """The rival of a second race goes beside that of the first, with thud's times beside it; of
-    scenes that it does not run, thud's times of that race count for nothing."""
+    """Adds the rival of a second race to the scenes of the first, with thud's times of that race.
+    Scenes without that rival stay as they are."""
     for scene, other in zip(scenes, others):
         own, *rivals = other["engines"]
         scene["engines"] += [{**rival, "beside": own} for rival in rivals]

@@ -19,7 +19,7 @@ def engine(scene, name):
 
 
 def ratio(scene, name):
-    """Of medians, in the race that the two ran."""
+    """The rival's median over thud's, from the race in which both ran."""
     rival = engine(scene, name)
     own = rival and (rival.get("beside") or engine(scene, "thud"))
     return rival["ms_median"] / own["ms_median"] if rival else None
@@ -40,7 +40,7 @@ def tick_step(most):
 
 
 def row(scene, y, scale):
-    """One scene: its name, Box2D's bar, the aim's line, Rapier's circle."""
+    """Draws one scene: its name, Box2D's bar, a line at the target, and Rapier's circle."""
     box2d, rapier, target = ratio(scene, "box2d"), ratio(scene, "rapier"), scene["target"]
     middle = y + ROW / 2
     name = f"{scene['scene'].replace('_', ' ')}, {scene['size']:,}"
@@ -61,7 +61,7 @@ def row(scene, y, scale):
 
 
 def key():
-    """What the signs mean, drawn with the signs themselves."""
+    """Draws the legend."""
     y = 58
     return [text(20, 30, "How many times as fast as its rivals thud is", 18, weight="bold"),
             f'<rect x="20" y="{y - 11}" width="26" height="12" fill="{GREEN}"/>',

@@ -1,4 +1,5 @@
-"""The writer of docs/catalogue.md on made-up figures: what it computes, draws and refuses.
+"""Tests the program that writes docs/catalogue.md, with invented figures: what it computes, draws
+and refuses.
 
 A small program stands in for thud-catalogue.
 """
@@ -22,7 +23,7 @@ import catalogue_picture as picture
 
 
 def priced(shapes, grid, sweep, every, **more):
-    """A row: ns of each broadphase per shape; None: too dear."""
+    """A row with the ns per shape of each broadphase; None: left out as too slow."""
     row = {"case": f"{shapes}", "shapes": shapes, **more}
     for name, ns in zip(figures.BROADPHASES, (grid, sweep, every)):
         row[name] = {"first_ms": 1, "pairs": 7, "dropped": ns is None}
