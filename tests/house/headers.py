@@ -1,12 +1,12 @@
-"""What the public headers must say, checked on their text: headers.py PROJECT.
+"""Checks what the text of the public headers must contain: headers.py PROJECT.
 
-  stated    each limit that tests/wrong_input/limits.h tries at a field or argument is named in the
-            comment of that field, or for an argument in those of its function's section
-  tried     each limit of thud_limits.h stands in that table
-  used      each limit of thud_limits.h is one that the engine goes by
-  numbers   no other header gives a limit as a number, no file of the engine compares with one
-  vectors   functions of a world take places and directions as thud_pos and thud_vec2, but for the
-            way of a ray or cast; geometry without a world takes and gives numbers
+  stated    each limit that tests/wrong_input/limits.h tests at a field or argument is named in
+            the comment of that field, or for an argument in those of its function's section
+  tried     each limit of thud_limits.h is in that table
+  used      the engine uses each limit of thud_limits.h
+  numbers   no other header gives a limit as a number, and no file of the engine compares with one
+  vectors   functions of a world take places and directions as thud_pos and thud_vec2, except the
+            path of a ray or cast; geometry without a world takes and returns numbers
   all       thud_all.h includes every other header
 
 Prints one line per breach and exits with 1 if there is any.
