@@ -1,4 +1,4 @@
-/** Worlds for tests of joints, in few words. */
+/** Short functions that build worlds for the tests of joints. */
 import assert from "node:assert/strict";
 import { thud } from "./package.mjs";
 
