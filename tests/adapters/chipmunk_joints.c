@@ -81,10 +81,12 @@ static void add_turn(maker *m, const scene_drive *d) {
                                 d->motor_force);
 }
 
+/* Keeps the relative angle of the bodies. */
 static void lock_turn(maker *m) {
     add(m, cpGearJointNew(m->a, m->b, m->joint->angle[0] - m->joint->angle[1], 1));
 }
 
+/* A slider along the first frame's axis, with its limits and spring. */
 static void add_groove(maker *m, const scene_drive *d) {
     cpVect axis = cpvforangle(m->joint->angle[0]);
     double lower = d->limited ? d->lower : -FAR, upper = d->limited ? d->upper : FAR;

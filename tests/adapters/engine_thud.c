@@ -110,6 +110,7 @@ static void read_pose(void *state, int body, double x, double y, float out[4]) {
     out[0] = pose.x, out[1] = pose.y, out[2] = pose.c, out[3] = pose.s;
 }
 
+/* Destroys a body and creates a dynamic circle in its place. */
 static bool renew(void *state, const scene *s, int body) {
     own_world *own = state;
     const scene_body *from = &s->bodies[body];

@@ -17,6 +17,7 @@ static b2BodyId create_at(b2WorldId world, float x) {
     return b2CreateBody(world, &def);
 }
 
+/* Sets the velocity of a destroyed body. */
 static void push_gone(b2WorldId world) {
     b2BodyId gone = create_at(world, 0);
     b2DestroyBody(gone);

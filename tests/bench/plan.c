@@ -39,6 +39,7 @@ bench_plan bench_plan_at(int index) {
     return PLANS[index];
 }
 
+/* Whether `size` is the plan's own size; 0 stands for the scene's default. */
 static bool is_size(const bench_plan *plan, int size) {
     const scene_info *info = bench_scene(plan->scene);
     int own = plan->size ? plan->size : info->default_size;

@@ -74,6 +74,7 @@ static size_t take_image(fuzz_session *s, bool after) {
     return taken ? bytes : 0;
 }
 
+/* Fails if the world's snapshot differs from that before the call. */
 static void compare_images(fuzz_session *s, const session_call *call) {
     if (call->image && (take_image(s, true) != call->image ||
                         memcmp(s->image, s->image + s->image_room / 2, call->image) != 0)) {

@@ -14,8 +14,11 @@ import { EDIT_CALLS } from "./edit_calls.mjs";
 import { GEOMETRY_CALLS } from "./geometry_calls.mjs";
 import { JOINT_CALLS } from "./joint_calls.mjs";
 
+// The number of calls per seed. Chosen.
 const CALLS_OF_A_SEED = 300;
+// Numbers that are extreme or invalid as arguments.
 const HOSTILE = [NaN, Infinity, -Infinity, -0, 5e-324, 1e-30, 1e-4, 16384, 1e9, -1e12, 3e38, 1e308];
+// Methods whose result may be infinite.
 const MAY_BE_INFINITE = new Set(["bisectionLimit"]);
 
 /** A world with its handles, and the random numbers and arguments of one seed. */

@@ -24,6 +24,7 @@ static size_t place_of(unsigned value, size_t bytes) {
     return from + (value & 0x7fff) * 8191u % range;
 }
 
+/* Changes one byte or word of a snapshot; `m` chooses the place and the change. */
 static void mutate(char *snapshot, size_t bytes, const uint8_t *m) {
     static const int32_t words[] = {-1, 0, 1, INT32_MAX, INT32_MIN, 65536, 1 << 26, 255};
     size_t at = place_of(m[0] | (unsigned)m[1] << 8, bytes), word = at & ~(size_t)3;
@@ -44,6 +45,7 @@ static void mutate(char *snapshot, size_t bytes, const uint8_t *m) {
     }
 }
 
+/* Recomputes the checksum, so that restoring reaches the changed data. */
 static void mend_checksum(char *snapshot, size_t bytes) {
     size_t from = offsetof(td_snapshot_head, checksum) + sizeof(uint64_t);
     uint64_t sum = td_snapshot_checksum(snapshot + from, bytes - from);

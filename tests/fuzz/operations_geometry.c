@@ -8,6 +8,7 @@ static void unit_normal(fuzz_session *s, double nx, double ny) {
     }
 }
 
+/* Fails if `value` is not in 0 to 1. */
 static void fraction(fuzz_session *s, double value) {
     if (!(value >= 0 && value <= 1)) {
         fuzz_fail(s, "%s: the fraction %g", s->calls[s->depth].text, value);

@@ -17,6 +17,7 @@ typedef struct ground {
 #endif
 #endif
 
+/* A line from the fuzzer's bytes, and whether it is valid. */
 static void pick_ground(fuzz_session *s, ground *g) {
     g->line = pick_line(s, g->points);
     g->valid = COUNTED(thud_terrain_check(&g->line)) == THUD_OK;
@@ -28,12 +29,14 @@ static void pick_ground(fuzz_session *s, ground *g) {
 #endif
 }
 
+/* Fails if a valid line gives a normal whose length is not 1. */
 static void normal_of(fuzz_session *s, const ground *g, double nx, double ny) {
     if (g->valid && !(fabs(nx * nx + ny * ny - 1) < 1e-6)) {
         fuzz_fail(s, "%s: the normal %g %g", s->calls[s->depth].text, nx, ny);
     }
 }
 
+/* Fails if a valid line gives a value that is not finite. */
 static void finite_of(fuzz_session *s, const ground *g, double value) {
     if (g->valid && !isfinite(value)) {
         fuzz_fail(s, "%s: %g", s->calls[s->depth].text, value);

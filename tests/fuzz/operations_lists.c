@@ -5,6 +5,7 @@
 
 enum { ROOM = 6 };
 
+/* A capacity of a list, at most ROOM. */
 static int pick_room(fuzz_session *s) {
     int capacity = next_count(&s->bytes, ROOM);
     return capacity > ROOM ? ROOM : capacity;

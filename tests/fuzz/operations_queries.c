@@ -21,6 +21,7 @@ static thud_query_filter query_filter(fuzz_session *s, unsigned byte) {
     return filter;
 }
 
+/* The path of a cast with its filter and the capacity of its list. */
 static way pick_way(fuzz_session *s) {
     way w = {.from = pick_place(s)};
     unsigned byte = next_byte(&s->bytes);
@@ -234,6 +235,7 @@ static void check_many(fuzz_session *s, const thud_ray_hit *hits, int count) {
     }
 }
 
+/* A number of casts in one call, at most MANY; may be negative. */
 static int pick_many(fuzz_session *s) {
     int count = next_count(&s->bytes, MANY);
     return count > MANY ? 0 : count;

@@ -182,6 +182,7 @@ void play_poses(fuzz_session *s) {
 
 /* ---- drawing ---- */
 
+/* Fails if a drawn coordinate is not finite. */
 static void see_number(void *context, double value) {
     fuzz_session *s = context;
     if (!isfinite(value)) {
@@ -281,6 +282,7 @@ void play_refused_worlds(fuzz_session *s) {
     }
 }
 
+/* Fails if a call with a null argument was not refused. */
 static void wants_null(fuzz_session *s, thud_result result) {
     fuzz_calls_made++;
     if (result != THUD_ERROR_NULL) {

@@ -24,6 +24,7 @@ _Noreturn void fuzz_fail(const fuzz_session *s, const char *format, ...) {
 
 /* ---- hooks ---- */
 
+/* The world's allocator; an allocation fails when `memory_allowed` is 0. */
 static void *allocate(size_t bytes, void *context) {
     fuzz_session *s = context;
     if (s->memory_allowed == 0) {
@@ -41,6 +42,7 @@ static void release(void *block, size_t bytes, void *context) {
     free(block);
 }
 
+/* The world's log: checks and counts the messages. */
 static void listen(thud_result result, const char *message, void *context) {
     fuzz_session *s = context;
     if (!message || !message[0] || (unsigned)result > THUD_ERROR_LOCKED) {
@@ -50,6 +52,7 @@ static void listen(thud_result result, const char *message, void *context) {
     s->heard = result;
 }
 
+/* The world's clock: advances by 0.1 ms per call. */
 static double tell_time(void *context) {
     fuzz_session *s = context;
     return s->clock += 1e-4;
@@ -75,6 +78,7 @@ static thud_job_system job_system(unsigned byte) {
 
 /* ---- settings ---- */
 
+/* Reads the world's settings from the fuzzer's first bytes. */
 static void take_settings(fuzz_session *s) {
     fuzz_bytes *b = &s->bytes;
     unsigned choices = next_byte(b), scales = next_byte(b), flags = next_byte(b);
@@ -98,6 +102,7 @@ static void take_settings(fuzz_session *s) {
     s->def = def;
 }
 
+/* Sets allocator, log, clock and listeners. */
 static void take_hooks(fuzz_session *s) {
     s->def.allocator = (thud_allocator){allocate, release, s};
     s->def.log = listen;

@@ -121,6 +121,7 @@ typedef struct hearing {
     int count, last; /* index of the hit at which the callback ends the cast */
 } hearing;
 
+/* Records a hit, and ends the cast at the hit whose number is `last`. */
 static double hear(const thud_ray_hit *hit, void *context) {
     hearing *h = context;
     if (h->count < FOUND) {
@@ -169,6 +170,7 @@ typedef struct list {
     bool disordered;
 } list;
 
+/* Marks a shape as found, and checks that shapes come in the order of their handles. */
 static bool note(thud_shape_id shape, void *context) {
     list *l = context;
     l->found[number_of(l->c, shape)] = true;

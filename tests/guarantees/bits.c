@@ -178,6 +178,7 @@ static void same_bits_any_rounding_mode(trial *t) {
     }
 }
 
+/* A query callback that continues. */
 static bool see(thud_shape_id shape, void *context) {
     (void)shape;
     (void)context;
@@ -295,6 +296,8 @@ typedef struct player {
     long events;          /* events counted by the program after each of its calls */
 } player;
 
+/* The callback of thud_world_advance before each step: edits, and a force that varies with the
+ * step. */
 static void before_step(thud_world *world, void *context) {
     player *p = context;
     yard_before_step(&p->y);
@@ -309,6 +312,7 @@ static void after_step(thud_world *world, void *context) {
     thud_body_apply_force(world, p->y.body[1], (thud_vec2){(float)e.begin_count, 1}, 0);
 }
 
+/* Starts a game: a yard with two more balls, which forces pull. */
 static void play(player *p, trial *t) {
     *p = (player){.made = 0};
     yard_make(&p->y, t, trial_def(t), 0);
@@ -318,6 +322,7 @@ static void play(player *p, trial *t) {
     }
 }
 
+/* Applies a force to each ball before a picture's steps. */
 static void before_picture(player *p) {
     for (int i = 0; i < 2; i++) {
         thud_vec2 force = {0.3f * (float)i, 1.1f};
@@ -325,6 +330,7 @@ static void before_picture(player *p) {
     }
 }
 
+/* Counts the events of a picture's steps. */
 static void after_picture(player *p) {
     thud_events e = thud_world_events(p->y.world);
     p->events += e.begin_count + e.end_count + e.hit_count;

@@ -29,6 +29,7 @@ static int find_asked(const asked *s, thud_shape_id a, thud_shape_id b) {
     return i;
 }
 
+/* A prologue that counts its calls for each pair. */
 static bool note_asked(thud_world *world, const thud_contact *contact,
                        thud_contact_settings *wanted, void *context) {
     asked *s = context;
@@ -45,6 +46,7 @@ static bool note_asked(thud_world *world, const thud_contact *contact,
     return true;
 }
 
+/* An epilogue that counts its calls for each pair, and those for pairs without a prologue. */
 static void note_told(thud_world *world, const thud_contact *contact, void *context) {
     asked *s = context;
     int i = find_asked(s, contact->shape_a, contact->shape_b);
@@ -215,6 +217,7 @@ typedef struct surface {
     int steps; /* number of steps in which the prologue sets them */
 } surface;
 
+/* A prologue that sets friction and surface speed while `steps` is positive. */
 static bool set_surface(thud_world *world, const thud_contact *contact,
                         thud_contact_settings *wanted, void *context) {
     const surface *s = context;
@@ -275,6 +278,7 @@ typedef struct intruder {
     int calls;
 } intruder;
 
+/* An epilogue whose first call makes calls that must be refused inside a step. */
 static void intrude(thud_world *world, const thud_contact *contact, void *context) {
     intruder *s = context;
     trial *t = s->t;

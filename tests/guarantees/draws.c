@@ -25,6 +25,7 @@ static int gain_of(const covered *c, const settings *s) {
     return gain;
 }
 
+/* Marks all pairs of values in `s` as covered. */
 static void cover(covered *c, const settings *s) {
     for (int d = 0; d < DIMENSIONS; d++) {
         for (int e = 0; e <= d; e++) {
@@ -42,6 +43,7 @@ static uint64_t seed_of(const char *name, uint64_t seed) {
     return seed ? seed : 1;
 }
 
+/* Random settings for which the guarantee holds. */
 static settings draw_settings(const guarantee *g, source *random) {
     settings s = {{0}};
     do {

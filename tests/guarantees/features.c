@@ -46,6 +46,7 @@ static void swap_world(yard *y, thud_world **spare) {
     free(s.bytes);
 }
 
+/* Mixes a hit into the digest and continues the cast. */
 static double hear(const thud_ray_hit *hit, void *context) {
     uint64_t *digest = context;
     yard_mix(digest, &hit->shape.index1, sizeof hit->shape.index1);
@@ -129,6 +130,7 @@ static void go_beside(trial *t, twin kind, unsigned features, bool casts) {
     }
 }
 
+/* Runs a yard against each kind of twin. */
 static void go_beside_all(trial *t, unsigned features, bool casts) {
     for (int kind = 0; kind < TWINS && !trial_failed(t); kind++) {
         go_beside(t, (twin)kind, features, casts);
@@ -151,6 +153,7 @@ static void same_bits_of_casts(trial *t) {
     go_beside_all(t, YARD_ALL, true);
 }
 
+/* An epilogue that sets a body's velocity. */
 static void kick(thud_world *world, const thud_contact *contact, void *context) {
     yard *y = context;
     thud_body_set_velocity(world, contact->body_b, trial_speed(y->t, 1, 2), 0);

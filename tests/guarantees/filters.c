@@ -41,6 +41,7 @@ static void expect_meet(company *c, thud_shape_id a, thud_shape_id b, const char
     }
 }
 
+/* A prologue: the pair's filters must allow it. */
 static bool ask(thud_world *world, const thud_contact *contact, thud_contact_settings *wanted,
                 void *context) {
     (void)world;
@@ -49,6 +50,7 @@ static bool ask(thud_world *world, const thud_contact *contact, thud_contact_set
     return true;
 }
 
+/* An epilogue: the pair's filters must allow it. */
 static void tell(thud_world *world, const thud_contact *contact, void *context) {
     (void)world;
     expect_meet(context, contact->shape_a, contact->shape_b, "epilogue");
@@ -60,6 +62,7 @@ static thud_filter draw_filter(trial *t) {
     return some[trial_pick(t, 6)];
 }
 
+/* Adds bodies of all kinds with random filters; the last shape is a sensor. */
 static void add_company(trial *t, thud_world *world, company *c) {
     for (int i = 0; i < BODIES; i++) {
         thud_shape_def def = thud_default_shape_def();

@@ -41,6 +41,7 @@ static void expect_stopped(trial *t, thud_world *world, const thud_body_id *shot
     }
 }
 
+/* Adds a body that flies along x at `speed`; `i` is its lane and form. */
 static thud_body_id shoot(trial *t, thud_world *world, int i, double speed,
                           const thud_detection *detection) {
     return trial_add(t, world,

@@ -75,6 +75,7 @@ static int try_case(const guarantee *g, const settings *s) {
     return failed;
 }
 
+/* The test of one guarantee: all of its cases in this share must pass. */
 static void holds(void **state) {
     const guarantee *g = *state;
     settings *cases = room_for_cases();

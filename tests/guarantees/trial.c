@@ -51,6 +51,7 @@ void trial_refused(trial *t, thud_result got, thud_result wanted, const char *ca
 
 /* ---- worlds ---- */
 
+/* The world's log: counts messages and keeps the last result. */
 static void listen(thud_result result, const char *message, void *context) {
     trial *t = context;
     (void)message;

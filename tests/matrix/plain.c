@@ -23,6 +23,7 @@ static void pass_word(tape *t, uint64_t *word) {
     *word = t->failed ? 0 : strtoull(text, NULL, 16);
 }
 
+/* Each pass_ function writes its value to the tape, or reads it, by t->writes. */
 static void pass_double(tape *t, double *value) {
     uint64_t word;
     memcpy(&word, value, sizeof word);

@@ -27,6 +27,7 @@ typedef struct matrix {
     char reason[200]; /* message of the engine's last refusal */
 } matrix;
 
+/* The world's log: keeps the last message. */
 static void keep_reason(thud_result result, const char *message, void *context) {
     (void)result;
     matrix *m = context;
@@ -71,6 +72,7 @@ static bool make_steps(thud_world *world, const scene *s, int count) {
 
 /* ---- snapshot files: for each snapshot its size in 8 bytes, little-endian, then its bytes ---- */
 
+/* Appends a snapshot, preceded by its size in 8 bytes, to the file of snapshots. */
 static bool take(matrix *m, const thud_world *world) {
     size_t size;
     if (thud_world_snapshot_size(world, &size) != THUD_OK)

@@ -8,6 +8,8 @@ typedef struct view {
     double along, across, turn;
 } view;
 
+/* The second anchor in the first anchor's frame: along and across its axis, and the relative angle.
+ */
 static view look(const scene_joint *j, const engine_body *a, const engine_body *b) {
     double ax = a->x + a->cosine * j->x[0] - a->sine * j->y[0];
     double ay = a->y + a->sine * j->x[0] + a->cosine * j->y[0];

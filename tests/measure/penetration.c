@@ -170,6 +170,7 @@ static size_t bucket_of(const penetration_meter *meter, int64_t cell_x, int64_t 
     return (size_t)(mixed ^ mixed >> 29) & meter->bucket_mask;
 }
 
+/* Whether filters and joints let a placed shape collide with a shape of `body`. */
 static bool may_collide(const penetration_meter *meter, const placed *p, const scene_shape *b,
                         int body) {
     const scene_shape *a = p->source;
@@ -180,6 +181,7 @@ static bool may_collide(const penetration_meter *meter, const placed *p, const s
     return (a->category & b->mask) != 0 && (b->category & a->mask) != 0;
 }
 
+/* Adds a pair's depth to the worst and the sum, if the pair overlaps. */
 static void count_depth(penetration *seen, double depth) {
     if (depth <= 0)
         return;

@@ -60,6 +60,7 @@ void linkage_destroy(linkage *l) {
     free(l);
 }
 
+/* Whether two joints have a dynamic body in common. */
 static bool shares_a_body(const linkage *l, int one, int other) {
     const scene_joint *j = &l->scene->joints[one], *k = &l->scene->joints[other];
     for (int i = 0; i < 4; i++)
@@ -137,6 +138,7 @@ typedef struct side {
     double rx, ry, x, y, vx, vy, spin, tilt;
 } side;
 
+/* Position, velocity and angle of a joint's anchor on one of its bodies. */
 static side side_of(const linkage *l, const scene_joint *j, int which, const double *state) {
     int body = j->body[which];
     const model_body *m = &l->model.bodies[body];
@@ -166,6 +168,7 @@ static row row_along(const side *a, const side *b, double nx, double ny, bool tu
                      nx * inwards_x + ny * inwards_y + 2 * w * (nx * vy - ny * vx) - w * w * gap};
 }
 
+/* The constraint of a rod: the anchors' distance is `length`. */
 static row row_of_rod(const side *a, const side *b, double length) {
     double dx = b->x - a->x, dy = b->y - a->y, far = hypot(dx, dy);
     row r = row_along(a, b, dx / far, dy / far, false);
@@ -175,10 +178,12 @@ static row row_of_rod(const side *a, const side *b, double length) {
     return r;
 }
 
+/* The constraint that the frames have the same angle. */
 static row row_of_turn(const side *a, const side *b) {
     return (row){.a = {0, 0, -1}, .b = {0, 0, 1}, .gap = remainder(b->tilt - a->tilt, 2 * PI)};
 }
 
+/* Writes the constraints of a joint and returns their number. */
 static int make_rows(const linkage *l, int joint, const double *state, row *rows) {
     const scene_joint *j = &l->scene->joints[joint];
     side a = side_of(l, j, 0, state), b = side_of(l, j, 1, state);

@@ -87,6 +87,7 @@ void oracle_destroy(oracle *o) {
     free(o);
 }
 
+/* Moves all bodies by their velocities. */
 static void drift(oracle *o, double time) {
     for (int i = 0; i < o->model.scene->body_count; i++) {
         o->places[i].x += time * o->velocities[i].x;
@@ -100,6 +101,7 @@ static double damped_share(double rate, double time) {
     return rate > 0 ? -expm1(-rate * time) / (rate * time) : 1;
 }
 
+/* Applies gravity and damping to the velocities, with the exact solution for constant forces. */
 static void apply_forces(oracle *o, double time) {
     const scene *s = o->model.scene;
     for (int i = 0; i < s->body_count; i++) {

@@ -30,6 +30,7 @@ static bool add(near_pairs *near, const model *m, int a, int b) {
     return true;
 }
 
+/* The bounds of a shape with a margin; ground is unbounded in y. */
 static near_span span_of(const model_shape *shape, int index, double margin) {
     const depth_shape *s = &shape->solid;
     if (shape->ground) {

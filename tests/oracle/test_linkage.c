@@ -67,11 +67,13 @@ static angles angles_slope(const angles *now) {
                     {(one * b - two * c) / det, (a * two - c * one) / det}};
 }
 
+/* from + h slope. */
 static angles beyond(const angles *from, const angles *slope, double h) {
     return (angles){{from->at[0] + h * slope->at[0], from->at[1] + h * slope->at[1]},
                     {from->rate[0] + h * slope->rate[0], from->rate[1] + h * slope->rate[1]}};
 }
 
+/* Integrates the equations by the classical Runge-Kutta method. */
 static angles euler_lagrange(double seconds, int steps) {
     angles now = {{0, 0}, {0, 0}};
     double h = seconds / steps;

@@ -37,6 +37,7 @@ typedef struct found {
     int count;
 } found;
 
+/* Adds a point; if the list is full, it replaces the shallowest point that it is deeper than. */
 static void keep(found *f, touch_point p) {
     if (f->count < TOUCH_GROUND_POINTS) {
         f->points[f->count++] = p;

@@ -73,11 +73,13 @@ static const miss *find(const extreme *x, const figure *f, entrant by) {
     return NULL;
 }
 
+/* Whether `reached` is worse than `worst`, in the direction of the figure's bound. */
 static bool is_beyond(const figure *f, double reached, double worst) {
     /* Negated comparisons, so that NaN is beyond. */
     return f->bound.kind == BOUND_AT_MOST ? !(reached <= worst) : !(reached >= worst);
 }
 
+/* Writes which figure is wrong, and what it is compared with, to `why`. */
 static void blame(char *why, size_t size, const extreme *x, const figure *f, entrant e,
                   const char *what, double value) {
     snprintf(why, size, "%s: %s: %s reached %g: %s %g", x->name, f->what, entrant_name(e),

@@ -37,6 +37,7 @@ static bool refuse(const char *what, const char *value) {
     return false;
 }
 
+/* Selects an extreme by its name. */
 static bool want(settings *s, const char *name) {
     for (int i = 0; i < EXTREME_COUNT; i++)
         if (strcmp(EXTREMES[i]->name, name) == 0) {
@@ -79,6 +80,7 @@ static struct {
     int done, all;
 } bar;
 
+/* Shows the progress of all extremes; `share` of the present one is done. */
 static void show(const char *what, double share) {
     progress_show(what, (bar.done + share) / bar.all);
 }

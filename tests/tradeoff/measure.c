@@ -30,6 +30,7 @@ static double now_ms(void) {
     return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
 }
 
+/* Reports progress by `steps` further steps. */
 static void tell(run *r, int steps) {
     r->done += steps;
     if (r->plan->progress)
@@ -56,6 +57,7 @@ static void close_worlds(run *r) {
     }
 }
 
+/* Runs a setting once, and measures its errors after each step. */
 static bool look_at(run *r, int which, yardstick *y) {
     const physics_engine *engine = SETTINGS[which].engine;
     if (!open_world(r, which))
@@ -75,6 +77,7 @@ static bool look_at(run *r, int which, yardstick *y) {
     return true;
 }
 
+/* The errors of one setting. */
 static bool take_errors(run *r, int which, errors *out) {
     yardstick *y = yardstick_create(r->c, &r->scene);
     bool ok = y ? look_at(r, which, y) : fail(r, which, "out of memory");
@@ -85,6 +88,7 @@ static bool take_errors(run *r, int which, errors *out) {
     return ok;
 }
 
+/* Times `count` steps of a setting. */
 static bool take_turn(run *r, int which, double *ms, int count) {
     const physics_engine *engine = SETTINGS[which].engine;
     for (int i = 0; i < count; i++) {
@@ -114,6 +118,8 @@ static bool repeat_once(run *r, int repetition) {
     return ok;
 }
 
+/* Median, mean and sum of the step times, ms; mean and sum use each step's minimum over
+ * repetitions. */
 static cost cost_of(const series *times) {
     cost c = {.median = series_summarize(times).median};
     for (int step = 0; step < times->steps; step++) {

@@ -125,6 +125,7 @@ static const edit edits[] = {
 };
 enum { EDITS = sizeof edits / sizeof *edits };
 
+/* A village with a slab below 250 balls and a box apart from them. */
 static void make_place(place *p, thud_world_def def) {
     *p = (place){.asked = -1};
     village_make(&p->v, def);
@@ -307,6 +308,8 @@ static const range ranges[] = {
 };
 enum { RANGES = sizeof ranges / sizeof *ranges };
 
+/* A village with one ball far from the slab; `which` is a row of `ranges`. From row 15 on the ball
+ * has mass and inertia 1. */
 static void make_lone(place *p, int which) {
     thud_mass one = {1, 1, {0, 0}};
     *p = (place){.asked = -1};

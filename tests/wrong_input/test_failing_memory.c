@@ -72,6 +72,7 @@ static thud_result enable(village *v) {
     return thud_body_set_enabled(v->world, v->switched_off, true);
 }
 
+/* Changes the quality to exact. */
 static thud_result sharpen(village *v) {
     return thud_world_set_quality(v->world, &thud_quality_exact);
 }
@@ -147,6 +148,7 @@ static thud_result volume(village *v) {
     return thud_body_volume(v->world, v->box, THUD_OBB, (thud_pos){0, 0}, &around);
 }
 
+/* A cast inside a cast, at each hit. */
 static double look_again(const thud_ray_hit *hit, void *context) {
     village *v = context;
     bool any = false;

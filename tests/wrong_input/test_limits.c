@@ -153,6 +153,7 @@ static thud_result gear(place *p, const row *r, double x) {
     return thud_joint_create(p->world, &def, NULL);
 }
 
+/* A rollback step without an effect. */
 static thud_result stand_still(thud_world *world, const uint64_t *inputs, void *state) {
     (void)world, (void)inputs, (void)state;
     return THUD_OK;

@@ -14,6 +14,7 @@ static void move(village *v) {
     OK(thud_body_set_transform(v->world, v->box, (thud_pos){-3, 2}, 0.5));
 }
 
+/* Sets a velocity. */
 static void hurry(village *v) {
     OK(thud_body_set_velocity(v->world, v->plank, (thud_vec2){3, 4}, 0));
 }
@@ -26,6 +27,7 @@ static void pull(village *v) {
     OK(thud_body_apply_force(v->world, v->ball, (thud_vec2){50, 0}, 1));
 }
 
+/* Puts a body to sleep. */
 static void lull(village *v) {
     OK(thud_body_set_awake(v->world, v->plank, false));
 }
@@ -318,6 +320,8 @@ static void alike(const caller *a, const caller *b, const char *name, int step) 
     }
 }
 
+/* Makes an edit inside a callback in one world and between two steps in another; both must agree.
+ */
 static void edit_in(site s, const village_edit *edit, const thud_detection *detection) {
     caller inside, between;
     make_caller(&inside, s, detection);

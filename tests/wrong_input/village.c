@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 
+/* The world's log: counts messages. */
 static void listen(thud_result result, const char *message, void *context) {
     assert_int_not_equal(result, THUD_OK);
     assert_true(message && message[0]);

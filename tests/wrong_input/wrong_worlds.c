@@ -1,24 +1,28 @@
 /* wrong_worlds.c: world defs and settings of worlds that must be refused. */
 #include "wrong_input.h"
 
+/* A world's log: counts messages. */
 static void tell(thud_result result, const char *message, void *context) {
     assert_int_not_equal(result, THUD_OK);
     assert_true(message && message[0]);
     (*(int *)context)++;
 }
 
+/* An allocator that always fails. */
 static void *no_memory(size_t bytes, void *context) {
     (void)bytes;
     (void)context;
     return NULL;
 }
 
+/* A release function without an effect. */
 static void forget(void *block, size_t bytes, void *context) {
     (void)block;
     (void)bytes;
     (void)context;
 }
 
+/* Calls thud_world_advance; its callers pass an invalid time or number of steps. */
 static thud_result step_forever(wrong_pair *p, double elapsed, int max_steps) {
     return thud_world_advance(p->here.world, elapsed, max_steps, &wrong_out.count,
                               &wrong_out.number);

@@ -78,6 +78,7 @@ static void print_head(const char *by) {
     printf("\n");
 }
 
+/* Times the scene with each broadphase; returns false if a world failed. */
 static bool measure(const char *label, const scene *s, bool crowded,
                     const thud_detection *detection, bool quick,
                     lab_turns_times times[BROADPHASE_COUNT]) {
@@ -94,6 +95,7 @@ static bool measure(const char *label, const scene *s, bool crowded,
     return ok;
 }
 
+/* Times scenes of growing size: the scene gas with 10 to 100,000 shapes. */
 static bool grow(bool quick, json *out) {
     static const int SIZES[] = {10, 30, 100, 300, 1000, 3000, 10000, 30000, 100000};
     int count = quick ? 5 : (int)(sizeof SIZES / sizeof SIZES[0]);
@@ -128,6 +130,7 @@ static bool measure_crowd(const char *label, const crowd *c, bool counted, bool 
     return ok;
 }
 
+/* Times crowds of equal size in which a varying share of bodies moves at varying speeds. */
 static bool move(bool quick, json *out) {
     static const struct {
         double moving, speed;
@@ -148,6 +151,7 @@ static bool move(bool quick, json *out) {
     return ok;
 }
 
+/* Times crowds whose radii differ by factors of 1 to 400. */
 static bool mix(bool quick, json *out) {
     static const double SPANS[] = {1, 20, 400};
     bool ok = true;
@@ -166,6 +170,7 @@ static bool mix(bool quick, json *out) {
     return ok;
 }
 
+/* Times crowds of growing density. */
 static bool gather(bool quick, json *out) {
     /* Square metres for each circle of radius 0.25. In the last row all centres lie in a square of
      * 0.25 m, so that all pairs overlap. */

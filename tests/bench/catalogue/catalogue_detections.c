@@ -79,6 +79,7 @@ static void close_worlds(trial *t) {
         way_close(&t->worlds[k]);
 }
 
+/* Adds the counts of a step. */
 static void count_up(outcome *o, const thud_stats *stats) {
     o->impacts += stats->impacts;
     o->held += stats->held_bodies;
@@ -103,6 +104,7 @@ static void measure_overlap(trial *t, const way_world *w, penetration *seen) {
     penetration_sample(t->meter, t->poses, seen);
 }
 
+/* Runs one repetition with all detections in turn, step by step; false if a step failed. */
 static bool run_once(trial *t, int repetition) {
     for (int k = 0; repetition == 0 && k < WAY_COUNT; k++)
         t->outcomes[k].energy_before = kinetic_energy(&t->worlds[k]);

@@ -31,6 +31,7 @@ typedef struct looks {
     int count;
 } looks;
 
+/* Adds the counts of pairs at the world's present poses to `sum`; false if a call failed. */
 static bool look(const scene *s, const way_world *w, thud_shape_instance *shapes, bool *movable,
                  looks *sum) {
     for (int i = 0; i < w->count; i++) {
@@ -59,6 +60,7 @@ static bool look(const scene *s, const way_world *w, thud_shape_instance *shapes
     return levels_count(shapes, movable, w->count, MARGIN, &sum->seen);
 }
 
+/* Runs the scene and calls `look` at equal intervals; false if a call failed. */
 static bool watch(const char *name, const scene *s, bool quick, looks *sum) {
     way_world w = {0};
     thud_shape_instance *shapes = calloc((size_t)s->body_count, sizeof *shapes);

@@ -20,6 +20,7 @@ typedef struct questions {
     thud_pos way[PLACES];
 } questions;
 
+/* Random starts in a square of that half width, each with a random direction of length 10. */
 static void make_questions(questions *q, double half) {
     scene_random random = {15};
     for (int i = 0; i < PLACES; i++) {
@@ -138,6 +139,7 @@ static bool open_worlds(const scene *s, lab_world labs[BROADPHASE_COUNT]) {
     return true;
 }
 
+/* Times one kind of query with each broadphase, and counts how many results it finds on average. */
 static void ask(size_t call, questions each[BROADPHASE_COUNT], bool quick, json *out) {
     json_begin_object(out, NULL);
     json_text(out, "query", CALLS[call].name);
@@ -154,6 +156,7 @@ static void ask(size_t call, questions each[BROADPHASE_COUNT], bool quick, json 
     json_end(out);
 }
 
+/* Times all queries in a crowd, with each broadphase. */
 static bool ask_everything(bool quick, json *out) {
     static questions each[BROADPHASE_COUNT];
     crowd c = {quick ? QUICK_SHAPES : SHAPES, 1.5625, 0.25, 0.25, 1, 5};

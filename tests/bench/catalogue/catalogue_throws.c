@@ -47,6 +47,7 @@ static void fill(scene *s, bool with_wall, double time_step) {
     }
 }
 
+/* Makes a step in both worlds and records the free balls' positions before and after it. */
 static bool step_both(throws *t) {
     way_world *free_world = &t->worlds[1];
     for (int i = 0; i < free_world->count; i++) {
@@ -66,10 +67,12 @@ static bool step_both(throws *t) {
     return true;
 }
 
+/* The height of a thrown ball after `time` seconds, by the parabola. */
 static double height_after(const scene_body *ball, double time) {
     return ball->y + VY * time - 0.5 * GRAVITY * time * time;
 }
 
+/* Updates the largest distance of a free ball from its parabola. */
 static void compare_flights(const throws *t, double time, throw_errors *e) {
     for (int i = 1; i <= BALLS; i++) {
         const scene_body *ball = &t->without.bodies[i];

@@ -63,6 +63,7 @@ static bool is_wall(thud_body_id body) {
     return body.index1 <= WALLS;
 }
 
+/* A prologue that lets bodies collide with the walls only. */
 static bool throws_back(thud_world *world, const thud_contact *contact,
                         thud_contact_settings *settings, void *context) {
     (void)world, (void)settings, (void)context;

@@ -26,6 +26,7 @@ static int passed(const wrapped *a, const wrapped *b) {
     return VOLUMES;
 }
 
+/* Computes the bounding volumes of each kind around a shape; false if the shape is invalid. */
 static bool wrap(const thud_shape_instance *shape, wrapped *out) {
     for (int k = 0; k < VOLUMES; k++)
         if (thud_volume_around_shape(KINDS[k], shape, &out->volumes[k]) != THUD_OK)

@@ -86,6 +86,7 @@ static bool grow_to(const scene_info *info, int size, int steps, double *each, j
     return true;
 }
 
+/* Measures the time per body at all sizes of a scene, and whether it stays within MOST_SPAN. */
 static bool grow(const scene_info *info, bool quick, json *out) {
     double each[SIZE_COUNT];
     int sizes = quick ? QUICK_SIZE_COUNT : SIZE_COUNT;

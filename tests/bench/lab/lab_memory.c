@@ -34,6 +34,8 @@ static void fill(scene *s, bool boxes, bool touching, int count) {
     }
 }
 
+/* Measures the bytes of a world with `count` bodies after some steps; false if the engine failed.
+ */
 static bool bytes_of(const physics_engine *engine, bool boxes, bool touching, int count,
                      double *out) {
     scene s;

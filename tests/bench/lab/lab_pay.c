@@ -12,6 +12,7 @@ static void floor_and_walls(scene *s, double half_width) {
     scene_static_box(s, half_width + 1, 40, 1, 40);
 }
 
+/* Adds BODIES bodies in rows above the floor: circles, rotated boxes, or upright boxes. */
 static void drop(scene *s, bool boxes, bool upright) {
     scene_random random = {5};
     int columns = 60;
@@ -95,12 +96,14 @@ static void fill_fast(bool with, scene *s, thud_world_def *def) {
     }
 }
 
+/* A prologue without an effect. */
 static bool allow(thud_world *w, const thud_contact *contact, thud_contact_settings *settings,
                   void *context) {
     (void)w, (void)contact, (void)settings, (void)context;
     return true;
 }
 
+/* An epilogue without an effect. */
 static void hear(thud_world *w, const thud_contact *contact, void *context) {
     (void)w, (void)contact, (void)context;
 }

@@ -9,6 +9,7 @@
 
 enum { TURN = 5, LEAST_TURNS = 5 };
 
+/* Makes a step and reads the world's stats. */
 static bool step_once(lab_world *lab, lab_turns_times *times) {
     if (!lab_run(lab, 1, NULL))
         return false;
@@ -16,6 +17,7 @@ static bool step_once(lab_world *lab, lab_turns_times *times) {
     return true;
 }
 
+/* Seconds of the last step's broadphase stage. */
 static double broadphase_of(const lab_turns_times *times) {
     return times->stats.stage_seconds[THUD_STAGE_BROADPHASE];
 }

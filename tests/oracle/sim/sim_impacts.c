@@ -39,6 +39,7 @@ double sim_least_impact(const oracle *o, const contact *c) {
     return c->restitution > 0 ? fmax(o->settings.restitution_threshold, o->tiny) : o->slow;
 }
 
+/* Whether the gap is small enough to count as closed. */
 static bool is_closed(const contact *c) {
     return c->gap <= SIM_CLOSED * c->size;
 }
@@ -93,6 +94,7 @@ double sim_time_to_impact(oracle *o, double limit) {
     return time;
 }
 
+/* Solves the chosen contacts and updates the report; false if there is no solution. */
 static bool solve_chosen(oracle *o) {
     contact_solution solution =
         contact_solve(o->solver, o->chosen.contacts, o->chosen.count, o->masses, o->velocities);

@@ -90,6 +90,7 @@ static bool make_room(contact_solver *s, int count) {
     return true;
 }
 
+/* Whether a body can move. */
 static bool gives_way(inverse_mass m) {
     return m.linear > 0 || m.angular > 0;
 }
@@ -174,6 +175,7 @@ static void couple(contact_solver *s, const contact *contacts, int one, int othe
     }
 }
 
+/* Fills the matrix of the contacts that are closed. */
 static void assemble(contact_solver *s, const contact *contacts, int count,
                      const inverse_mass *masses) {
     number_rows(s, contacts, count);
@@ -297,6 +299,7 @@ static void apply_impulses(contact_solver *s, const contact *contacts, int count
         contact_push(&contacts[i], contacts[i].normal, contacts[i].tangent, masses, s->work);
 }
 
+/* The largest violation of a contact's conditions. */
 static double worst_breach(const contact_solver *s, const contact *contacts, int count) {
     double worst = 0;
     for (int i = 0; i < count; i++)
@@ -304,6 +307,7 @@ static double worst_breach(const contact_solver *s, const contact *contacts, int
     return worst;
 }
 
+/* The largest relative speed at a contact, including its bias. */
 static double fastest(const contact *contacts, int count, const motion *velocities) {
     double speed = 0;
     for (int i = 0; i < count; i++) {

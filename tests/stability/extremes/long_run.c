@@ -12,14 +12,17 @@ typedef struct growth {
     uint64_t bytes, blocks;
 } growth;
 
+/* Records the world's memory at the start. */
 static growth growth_begin(trial *t) {
     return (growth){trial_bytes(t), 0};
 }
 
+/* Adds the allocations of the last step. */
 static void growth_step(growth *g, trial *t) {
     g->blocks += trial_allocations(t);
 }
 
+/* Writes the bytes gained since the start and the number of allocations to the figures. */
 static void growth_tell(const growth *g, trial *t, entrant e, figure *bytes, figure *blocks) {
     figure_tell(bytes, e, (double)trial_bytes(t) - (double)g->bytes);
     if (e != ENTRANT_BOX2D)

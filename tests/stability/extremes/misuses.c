@@ -51,6 +51,7 @@ static void fill(scene *s) {
  * was lost, or nothing could be measured. */
 enum { SEEN_UNTOLD = 1, SEEN_AFFECTED = 2, SEEN_LOST = 4, SEEN_NOTHING_OF_IT = 8 };
 
+/* Whether a pose or velocity is not finite. */
 static bool is_lost(const engine_body *b) {
     return !isfinite(b->x + b->y + b->cosine + b->sine + b->vx + b->vy + b->angular_velocity);
 }

@@ -64,10 +64,12 @@ static void fill(scene *s, const slope *c) {
     }
 }
 
+/* Whether a disc rolls without slipping: friction is at least a third of the slope. */
 static bool rolls(const slope *c) {
     return c->rider == RIDER_DISC && 3 * c->friction >= tan(c->degrees * DEGREE);
 }
 
+/* The analytic acceleration downhill, m/s². */
 static double acceleration_of(const slope *c) {
     double sine = sin(c->degrees * DEGREE), cosine = cos(c->degrees * DEGREE);
     return rolls(c) ? 2.0 / 3 * GRAVITY * sine : GRAVITY * (sine - c->friction * cosine);
@@ -88,6 +90,7 @@ static double worse(double a, double b) {
     return a >= b ? a : b >= a ? b : INFINITY;
 }
 
+/* The rider's speed downhill and its angular speed in the direction of rolling. */
 static motion motion_of(trial *t, const slope *c) {
     const engine_body *b = &trial_read(t)[1];
     scene_point d = downhill(c);

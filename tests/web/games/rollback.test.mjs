@@ -58,10 +58,12 @@ function inputsOf(seed) {
   });
 }
 
+// The state in which a peer ends, for comparison.
 function ended({ world, hero, rollback }) {
   return [rollback.steps, world.hash(), rollback.state, hero.state().position];
 }
 
+// Runs a peer that has all inputs in time; returns its end state.
 function playKnowing(inputs) {
   const peer = createPeer();
   for (let step = 0; step < STEPS; step++) {

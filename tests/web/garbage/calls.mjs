@@ -33,6 +33,7 @@ const CALLS = {
   spawnAndDestroy: () => world.destroy(world.spawn(options), "body"),
 };
 
+// The number of calls per round. Chosen.
 const MANY = 40_000;
 const bytes = {};
 for (const [name, call] of Object.entries(CALLS)) {

@@ -10,6 +10,7 @@ import { fileURLToPath } from "node:url";
 import { test } from "node:test";
 
 const program = fileURLToPath(new URL("calls.mjs", import.meta.url));
+// Bytes of one boxed number in V8.
 const BOX = 16;
 
 /**

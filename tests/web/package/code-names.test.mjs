@@ -24,6 +24,7 @@ function bodyOf(file, declaration) {
   return after.slice(after.indexOf("{"), after.indexOf("\n}")).split("\n");
 }
 
+// The names of an interface's properties in a TypeScript file.
 function propertiesOf(file, type) {
   const step = file.endsWith(".d.ts") ? "    " : "  ";
   const property = new RegExp(`^${step}(?:readonly )?(\\w+)\\??[:(]`);

@@ -116,6 +116,7 @@ const MAKERS = {
   SliderOptions: (text) => joint("slider", `at: [4, 5], ${text}`),
 };
 
+// A program that runs the example; an option becomes part of a call.
 function programOf({ of, text }) {
   if (/^\{ kind: /.test(text)) return `world.createJoint(${text})`;
   if (!/^\w+: /.test(text)) return text;

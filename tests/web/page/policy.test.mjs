@@ -187,6 +187,7 @@ async function probeFrom(t, create, browser, offline) {
   return { reached, seen };
 }
 
+// The tries of PROBE that must work.
 const FREE = ["compile", "own", "assemble", "home"];
 
 for (const browser of BROWSERS) {

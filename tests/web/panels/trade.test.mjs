@@ -266,6 +266,7 @@ test("points_are_one_stop_of_the_tab_key_and_arrows_go_between_them", async () =
 const cells = (page) =>
   page.locator(".result tbody tr").evaluateAll((rows) => rows.map((row) => row.innerText));
 
+// Selectors of two sections of the panel: the measured series, and the search for the largest size.
 const MEASURE = "[aria-labelledby=measure-heading]";
 const HEAVIER = "[aria-labelledby=heavier-heading]";
 

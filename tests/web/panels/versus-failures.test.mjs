@@ -30,6 +30,7 @@ before(async () => {
 });
 after(() => visitor.close());
 
+// The property of a level's object that makes its body dynamic.
 const MOVES = [{ name: "body", type: "string", value: "dynamic" }];
 
 test("box2d_that_does_not_come_is_told_and_the_scene_goes_on", async () => {

@@ -37,6 +37,7 @@ function rulesOf(world) {
   return kinds.flatMap((a) => kinds.map((b) => world.rule(a, b)));
 }
 
+// Makes steps; returns the hash and the impulses after each.
 function walk(world, steps) {
   return Array.from({ length: steps }, () => {
     world.step();

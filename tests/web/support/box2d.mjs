@@ -58,6 +58,8 @@ export function withRival(options, build, use) {
   }
 }
 
+// {}) => Steps both engines; `command` is called before each step, after the rival has read the
+// world's changes.
 export function step(world, rival, steps, command = () => {}) {
   for (let i = 0; i < steps; i++) {
     rival.sync();

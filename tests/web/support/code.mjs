@@ -66,6 +66,7 @@ export function boxes(count, { message = "boxes", update = "" } = {}) {
 `;
 }
 
+// Waits until the code panel's status has exactly that text.
 export function untilStatus(page, text) {
   return page.waitForFunction(
     (wanted) => document.querySelector(".code-status").textContent === wanted,
@@ -73,6 +74,7 @@ export function untilStatus(page, text) {
   );
 }
 
+// Waits for an error report of the code panel; returns its text.
 export async function troubleOf(page) {
   await page.waitForSelector(".code-trouble:not([hidden])");
   return page.innerText(".code-trouble");
@@ -102,6 +104,7 @@ function markedLine(page) {
   });
 }
 
+// The address of a scene with code in it, as the page makes it.
 export function linkOf(text, scene = "sketch") {
   return `?scene=${scene}#code=${deflateRawSync(text).toString("base64url")}`;
 }

@@ -48,6 +48,7 @@ export async function openVisitor({ webgl = false, browser: name = "chromium" } 
   };
 }
 
+// Waits until the scene has made a step.
 export async function untilRunning(page) {
   // A page that is being reloaded has no figures for a moment.
   await page.waitForFunction(() => Number(document.querySelector("#hud")?.dataset.steps) > 0);
@@ -110,10 +111,12 @@ export function choose(page, name, value) {
   return page.check(`label:has(> [name="${name}"][value="${value}"])`);
 }
 
+// Whether the toggle button is pressed.
 export async function pressed(page, id) {
   return (await page.getAttribute(`#${id}`, "aria-pressed")) === "true";
 }
 
+// A number in the page's figures, by its name.
 export async function figure(page, name) {
   return Number((await page.textContent(`[data-value="${name}"]`)).replace(/,/g, ""));
 }

@@ -42,6 +42,7 @@ export function middles(page) {
   });
 }
 
+// Waits until the panel has loaded Box2D.
 export async function untilBox2D(page) {
   await page.waitForSelector("#versus .verdict");
   await page.waitForFunction(
@@ -77,6 +78,7 @@ export function table(page) {
   );
 }
 
+// Waits for `count` frames of the display.
 export function drawnFrames(page, count) {
   return page.evaluate(
     (frames) =>
@@ -88,6 +90,7 @@ export function drawnFrames(page, count) {
   );
 }
 
+// Waits until the panel's table has a step time.
 export async function untilMeasured(page) {
   await page.waitForFunction(
     () => / ms$/.test(document.querySelector("#versus-table tbody td")?.textContent),

@@ -232,6 +232,7 @@ function has(world, shapes, body) {
   return shapes.some((shape) => world.bodyOf(shape).index === body.index);
 }
 
+// A prologue that lets all pairs of the rows pass.
 function vetoAll(rows, count) {
   const { length, collide } = thud.LISTENED_ROW;
   for (let row = 0; row < count; row++) rows[row * length + collide] = 0;

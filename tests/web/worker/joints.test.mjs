@@ -14,6 +14,7 @@ const { USUAL } = await importTypeScript("src/page/url.ts");
 const { JointFrames } = await importTypeScript("src/worker/joint-frames.ts");
 const engine = await thud.load();
 
+// Opens a session that runs the scene function.
 function open(scene) {
   const request = { name: "own", seed: 0, choices: USUAL };
   const module = { default: scene, title: "", about: "", menu: null };

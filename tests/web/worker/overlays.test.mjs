@@ -15,6 +15,7 @@ const engine = await thud.load(demoWasm);
 /** CSS pixels per world unit. */
 const SCALE = 16;
 const ORIGIN = [1, 2];
+// Half the width of the drawn region, world units.
 const REACH = 100;
 
 /**

@@ -9,6 +9,7 @@ import { findLifts } from "../../../web/public/scenes/platformer_game/lifts.js";
 const KEY_NAMES = ["left", "right", "up", "down", "fire", "restart"];
 const LONGEST_LEG = 15 * 60; // steps
 
+// (at) => at.x >= x; => Conditions that end a leg.
 const after = (x) => (at) => at.x >= x;
 const before = (x) => (at) => at.x <= x;
 const above = (y) => (at) => at.y >= y;

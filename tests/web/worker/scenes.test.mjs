@@ -185,6 +185,7 @@ function positions(world) {
   return slots.map((slot) => [poses[4 * slot], poses[4 * slot + 1]]);
 }
 
+// The state of the body whose shape is last in the shape table.
 function lastBody(world) {
   const { count, handles } = world.shapeTable();
   const [index1, generation] = handles.slice(4 * count - 2);

@@ -10,6 +10,7 @@ import { thud } from "../support/package.mjs";
 const STEPS = 300;
 /** The number of steps between two recorded hashes. */
 const EVERY = 30;
+// The number of random seeks per scene. Chosen.
 const SEEKS = 12;
 const KEYS = ["left", "right", "up", "down", "fire", "restart"];
 /** The largest size of a scene here, so that the test is short. Chosen. */
@@ -17,6 +18,7 @@ const MOST = 60;
 
 const engine = await thud.load();
 
+// The slot of a random body; 0 if there is none.
 function slotOfBody(world, chance) {
   const { rows, count } = world.shapeTable();
   return count > 0 ? rows[10 * Math.floor(chance(0, count))] : 0;
@@ -40,6 +42,7 @@ function randomCommand({ world, scene }, chance) {
   return commands[Math.floor(chance(0, commands.length))]();
 }
 
+// {}) => Steps to `end` and records every EVERY-th hash; `commands` is called before each step.
 function runTo(session, end, hashes, commands = () => {}) {
   while (session.step < end) {
     if (session.step % EVERY === 0) hashes.set(session.step, session.hash.hash);
