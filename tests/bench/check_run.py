@@ -17,6 +17,7 @@ def run(*words):
 
 
 def options_of(text):
+    """The options that a help text lists."""
     return set(re.findall(r"^  (--[a-z0-9]+)", text, re.MULTILINE)) | \
         set(re.findall(r"^  --[a-z]+, (--[a-z]+)", text, re.MULTILINE))
 

@@ -5,6 +5,8 @@
 
 #include <string.h>
 
+/* In the order of the fields of bench_plan: scene, size, warm-up, steps, by default, sleeping,
+ * target, limit, reason for warm-up and steps. */
 static const bench_plan PLANS[] = {
     {"pyramid", 0, 10, 300, true, false, 3, 0, "stands from the start: a solver full of contacts"},
     {"circle_pit", 0, 30, 600, true, false, 4.5, 0, "ten seconds, from free fall to a heap"},

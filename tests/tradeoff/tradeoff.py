@@ -84,6 +84,7 @@ def read_results(out):
 
 
 def build_of(program):
+    """A digest of the program, which tells builds apart."""
     with open(program, "rb") as file:
         return hashlib.sha256(file.read()).hexdigest()[:16]
 

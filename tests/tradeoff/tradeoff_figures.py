@@ -20,6 +20,7 @@ def error(case, point):
 
 
 def is_none(case, point):
+    """Whether a point's error is within the case's floor, which counts as no error."""
     return error(case, point) <= case["floor"]
 
 
@@ -33,6 +34,7 @@ def curve(case, name):
 
 
 def rivals(case):
+    """The points of Box2D."""
     return [p for p in case["points"] if p["engine"] == "box2d"]
 
 
@@ -42,6 +44,7 @@ def chipmunks(case):
 
 
 def own(case):
+    """The points of thud."""
     return [p for p in case["points"] if p["engine"] == "thud"]
 
 
@@ -69,16 +72,19 @@ def is_beaten(case, rival):
 
 
 def times_cheaper(case, rival):
+    """How many times cheaper thud is at the rival's accuracy; None if no point matches."""
     match = cheapest_as_accurate(case, rival)
     return cost(rival) / cost(match) if match else None
 
 
 def times_more_accurate(case, rival):
+    """How many times smaller thud's error is at the rival's cost; None if no point matches."""
     match = most_accurate_as_cheap(case, rival)
     return error(case, rival) / error(case, match) if match else None
 
 
 def unbeaten(case):
+    """Box2D's points that no point of thud beats."""
     return [r for r in rivals(case) if not is_beaten(case, r)]
 
 

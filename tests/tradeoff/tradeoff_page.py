@@ -56,6 +56,7 @@ def times(value):
 
 
 def span(values):
+    """A range of factors in words, or one factor."""
     low, high = times(min(values)), times(max(values))
     return low if low == high else f"{low} to {high}"
 
@@ -120,6 +121,7 @@ def beside_chipmunk(case):
 
 
 def monotony(case):
+    """The page's sentence about pairs of qualities of which the higher one has the larger error."""
     worse = figures.not_monotone(case)
     if not worse:
         return "More quality buys accuracy throughout."
@@ -154,6 +156,7 @@ def sections(results, folder):
 
 
 def range_of(values, missing):
+    """The range of the values that are not None, and how the page names the others."""
     found = [v for v in values if v is not None]
     return span(found) + (f" ({missing})" if len(found) < len(values) else "") if found else missing
 

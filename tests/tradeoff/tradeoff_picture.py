@@ -34,6 +34,7 @@ def rule(x1, y1, x2, y2, colour=PALE, dashes=""):
 
 
 def sign(kind, x, y, radius, colour):
+    """The marker of a point."""
     if kind == "circle":
         return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{radius}" fill="{colour}"/>'
     if kind == "ring":
@@ -70,6 +71,7 @@ class Axis:
 
 
 def short(value):
+    """A tick's label."""
     if value >= 1e4 or value < 1e-3:
         return f"{value:.0e}".replace("e-0", "e-").replace("e+0", "e")
     return f"{value:,.0f}" if value >= 1 else f"{value:g}"
@@ -84,6 +86,7 @@ def heights(case):
 
 
 def axes_of(case, left, right, top, bottom):
+    """Both axes of a case and the pixel position of each point."""
     ys = heights(case)
     x = Axis([1e3 * figures.cost(p) for p in case["points"]], left, right)
     y = Axis(list(ys.values()), bottom, top)
@@ -149,6 +152,7 @@ class Room:
 
 
 def labels(case, places, bounds):
+    """The names of the points, placed where they cover least."""
     room = Room(case, places, bounds, LABEL)
     parts = []
     for p in case["points"]:
@@ -177,6 +181,7 @@ def end_labels(case, places, bounds):
 
 
 def frame(x, y, bounds, at_most, size):
+    """The grid and tick labels of a chart."""
     left, top, right, bottom = bounds
     parts = []
     for tick in x.ticks(at_most):
@@ -231,6 +236,7 @@ def key(width):
 
 
 def panel(case, column, row):
+    """One case's small chart in the overview."""
     left, top = column * PANEL_WIDTH + 52, KEY + row * PANEL_HEIGHT + 46
     bounds = (left, top, (column + 1) * PANEL_WIDTH - 14, KEY + (row + 1) * PANEL_HEIGHT - 26)
     x, y, places = axes_of(case, bounds[0], bounds[2], bounds[1], bounds[3])

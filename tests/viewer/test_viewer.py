@@ -22,6 +22,7 @@ PIXELS_PER_METRE = 20
 
 
 def palette(name):
+    """A colour of the viewer's palette, as (red, green, blue)."""
     hexadecimal = re.search(rf"#define {name}\s+RGBA?\(0x([0-9A-F]{{6}})", PALETTE).group(1)
     return tuple(bytes.fromhex(hexadecimal))
 
@@ -43,6 +44,7 @@ def colourful(pixel):
 
 
 def centre_of_colour(picture, wanted=colourful):
+    """The mean position of the pixels for which `wanted` holds."""
     places = [(x, y) for y, row in enumerate(picture.rows) for x, pixel in enumerate(row)
               if wanted(pixel)]
     assert places, "nothing of that colour in sight"

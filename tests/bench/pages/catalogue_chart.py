@@ -62,6 +62,7 @@ class Scale:
 
 
 def axes(x, y, x_names, y_names, x_title, y_title):
+    """The grid lines, tick labels and titles of both axes."""
     parts = []
     for tick, name in zip(y.ticks, y_names):
         parts.append(rule(LEFT, y(tick), WIDTH - RIGHT, y(tick)))
@@ -75,6 +76,7 @@ def axes(x, y, x_names, y_names, x_title, y_title):
 
 
 def line(points, x, y, colour, joined):
+    """A curve with a dot at each point, or larger dots alone if the points are not joined."""
     places = [f"{x(a):.1f} {y(b):.1f}" for a, b in points]
     way = (f'<path d="M {" L ".join(places)}" fill="none" stroke="{colour}" stroke-width="2.5"/>'
            if joined else "")
@@ -98,8 +100,10 @@ def chart(title, series, x, y, names, joined=True):
 
 
 def horizontal(ticks, is_logarithmic=True):
+    """The scale of the x axis, pixels."""
     return Scale(ticks, LEFT, WIDTH - RIGHT, is_logarithmic)
 
 
 def vertical(ticks, is_logarithmic=True):
+    """The scale of the y axis, pixels."""
     return Scale(ticks, HEIGHT - BOTTOM, TOP, is_logarithmic)

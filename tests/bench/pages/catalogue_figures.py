@@ -26,6 +26,7 @@ def crossing(x0, x1, a0, a1, b0, b1):
 
 
 def cheapest(row, field="ns_per_shape"):
+    """The broadphase with the least value in a row, of those that were measured."""
     here = [name for name in BROADPHASES if not row[name]["dropped"]]
     return min(here, key=lambda name: row[name][field])
 
@@ -54,6 +55,7 @@ def rounded(value):
 
 
 def in_words(rows):
+    """Sentences that say at which numbers of shapes each broadphase is the cheapest."""
     found = reigns(rows)
     parts = []
     for i, (name, start, end) in enumerate(found):

@@ -135,6 +135,7 @@ def motions(results):
 
 
 def by_pair(rows, head, name):
+    """A table of times with a column for each pair of shape kinds and a row for each entry."""
     pairs = max((list(r["ns"]) for r in rows), key=len)
     return table([head, *pairs],
                  [[name(r), *(ns(r["ns"][p]) if p in r["ns"] else "" for p in pairs)]

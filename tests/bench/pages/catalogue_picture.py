@@ -8,15 +8,18 @@ WALL_TITLES = {"static": "Who passes through a standing wall, 2 cm thick",
 
 
 def values(series):
+    """All y values of several curves."""
     return [value for _, _, points in series for _, value in points]
 
 
 def over_broadphases(rows, x_of, y_of):
+    """A curve for each broadphase, of the rows in which it was measured."""
     return [(name, COLOURS[i], [(x_of(r), y_of(r, name)) for r in kept(rows, name)])
             for i, name in enumerate(BROADPHASES) if kept(rows, name)]
 
 
 def logarithmic(title, series, x_title, y_title):
+    """A chart with both axes logarithmic."""
     xs = [x for _, _, points in series for x, _ in points]
     x_ticks, y_ticks = (decades(min(v), max(v)) for v in (xs, values(series)))
     return chart(title, series, horizontal(x_ticks), vertical(y_ticks),

@@ -8,13 +8,15 @@ import json
 import sys
 from xml.sax.saxutils import escape
 
-# Pixels.
+# Pixels: the picture's width, the widths left and right of the bars, the height above them, and the
+# heights of a row and of a bar.
 WIDTH, NAMES, RIGHT, TOP, ROW, BAR = 900, 190, 50, 92, 32, 20
 FIGURE = 40  # pixels: the figure of a shorter bar stands beside it
 GREEN, AMBER, INK, GREY = "#2a7f62", "#c9822b", "#202020", "#8a8a8a"
 
 
 def engine(scene, name):
+    """The results of one engine in a scene; None if it did not run."""
     return next((e for e in scene["engines"] if e["engine"] == name), None)
 
 
@@ -36,6 +38,7 @@ def line(x, y1, y2, colour, width, dashes=""):
 
 
 def tick_step(most):
+    """The smallest step of the axis that gives at most ten intervals."""
     return next(step for step in (1, 2, 5, 10, 20, 50, 100, 1000) if most / step <= 10)
 
 
@@ -74,6 +77,7 @@ def key():
 
 
 def picture(scenes):
+    """The bar chart as an SVG document."""
     values = [v for s in scenes for v in (ratio(s, "box2d"), ratio(s, "rapier"), s["target"]) if v]
     most = max(values, default=1)
     scale = (WIDTH - NAMES - RIGHT) / most
