@@ -1,9 +1,9 @@
-/* box2d_joints.c: a scene's joints in Box2D v3.2. What needs translation:
+/* box2d_joints.c: creates a scene's joints in Box2D v3.2. Differences between both:
  *
- * - A distance that is driven has a spring, which Box2D wants for limits and motors to count; of
- *   frequency 0 it pulls at nothing.
+ * - Limits and motors of a distance joint need an enabled spring in Box2D; with frequency 0 it has
+ *   no force.
  * - A target is a motor joint, whose two linear directions share one spring and one motor.
- * - Box2D tells when a joint bears more than it should, and never breaks it. */
+ * - Box2D reports that a joint's force exceeds its threshold, but does not break the joint. */
 #include "box2d_joints.h"
 
 #include <math.h>

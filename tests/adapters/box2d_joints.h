@@ -1,4 +1,4 @@
-/* box2d_joints.h: a scene's joints in Box2D. */
+/* box2d_joints.h: creates a scene's joints in Box2D. */
 #ifndef THUD_ADAPTERS_BOX2D_JOINTS_H
 #define THUD_ADAPTERS_BOX2D_JOINTS_H
 
@@ -6,10 +6,10 @@
 
 #include <box2d/box2d.h>
 
-/* Box2D has no gears. */
+/* False for scenes with gears, which Box2D does not have. */
 bool box2d_has_joints(const scene *s);
 
-/* False when one cannot be made. `bodies` are in the scene's order. */
+/* False if one cannot be created. `bodies` are in the scene's order. */
 bool box2d_add_joints(b2WorldId world, const scene *s, const b2BodyId *bodies,
                       const engine_settings *settings);
 

@@ -30,8 +30,8 @@ copy_package "$here/rapier" "$out/rapier"
 cd "$out/rapier"
 cargo fetch --quiet || missing "the package rapier2d could not be fetched"
 
-# AVX2 and FMA, as every engine of the comparison may use: Rapier's code is compiled for one kind
-# of processor, so that the best of it is chosen here.
+# Rapier is compiled for one kind of processor; AVX2 and FMA are enabled here, as other engines of
+# the comparison may use them.
 flags=
 case $(uname -m) in
     x86_64) flags="-C target-cpu=x86-64-v3" ;;

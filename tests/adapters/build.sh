@@ -45,15 +45,15 @@ copy_package "$here" "$out/crate"
 cd "$out/crate"
 cargo fetch --quiet || missing "the package boxdd-sys 0.6.0 could not be fetched"
 
-# By itself the package compiles at -O2 with assertions on; these are the flags of Box2D's own
-# release build. The debug output names every compiler call, for the check below.
+# The package's default is -O2 with assertions; these are the flags of Box2D's own release build.
+# The debug output prints every compiler call, for the check below.
 CC=$clang CFLAGS="-O3 -DNDEBUG" CC_ENABLE_DEBUG_OUTPUT=1 \
     cargo build --quiet --release --offline -j 2 --target-dir "$out/cargo"
 library=$out/cargo/release/libbox2d_baseline.a
 [ -f "$library" ] || fail "cargo made no $library"
 
-# The flags that were really used, from the compiler calls that the newest build script printed:
-# every Box2D source with -O3 as its last level, without assertions.
+# Checks the flags in the compiler calls that the newest build script printed: every Box2D source
+# must have -O3 as its last level, and no assertions.
 log=$(ls -t "$out"/cargo/release/build/boxdd-sys-*/output | head -n 1)
 calls=$(sed -n 's/^running: //p' "$log" | grep '"-c" ".*/src/[a-z_]*\.c"$' || true)
 [ -n "$calls" ] || fail "no compiler call found in $log"
@@ -69,8 +69,8 @@ case $(uname -m) in
         [ -z "$bad" ] || fail "not compiled with AVX2: $(first "$bad")"
         ;;
 esac
-# And what came of them: an assertion that is on calls b2InternalAssert, and the contact solver
-# works on 256-bit registers.
+# Checks the library: enabled assertions call b2InternalAssert, and the contact solver must use
+# 256-bit registers.
 if command -v objdump >/dev/null 2>&1; then
     code=$(objdump -d --no-show-raw-insn --disassemble=b2SolveContactsTask "$library" 2>/dev/null)
     if [ -n "$simd" ] && ! printf '%s' "$code" | grep -q '%ymm'; then

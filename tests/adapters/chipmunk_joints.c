@@ -1,19 +1,22 @@
-/* chipmunk_joints.c: a scene's joints in Chipmunk 7, which has a constraint for each direction:
+/* chipmunk_joints.c: creates a scene's joints in Chipmunk 7, which has a constraint for each
+ * direction:
  *
- * - a distance is a pin, a slide where it has limits, and a spring where it has a frequency;
- * - a hinge is a pivot, with a rotary limit, a rotary spring and a motor as it needs them;
- * - a weld is a pivot and a gear of ratio 1, which locks the turn;
- * - a slider is a groove with that gear, and a wheel the groove alone, with a motor. What pulls
- * along the groove is a spring from far behind.
+ * - a distance is a pin joint, a slide joint if it has limits, and a damped spring if it has a
+ *   frequency;
+ * - a hinge is a pivot joint, with a rotary limit, a rotary spring and a motor as needed;
+ * - a weld is a pivot joint and a gear of ratio 1, which locks the rotation;
+ * - a slider is a groove joint with such a gear, and a wheel the groove joint alone, with a motor.
+ *   A force along the groove is that of a spring anchored far away along the axis.
  *
- * Its springs want stiffness and damping, which follow from the masses without levers. */
+ * Stiffness and damping of springs are computed from frequency and damping ratio with the bodies'
+ * masses, without lever arms. */
 #include "chipmunk_joints.h"
 
 #include <math.h>
 
 static const double PI = 3.14159265358979323846;
 
-/* How long a groove without limits is, and where its spring is held, in m. */
+/* m: length of a groove without limits to each side; distance of the anchor of its spring. */
 static const double FAR = 1000, BEHIND = 100;
 
 bool chipmunk_has_joints(const scene *s) {
@@ -37,6 +40,7 @@ static cpConstraint *add(maker *m, cpConstraint *part) {
     return m->parts[m->count++] = cpSpaceAddConstraint(m->space, part);
 }
 
+/* The reduced mass of two bodies; 0 means static. */
 static double together(double one, double other) {
     return 1 / ((one > 0 ? 1 / one : 0) + (other > 0 ? 1 / other : 0));
 }
@@ -49,7 +53,7 @@ static double moment_of(cpBody *b) {
     return cpBodyGetType(b) == CP_BODY_TYPE_DYNAMIC ? cpBodyGetMoment(b) : 0;
 }
 
-/* Stiffness and damping of a frequency about a mass. */
+/* Stiffness and damping of a spring with this frequency and damping ratio at a mass. */
 static void soften(const scene_drive *d, double mass, double *stiffness, double *damping) {
     double omega = 2 * PI * d->frequency;
     *stiffness = mass * omega * omega;
@@ -69,7 +73,7 @@ static void add_turn(maker *m, const scene_drive *d) {
     if (d->frequency > 0) {
         double stiffness, damping;
         soften(d, together(moment_of(m->a), moment_of(m->b)), &stiffness, &damping);
-        /* It counts the turn of a from b. */
+        /* Chipmunk measures the angle of a relative to b. */
         add(m, cpDampedRotarySpringNew(m->a, m->b, start - d->target, stiffness, damping));
     }
     if (d->motor_force > 0)
@@ -77,10 +81,12 @@ static void add_turn(maker *m, const scene_drive *d) {
                                 d->motor_force);
 }
 
+/* Keeps the relative angle of the bodies. */
 static void lock_turn(maker *m) {
     add(m, cpGearJointNew(m->a, m->b, m->joint->angle[0] - m->joint->angle[1], 1));
 }
 
+/* A slider along the first frame's axis, with its limits and spring. */
 static void add_groove(maker *m, const scene_drive *d) {
     cpVect axis = cpvforangle(m->joint->angle[0]);
     double lower = d->limited ? d->lower : -FAR, upper = d->limited ? d->upper : FAR;
@@ -119,7 +125,7 @@ void chipmunk_add_joint(cpSpace *space, const scene_joint *j, cpBody *const *bod
         lock_turn(&m);
     if (j->kind == SCENE_HINGE || j->kind == SCENE_WHEEL)
         add_turn(&m, turn);
-    /* A motor of no force, which keeps their shapes apart. */
+    /* A motor without force, which keeps the shapes from colliding. */
     if (j->kind == SCENE_FILTER)
         cpConstraintSetMaxForce(add(&m, cpSimpleMotorNew(m.a, m.b, 0)), 0);
 }

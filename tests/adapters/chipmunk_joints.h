@@ -1,4 +1,4 @@
-/* chipmunk_joints.h: a scene's joints in Chipmunk. */
+/* chipmunk_joints.h: creates a scene's joints in Chipmunk. */
 #ifndef THUD_ADAPTERS_CHIPMUNK_JOINTS_H
 #define THUD_ADAPTERS_CHIPMUNK_JOINTS_H
 
@@ -6,13 +6,15 @@
 
 #include <chipmunk/chipmunk.h>
 
-/* Chipmunk has no targets, and its gears lose count of turns. */
+/* False for scenes with targets, which Chipmunk does not have, and with gears, because Chipmunk's
+ * gears lose count of whole turns. */
 bool chipmunk_has_joints(const scene *s);
 
-/* What a scene's joint is made of there. */
+/* Largest number of constraints for a joint of a scene. */
 enum { CHIPMUNK_PARTS = 5 };
 
-/* `parts` gets room for CHIPMUNK_PARTS a joint, of which those not needed are null. */
+/* Writes the created constraints to `parts`, which has room for CHIPMUNK_PARTS; unused elements
+ * stay null. */
 void chipmunk_add_joint(cpSpace *space, const scene_joint *j, cpBody *const *bodies,
                         cpConstraint *parts[CHIPMUNK_PARTS]);
 

@@ -1,11 +1,11 @@
-/* engine_box2d.c: Box2D v3.2, behind engine.h. The same doubles are rounded to the same floats as
- * in build_thud.c. What needs translation:
+/* engine_box2d.c: Box2D v3.2, by the interface of engine.h. Doubles are rounded to the same floats
+ * as in build_thud.c. Differences between both engines:
  *
- * - An AABB is a box whose body is locked against turning.
- * - Terrain is a chain: one-sided, solid to the left of its direction of travel, so its points go
- *   from right to left. A chain's first and last edge do not collide, so that each end gets a
- *   ghost point that continues the last edge.
- * - Friction mixes as sqrt(a * b) and restitution as the larger in both engines. */
+ * - An AABB is a box whose body has a locked rotation.
+ * - Terrain is a chain: one-sided, solid to the left of its direction, so its points go from right
+ *   to left. The first and last edges of a chain do not collide, so that each end gets a ghost
+ *   point that continues the last edge.
+ * - Friction is combined as sqrt(a * b) and restitution as the maximum in both engines. */
 #include "box2d_joints.h"
 #include "engine.h"
 #include "misuse_box2d.h"
@@ -14,10 +14,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Half the width of what stands in for an endless line, in metres. */
+/* m: half the length of the segment that represents an endless line. */
 #define FLAT_HALF_WIDTH 4096.0
 
-/* What no speed of any scene comes near, in m/s. */
+/* m/s: above all speeds of the scenes. */
 #define NO_LIMIT_OF_SPEED 1e9f
 
 typedef struct own_world {
@@ -35,7 +35,7 @@ static b2Vec2 vec2(double x, double y) {
     return (b2Vec2){(float)x, (float)y};
 }
 
-/* Box2D's own b2MakeRot is an approximation, good to four digits. */
+/* Box2D's b2MakeRot is an approximation with four correct digits. */
 static b2Rot rotation(double angle) {
     return (b2Rot){(float)cos(angle), (float)sin(angle)};
 }
@@ -50,7 +50,7 @@ static b2Filter filter_of(const scene_shape *shape) {
     return (b2Filter){shape->category, shape->mask, shape->group};
 }
 
-/* The terrain's vertices from left to right. */
+/* Number of vertices of a terrain; vertex() gives them from left to right. */
 static int vertex_count(const scene_shape *shape) {
     return shape->kind == SCENE_TERRAIN_FLAT ? 2 : shape->point_count;
 }
@@ -135,7 +135,8 @@ static bool add_body(own_world *own, const scene *s, int index, const engine_set
     bool ok = B2_IS_NON_NULL(id);
     for (int i = 0; ok && i < body->shape_count; i++)
         ok = add_shape(id, s, &s->shapes[body->first_shape + i], settings->events);
-    /* Only now is the centre of mass known, whose velocity a scene gives. */
+    /* The scene's velocity is that of the centre of mass, which is known only after the shapes are
+     * added. */
     if (ok)
         b2Body_SetLinearVelocity(id, vec2(body->vx, body->vy));
     return ok;
@@ -148,7 +149,7 @@ static void destroy(void *state) {
     free(own);
 }
 
-/* The length scale is one number for all of Box2D: worlds of different scales cannot live at the
+/* The length scale is a global variable of Box2D: worlds with different scales cannot exist at the
  * same time. */
 static void *create(const scene *s, const engine_settings *settings) {
     own_world *own = calloc(1, sizeof *own + (size_t)s->body_count * sizeof own->bodies[0]);
@@ -204,7 +205,7 @@ static void read_bodies(void *state, engine_body *bodies) {
     }
 }
 
-/* Box2D counts over all its worlds; the comparison never has more than one at a time. */
+/* Box2D counts the bytes of all its worlds; comparisons have only one at a time. */
 static uint64_t bytes(void *state) {
     own_world *own = state;
     return (uint64_t)b2World_GetCounters(own->id).byteCount;
@@ -231,6 +232,7 @@ static void read_pose(void *state, int body, double x, double y, float out[4]) {
     out[2] = pose.q.c, out[3] = pose.q.s;
 }
 
+/* Destroys a body and creates a dynamic circle in its place. */
 static bool renew(void *state, const scene *s, int body) {
     own_world *own = state;
     const scene_body *from = &s->bodies[body];

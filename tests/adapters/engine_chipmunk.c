@@ -1,10 +1,11 @@
-/* engine_chipmunk.c: Chipmunk 7, behind engine.h, which computes in double precision. What needs
- * translation:
+/* engine_chipmunk.c: Chipmunk 7, by the interface of engine.h; it computes in double precision.
+ * Differences:
  *
  * - An AABB is a box whose body has an infinite moment of inertia.
  * - Terrain is a row of segments, which are solid on both sides.
- * - Friction mixes as a product, so that each shape has the root of its own; so for restitution.
- * - Only groups below 0 are known, whose shapes do not meet. */
+ * - Friction and restitution are combined as products, so that each shape gets the square root of
+ *   its value.
+ * - Groups exist only as negative numbers, whose shapes do not collide. */
 #include "chipmunk_joints.h"
 #include "engine.h"
 
@@ -35,7 +36,7 @@ static bool can_build(const scene *s) {
     return chipmunk_has_joints(s);
 }
 
-/* Gravity's share and damping of a body are its user data. */
+/* Gravity scale and damping are taken from the scene's body, which is the user data. */
 static void update_velocity(cpBody *body, cpVect gravity, cpFloat damping, cpFloat dt) {
     const scene_body *b = cpBodyGetUserData(body);
     cpBodyUpdateVelocity(body, cpvmult(gravity, b->gravity_scale),
@@ -58,6 +59,7 @@ static cpShape *box_of(cpBody *body, const scene_shape *shape) {
     return cpPolyShapeNewRaw(body, 4, corners, 0);
 }
 
+/* Sets a shape's properties and adds it to the space. */
 static void keep(own_world *own, const scene_shape *source, cpShape *shape, bool weighs) {
     cpShapeSetFriction(shape, sqrt(source->material.friction));
     cpShapeSetElasticity(shape, sqrt(source->material.restitution));
@@ -145,8 +147,8 @@ static void destroy(void *state) {
     free(own);
 }
 
-/* The first space of a debug build, as Debian has it, greets on stdout, where programs write JSON.
- */
+/* In a debug build, such as Debian's, the first space prints a greeting to stdout, where programs
+ * write JSON; stdout is redirected meanwhile. */
 static cpSpace *make_space(void) {
     static bool greeted;
     if (greeted)
@@ -216,7 +218,7 @@ static void read_bodies(void *state, engine_body *bodies) {
     }
 }
 
-/* It does not tell. */
+/* Chipmunk does not report its memory. */
 static uint64_t bytes(void *state) {
     (void)state;
     return 0;

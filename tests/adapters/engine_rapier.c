@@ -1,15 +1,15 @@
-/* engine_rapier.c: Rapier 2D, behind engine.h, at its defaults: 4 substeps, continuous against
- * static shapes. Its events go to a handler that there is none of: only its speed and overlap are
+/* engine_rapier.c: Rapier 2D, by the interface of engine.h, with its defaults: 4 substeps,
+ * continuous detection against static shapes. Its events are not read: only speed and overlap are
  * compared.
  *
- * As in Box2D, terrain is a one-sided line whose points go from right to left; an endless one ends
- * somewhere. Collision groups by number, which only levels use, have no counterpart. */
+ * As in Box2D, terrain is a one-sided line whose points go from right to left, and an endless one
+ * gets ends. Collision groups by number, which only levels use, are not supported. */
 #include "engine.h"
 #include "rapier.h"
 
 #include <stdlib.h>
 
-/* Half the width of what stands in for an endless line, in metres. */
+/* m: half the length of the segment that represents an endless line. */
 #define FLAT_HALF_WIDTH 4096.0
 
 typedef struct own_world {
@@ -148,7 +148,7 @@ static uint64_t bytes(void *state) {
     return rapier_bytes();
 }
 
-/* Its joints are not translated. */
+/* Joints are not translated for Rapier. */
 static bool has_no_joints(const scene *s) {
     return s->joint_count == 0;
 }

@@ -1,4 +1,4 @@
-/* engine_thud.c: thud, behind engine.h. */
+/* engine_thud.c: thud, by the interface of engine.h. */
 #include "act_thud.h"
 #include "build_thud.h"
 #include "engine.h"
@@ -53,7 +53,7 @@ static bool step(void *state) {
     return scene_step_thud(&own->fields, own->world) == THUD_OK;
 }
 
-/* A body that is quarantined is lost, too. */
+/* A quarantined body counts as lost. */
 static void read_bodies(void *state, engine_body *bodies) {
     own_world *own = state;
     for (int i = 0; i < own->body_count; i++) {
@@ -110,6 +110,7 @@ static void read_pose(void *state, int body, double x, double y, float out[4]) {
     out[0] = pose.x, out[1] = pose.y, out[2] = pose.c, out[3] = pose.s;
 }
 
+/* Destroys a body and creates a dynamic circle in its place. */
 static bool renew(void *state, const scene *s, int body) {
     own_world *own = state;
     const scene_body *from = &s->bodies[body];

@@ -1,4 +1,4 @@
-/* engines.c: the engines of this build, and what making a world is in each of them. */
+/* engines.c: the list of the engines of this build, and engine_create. */
 #include "engine.h"
 
 #include <stdio.h>
@@ -25,7 +25,8 @@ const physics_engine *engine_find(const char *name) {
     return NULL;
 }
 
-/* False, after a line on stderr, on a processor that the library was not built for. */
+/* Whether the processor has the instructions that the library was built for; otherwise false, with
+ * a line on stderr. */
 static bool can_run(const physics_engine *engine) {
     bool lacking = false;
 #if defined(__x86_64__)

@@ -1,5 +1,5 @@
-/* misuse_box2d.c: each wrong call in Box2D's words, as a release build takes them: without its
- * assertions. None of these has a result. */
+/* misuse_box2d.c: makes each invalid call in Box2D, in a release build without assertions. None of
+ * these functions returns a result. */
 #include "misuse_box2d.h"
 
 static void add_circle(b2BodyId body, float radius, float density, float friction) {
@@ -17,6 +17,7 @@ static b2BodyId create_at(b2WorldId world, float x) {
     return b2CreateBody(world, &def);
 }
 
+/* Sets the velocity of a destroyed body. */
 static void push_gone(b2WorldId world) {
     b2BodyId gone = create_at(world, 0);
     b2DestroyBody(gone);

@@ -1,4 +1,4 @@
-/* misuse_thud.c: each wrong call in thud's words. */
+/* misuse_thud.c: makes each invalid call in thud. */
 #include "misuse_thud.h"
 
 static thud_result add_circle(thud_world *w, thud_body_id body, float radius, float density,
@@ -16,6 +16,7 @@ static thud_result create_at(thud_world *w, double x) {
     return thud_body_create(w, &def, NULL);
 }
 
+/* Sets the velocity of a destroyed body. */
 static thud_result push_gone(thud_world *w) {
     thud_body_def def = thud_default_body_def();
     thud_body_id gone;

@@ -6,7 +6,7 @@
 
 #include <thud/thud.h>
 
-/* Whether it was refused. */
+/* True if the call was refused. */
 bool misuse_thud(thud_world *w, thud_body_id body, misuse call, double x);
 
 #endif

@@ -1,5 +1,5 @@
-/* rapier.h: what rapier/src/lib.rs offers to C. Bodies come first, then their shapes: a shape
- * belongs to the body that was added last. Memory that runs out ends the program, as in Rust. */
+/* rapier.h: the C interface of rapier/src/lib.rs. A shape is added to the body that was added last.
+ * The program ends if memory runs out, as in Rust. */
 #ifndef THUD_ADAPTERS_RAPIER_H
 #define THUD_ADAPTERS_RAPIER_H
 
@@ -38,11 +38,13 @@ void rapier_destroy(rapier_world *world);
 void rapier_add_body(rapier_world *world, const rapier_body *body);
 void rapier_add_circle(rapier_world *world, const rapier_shape *shape, float radius);
 void rapier_add_box(rapier_world *world, const rapier_shape *shape, float hx, float hy);
-/* A one-sided line of `count` points, x and y in turn; solid to the left of its direction. */
+/* A one-sided line of `count` points, given as x and y by turns; solid to the left of its
+ * direction. */
 void rapier_add_line(rapier_world *world, const rapier_shape *shape, const float *xy, size_t count);
 
 void rapier_step(rapier_world *world);
-void rapier_read(const rapier_world *world, rapier_state *out); /* every body, in order */
-size_t rapier_bytes(void);                                      /* held by all worlds */
+void rapier_read(const rapier_world *world, rapier_state *out); /* writes all bodies in the order of
+                                                                   creation */
+size_t rapier_bytes(void);                                      /* memory held by all worlds */
 
 #endif

@@ -1,8 +1,8 @@
-# rust.sh: what both builds of Rust packages share. Read by build.sh and build-rapier.sh; `name` is
-# what is built.
+# rust.sh: functions for both builds of Rust packages, sourced by build.sh and build-rapier.sh.
+# `name` is the name of the package in messages.
 # shellcheck shell=sh
 
-# 77 is a part that cannot be built here, for the reason given.
+# Ends with exit code 77: this part cannot be built here, for the given reason.
 missing() {
     echo "$name skipped: $1" >&2
     exit 77
@@ -21,15 +21,15 @@ need_rust() {
     [ "$rust" -ge 95 ] || missing "Rust 1.$rust is too old (1.95 or later is needed)"
 }
 
-# copy_package FROM TO: built from a copy, so that cargo's lock file stays out of the source tree.
-# Copied only when changed, so that a second call has nothing to do.
+# copy_package FROM TO: copies the package, so that cargo's lock file stays out of the source tree.
+# Only changed files are copied, so that a second call builds nothing.
 copy_package() {
     for file in Cargo.toml src/lib.rs; do
         cmp -s "$1/$file" "$2/$file" || cp "$1/$file" "$2/$file"
     done
 }
 
-# replace FILE: takes FILE.new's place unless it is the same, so that cmake sees no change.
+# replace FILE: moves FILE.new to FILE unless both are equal, so that cmake sees no change.
 replace() {
     if cmp -s "$1.new" "$1"; then
         rm "$1.new"

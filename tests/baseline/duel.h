@@ -1,5 +1,5 @@
-/* duel.h: the same scene in thud and in Box2D, step by step, for tests of what must agree. Include
- * after cmocka.h. */
+/* duel.h: runs the same scene in thud and in Box2D, for tests of results that must agree. Include
+ * it after cmocka.h. */
 #ifndef THUD_BASELINE_DUEL_H
 #define THUD_BASELINE_DUEL_H
 
@@ -14,11 +14,11 @@ typedef struct duel {
     scene scene;
     const physics_engine *engine[ENGINES];
     void *world[ENGINES];
-    engine_body *bodies[ENGINES];  /* as of the last step, in the scene's order */
-    engine_events events[ENGINES]; /* summed over all steps so far */
+    engine_body *bodies[ENGINES];  /* states after the last step, in the scene's order */
+    engine_events events[ENGINES]; /* sums over all steps so far */
 } duel;
 
-/* To be filled with bodies before duel_begin. */
+/* Call it first, then fill d->scene, then call duel_begin. */
 static inline void duel_init(duel *d) {
     *d = (duel){.engine = {&engine_thud, &engine_box2d}};
     scene_init(&d->scene);
@@ -57,7 +57,7 @@ static inline void duel_end(duel *d) {
     scene_free(&d->scene);
 }
 
-/* False for what is not a number, too. */
+/* Fails also for NaN. */
 #define assert_near(actual, expected, tolerance)                                          \
     do {                                                                                  \
         double actual_ = (actual), expected_ = (expected), tolerance_ = (tolerance);      \

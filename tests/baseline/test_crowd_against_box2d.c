@@ -1,5 +1,5 @@
-/* test_crowd_against_box2d.c: events, filters, and what holds for a crowd as a whole, where the
- * single bodies' paths are chaotic: energy, momentum, the height of a heap. */
+/* test_crowd_against_box2d.c: compares events, filters, and quantities of whole crowds with
+ * Box2D's: energy, momentum, the height of a heap. Paths of single bodies are chaotic there. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -9,7 +9,7 @@
 #include "duel.h"
 #include "scenes.h"
 
-/* Ten balls apart, each lands once, faster than 1 m/s, and stays. */
+/* Ten separate balls: each lands once, faster than 1 m/s, and stays. */
 static void events_ten_balls_dropped_begin_and_hit_once_each(void **state) {
     (void)state;
     duel d;
@@ -27,8 +27,8 @@ static void events_ten_balls_dropped_begin_and_hit_once_each(void **state) {
     duel_end(&d);
 }
 
-/* At restitution 0.9 from 3 m the landings come at 0.77, 2.17 and 3.42 s: three in 3.8 s, each of
- * them left again. */
+/* With restitution 0.9 from 3 m the landings are at 0.77, 2.17 and 3.42 s: three within 3.8 s, and
+ * the ball leaves the floor after each. */
 static void events_bouncing_ball_begins_and_ends_alike(void **state) {
     (void)state;
     duel d;
@@ -63,8 +63,8 @@ static void events_ball_through_sensor_enters_and_leaves_once(void **state) {
     duel_end(&d);
 }
 
-/* The floor's mask leaves out category 2, a positive group overrules it, a negative group keeps
- * even what the masks allow apart. */
+/* The floor's mask excludes category 2, a positive group overrides it, and a negative group
+ * excludes a pair that the masks allow. */
 static void filters_decide_alike_who_falls_through(void **state) {
     (void)state;
     duel d;
@@ -101,7 +101,7 @@ static void begin_scene(duel *d, const scene_info *info, int size) {
     duel_begin(d);
 }
 
-/* Mass-weighted means over the dynamic bodies, and kinetic energy. */
+/* Mass-weighted means over the dynamic bodies, and their kinetic energy. */
 typedef struct crowd {
     double mass, height, momentum_x, momentum_y, kinetic;
 } crowd;
@@ -123,8 +123,8 @@ static crowd crowd_of(const duel *d, int engine) {
     return c;
 }
 
-/* A random heap's packing varies by one or two percent with the paths that led there; energy per
- * mass of 0.05 J/kg is a mean speed of 0.3 m/s, when nearly all of the fall is spent. */
+/* The packing of a random heap varies by one or two percent. An energy per mass of 0.05 J/kg is a
+ * mean speed of 0.3 m/s, at which nearly all energy of the fall is lost. */
 static void crowd_circle_pit_settles_at_equal_height_and_comes_to_rest(void **state) {
     (void)state;
     duel d;
@@ -137,9 +137,9 @@ static void crowd_circle_pit_settles_at_equal_height_and_comes_to_rest(void **st
     duel_end(&d);
 }
 
-/* Momentum is what the hammer brought, in single precision over thousands of contacts. Of the
- * energy the inelastic impacts leave about what a perfectly inelastic one would; the rest depends
- * on the order in which the crowd was hit. */
+/* The momentum is that of the hammer, up to rounding over thousands of contacts. The energy that
+ * remains is about that of a perfectly inelastic impact; the rest depends on the order of impacts.
+ */
 static void crowd_smash_keeps_momentum_and_loses_energy_alike(void **state) {
     (void)state;
     duel d;
@@ -156,7 +156,7 @@ static void crowd_smash_keeps_momentum_and_loses_energy_alike(void **state) {
     duel_end(&d);
 }
 
-/* No body may leave the drum: its corner is sqrt(2) * (inner + wall) from the centre. */
+/* No body may leave the drum, whose corner is sqrt(2) * (inner + wall) from the centre. */
 static void crowd_tumbler_keeps_everybody_inside(void **state) {
     (void)state;
     duel d;

@@ -1,5 +1,5 @@
-/* test_motion_against_box2d.c: how things move: free flight, friction, rolling, bouncing, mass.
- * Where there is a formula both engines are held to it. */
+/* test_motion_against_box2d.c: compares motions in thud and Box2D with formulas and with each
+ * other: free flight, friction, rolling, bounces, masses. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,8 +10,8 @@
 
 static const double G = 10;
 
-/* Semi-implicit Euler at 1/240 s falls g * h * t / 2 = 0.021 m too far in one second; exact
- * integration does not. Both are right to 0.025. */
+/* Semi-implicit Euler at 1/240 s falls g * h * t / 2 = 0.021 m too far in one second, and exact
+ * integration does not; the bound of 0.025 m allows both. */
 static void motion_projectile_follows_the_parabola(void **state) {
     (void)state;
     duel d;
@@ -29,8 +29,8 @@ static void motion_projectile_follows_the_parabola(void **state) {
     duel_end(&d);
 }
 
-/* Decelerating at mu * g from 6 m/s with mu = 0.5 the way is 36 / 10 = 3.6 m; one substep's
- * travel, and the landing, cost 2 %. */
+/* Deceleration mu * g with mu = 0.5 from 6 m/s: the distance is 36 / 10 = 3.6 m. The motion in a
+ * substep, and the landing, are 2 %. */
 static void motion_box_sliding_on_level_ground_stops_after_known_way(void **state) {
     (void)state;
     duel d;
@@ -48,8 +48,8 @@ static void motion_box_sliding_on_level_ground_stops_after_known_way(void **stat
     duel_end(&d);
 }
 
-/* A flat line of slope -0.5, and bodies that begin by touching it. Gravity along it is
- * g * sin(atan(0.5)), across it g * cos(atan(0.5)). */
+/* A flat line of slope -0.5 with a body that begins in contact. Gravity along it is g *
+ * sin(atan(0.5)), across it g * cos(atan(0.5)). */
 static void begin_on_slope(duel *d, bool disc, double friction) {
     const double c = 2 / sqrt(5), s = -1 / sqrt(5);
     duel_init(d);
@@ -69,8 +69,8 @@ static double way_along_slope(const duel *d, int engine) {
                  d->bodies[engine][1].y - d->scene.bodies[1].y);
 }
 
-/* After two seconds a / 2 * t^2 = 2 a; 2 % for the integration (0.4 %) and the give at the start.
- */
+/* After two seconds a / 2 * t^2 = 2 a. The bound of 2 % is for integration (0.4 %) and the
+ * compliance of contacts at the start. */
 static void motion_box_on_steep_slope_slides_with_coulomb_friction(void **state) {
     (void)state;
     duel d;
@@ -82,7 +82,8 @@ static void motion_box_on_steep_slope_slides_with_coulomb_friction(void **state)
     duel_end(&d);
 }
 
-/* tan = 0.5 is below 0.7: nothing slides; soft contacts may creep by a few millimetres. */
+/* tan = 0.5 is below 0.7, so the box does not slide; soft contacts may creep by some millimetres.
+ */
 static void motion_box_below_friction_angle_stays(void **state) {
     (void)state;
     duel d;
@@ -105,8 +106,8 @@ static void motion_disc_rolls_at_two_thirds(void **state) {
     duel_end(&d);
 }
 
-/* Dropped by 2 m at restitution 0.8 a ball returns to 0.64 * 2 m. The moment of impact is known to
- * one substep: at 6.3 m/s that is 2.6 cm on the way, and restitution takes the speed after it. */
+/* Dropped from 2 m with restitution 0.8 a ball returns to 0.64 * 2 m. The time of impact is known
+ * to a substep: at 6.3 m/s this is 2.6 cm of the path, and restitution uses the speed after it. */
 static void motion_ball_bounces_to_same_height(void **state) {
     (void)state;
     duel d;
@@ -146,7 +147,7 @@ static void motion_equal_balls_head_on_swap_velocities(void **state) {
     duel_end(&d);
 }
 
-/* A motor at 1 m/s pushes the box in front of it: where its face is, the box's rear is. */
+/* A kinematic box at 1 m/s pushes the box in front of it: their faces stay in contact. */
 static void motion_kinematic_body_pushes_at_its_own_speed(void **state) {
     (void)state;
     duel d;
@@ -164,7 +165,7 @@ static void motion_kinematic_body_pushes_at_its_own_speed(void **state) {
     duel_end(&d);
 }
 
-/* exp(-1) after a second at damping 1; a Pade step of 1/240 s is off by 1e-5. */
+/* exp(-1) after a second with damping 1; a Pade step of 1/240 s has an error of 1e-5. */
 static void motion_damped_bodies_lose_speed_alike(void **state) {
     (void)state;
     duel d;
@@ -183,7 +184,8 @@ static void motion_damped_bodies_lose_speed_alike(void **state) {
     duel_end(&d);
 }
 
-/* Single precision, seven digits. Two shapes make the centre of mass leave the origin. */
+/* Equal to seven digits, single precision. One body has two shapes, so that its centre of mass is
+ * not its origin. */
 static void motion_masses_and_inertias_are_equal(void **state) {
     (void)state;
     duel d;

@@ -1,5 +1,5 @@
-/* test_rapier.c: Rapier gets the scene that the others get: the same bodies in the
- * same order, the same ground, the same materials, and sleep only where it is asked for. */
+/* test_rapier.c: tests that the adapter gives Rapier the same scene as the other engines: the same
+ * bodies in the same order, the same ground and materials, and sleep only if it is asked for. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -17,7 +17,7 @@ static void assert_near(double actual, double expected, double tolerance) {
         fail_msg("%.6g is not within %.3g of %.6g", actual, tolerance, expected);
 }
 
-/* Frees the scene. */
+/* Runs the scene, reads the bodies, and frees the scene. */
 static void run(const physics_engine *engine, scene *s, bool sleeping, int steps,
                 engine_body *out) {
     assert_false(s->failed);
@@ -90,7 +90,7 @@ static void sleep_comes_only_where_it_is_asked_for(void **state) {
     }
 }
 
-/* Down a slope of 0.5, material as mixed by the geometric mean: friction 0.9 on 0.1 is 0.3. */
+/* On a slope of 0.5 with friction combined as the geometric mean: 0.9 and 0.1 give 0.3. */
 static void box_on_a_slope_slides_as_in_thud(void **state) {
     (void)state;
     const physics_engine *engines[] = {&engine_thud, &engine_rapier};
@@ -108,7 +108,8 @@ static void box_on_a_slope_slides_as_in_thud(void **state) {
         run(engines[e], &s, false, 60, b);
         speed[e] = b[1].vx;
     }
-    double along = 10 * (0.5 - 0.3) / sqrt(1.25); /* m/s^2, of which vx is the level part */
+    double along = 10 * (0.5 - 0.3) / sqrt(1.25); /* m/s^2 along the slope; vx is its horizontal
+                                                     component */
     assert_near(speed[1], along / sqrt(1.25), 0.05);
     assert_near(speed[1], speed[0], 0.05);
 }

@@ -1,5 +1,6 @@
-/* test_rest_against_box2d.c: where things come to rest. Both engines let resting contacts sink a
- * little, Box2D by about its slop of 5 mm and by the give of its soft contacts under load. */
+/* test_rest_against_box2d.c: compares where bodies come to rest in thud and in Box2D. Resting
+ * contacts overlap a little in both; in Box2D by about its slop of 5 mm plus the compliance of its
+ * soft contacts. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,7 +11,8 @@
 
 static const double SLOP = 0.005;
 
-/* Both must come within the slop of the exact place, so the two differ by at most twice that. */
+/* Each engine must be within the slop of the exact position, so that both differ by at most twice
+ * the slop. */
 static void rest_ball_on_floor_lies_at_its_radius(void **state) {
     (void)state;
     duel d;
@@ -26,8 +28,8 @@ static void rest_ball_on_floor_lies_at_its_radius(void **state) {
     duel_end(&d);
 }
 
-/* Every contact below a box may give by twice the slop, so box i may be that much times i + 1
- * lower; sideways nothing pushes. */
+/* Each contact below a box may overlap by twice the slop, so box i may be i + 1 times that lower;
+ * no force acts sideways. */
 static void rest_stack_of_five_boxes_stands_at_equal_heights(void **state) {
     (void)state;
     duel d;
@@ -48,8 +50,8 @@ static void rest_stack_of_five_boxes_stands_at_equal_heights(void **state) {
     duel_end(&d);
 }
 
-/* Box2D's column of 30 is known to sink by 0.31 m. thud may be stiffer, not softer: 5 cm is the
- * difference between two ways of rounding 30 contacts by a third of the slop each. */
+/* Box2D's column of 30 boxes sinks by 0.31 m. thud may be stiffer, not softer; the tolerance of 5
+ * cm is a third of the slop for each of 30 contacts. */
 static void rest_column_of_thirty_sinks_no_more_than_box2d(void **state) {
     (void)state;
     duel d;
@@ -64,8 +66,8 @@ static void rest_column_of_thirty_sinks_no_more_than_box2d(void **state) {
     duel_end(&d);
 }
 
-/* In a right-angled valley the centre stands one radius from both sides: radius * sqrt(2) above
- * the vertex. The slop acts along the two normals: * sqrt(2) as well. */
+/* In a right-angled valley the centre is one radius from both sides, that is, radius * sqrt(2)
+ * above the vertex. The slop acts along both normals, so it is multiplied by sqrt(2) too. */
 static void rest_ball_in_valley_of_terrain_touches_both_sides(void **state) {
     (void)state;
     static const scene_point valley[] = {{-5, 5}, {0, 0}, {5, 5}};
@@ -89,8 +91,8 @@ static void rest_ball_in_valley_of_terrain_touches_both_sides(void **state) {
     }
 }
 
-/* A fifth of the box is supported, its centre is beyond the edge: only the locked rotation keeps it
- * there. It must neither turn nor fall; Box2D's creeps by 1.3 cm while it lands. */
+/* A fifth of the box is supported, and its centre is beyond the edge: only the locked rotation
+ * keeps it in place. It must neither turn nor fall; Box2D's creeps by 1.3 cm when it lands. */
 static void rest_fixed_rotation_box_on_edge_stays_upright(void **state) {
     (void)state;
     duel d;

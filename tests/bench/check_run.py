@@ -1,4 +1,4 @@
-"""./run bench as far as it goes without building: its help, and what it refuses.
+"""Tests ./run bench without building: its help, and that wrong options are refused.
 
 usage: check_run.py THUD_BENCH
 """
@@ -17,6 +17,7 @@ def run(*words):
 
 
 def options_of(text):
+    """The options that a help text lists."""
     return set(re.findall(r"^  (--[a-z0-9]+)", text, re.MULTILINE)) | \
         set(re.findall(r"^  --[a-z]+, (--[a-z]+)", text, re.MULTILINE))
 

@@ -1,10 +1,11 @@
-/* extra_scenes.c: scenes that measure something but are nothing to look at. */
+/* extra_scenes.c: scenes for measurements only, not shown in the viewer or on the page. */
 #include "plan.h"
 #include "random.h"
 
 #include <math.h>
 
-/* Of the same depth whatever the size, so that the time per body can be compared. */
+/* Layers of bodies in a trough. The heap has the same depth at every size, so that times per body
+ * can be compared. */
 static void fill_rubble(scene *s, int size) {
     enum { LAYERS = 10 };
     const double spacing = 1.1;
@@ -36,7 +37,8 @@ const scene_info bench_rubble = {
     .fill = fill_rubble,
 };
 
-/* Circles of radius 0.25 with their centres in a square of 5 by 5: some twenty deep everywhere. */
+/* Circles of radius 0.25 with centres in a square of 5 by 5 m: about twenty overlap at each point.
+ */
 static void fill_overlapping(scene *s, int size) {
     scene_static_box(s, 0, -1, 5000, 1);
     scene_random random = {3};

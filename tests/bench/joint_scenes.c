@@ -1,5 +1,5 @@
-/* joint_scenes.c: more scenes of joints than are worth looking at, from what the envelope and the
- * trade-off have. */
+/* joint_scenes.c: scenes of joints for measurements only, made of the scenes of tests/measure that
+ * the envelope and the trade-off use too. */
 #include "plan.h"
 
 #include "tied_scenes.h"

@@ -106,7 +106,7 @@ static bool add_rival(options *o, const char *name) {
                 name);
 }
 
-/* An option without a value. */
+/* Reads an option that takes no value. */
 static bool read_flag(options *o, const char *name) {
     static const struct {
         const char *name;
@@ -147,8 +147,8 @@ static bool read_value(options *o, const char *name, const char *value) {
     return true;
 }
 
-/* Growth, prices and workers have scenes and steps of their own, and growth is told beside Box2D's.
- */
+/* Refuses options that the chosen parts do not use: growth, pay and workers have scenes and steps
+ * of their own. Growth needs Box2D in the build. */
 static bool is_of_use(const options *o) {
     if (o->parts & BENCH_GROWTH && !engine_find("box2d"))
         return fail("--growth wants Box2D, which this build has not", NULL);

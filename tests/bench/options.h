@@ -13,9 +13,9 @@ typedef struct chosen_scene {
     int size;
 } chosen_scene;
 
-/* What is measured; any number of them in one run. */
+/* The parts of a run, as bits. */
 typedef enum bench_part {
-    BENCH_SCENES = 1 << 0, /* the engines against each other */
+    BENCH_SCENES = 1 << 0, /* the race between engines */
     BENCH_GROWTH = 1 << 1,
     BENCH_PAY = 1 << 2,
     BENCH_WORKERS = 1 << 3,
@@ -33,16 +33,16 @@ typedef enum options_outcome {
 typedef struct options {
     chosen_scene scenes[OPTIONS_MAX_SCENES];
     int scene_count;
-    const physics_engine *engines[RACE_MAX_ENGINES]; /* thud is the first */
+    const physics_engine *engines[RACE_MAX_ENGINES]; /* the first is thud */
     int engine_count;
     unsigned parts;
-    const char *json; /* null: not wanted */
-    int steps;        /* 0: the plan's */
+    const char *json; /* path; null: no JSON */
+    int steps;        /* 0: those of the plan */
     int repetitions;
     bool quick;
 } options;
 
-/* A wrong one has its line on stderr. */
+/* Wrong options are reported on stderr. */
 options_outcome options_read(options *o, int argc, char **argv);
 
 void options_print_help(void);

@@ -1,9 +1,12 @@
-/* plan.c: the table of plans, with everything that thud is held to. Ten steps make the contacts and
- * grow the buffers; longer warm-ups wait for a scene to become what it is meant to measure. */
+/* plan.c: the table of plans, with the bounds that thud is held to. A warm-up of ten steps creates
+ * the contacts and grows the buffers; a longer one waits until the scene is in the state that it is
+ * meant to measure. */
 #include "plan.h"
 
 #include <string.h>
 
+/* In the order of the fields of bench_plan: scene, size, warm-up, steps, by default, sleeping,
+ * target, limit, reason for warm-up and steps. */
 static const bench_plan PLANS[] = {
     {"pyramid", 0, 10, 300, true, false, 3, 0, "stands from the start: a solver full of contacts"},
     {"circle_pit", 0, 30, 600, true, false, 4.5, 0, "ten seconds, from free fall to a heap"},
@@ -38,6 +41,7 @@ bench_plan bench_plan_at(int index) {
     return PLANS[index];
 }
 
+/* Whether `size` is the plan's own size; 0 stands for the scene's default. */
 static bool is_size(const bench_plan *plan, int size) {
     const scene_info *info = bench_scene(plan->scene);
     int own = plan->size ? plan->size : info->default_size;

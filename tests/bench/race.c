@@ -1,5 +1,5 @@
-/* race.c: the worlds of all engines live at the same time and take turns, a few steps each, so
- * that whatever else the machine does hits all of them alike. Every repetition starts anew. */
+/* race.c: see race.h. The worlds of all engines exist at the same time and are stepped in turns, so
+ * that load of other processes affects all alike. Each repetition begins with new worlds. */
 #include "race.h"
 
 #include "progress.h"
@@ -8,11 +8,11 @@
 #include <stdlib.h>
 #include <time.h>
 
-/* Steps per turn: long enough that a turn finds its own data in the cache for most of its steps,
- * short against the machine's moods. */
+/* Steps of a turn: many enough that most of them find their data in the cache, and few enough that
+ * the machine's speed does not change within a round. Chosen. */
 enum { TURN = 8 };
 
-/* Samples of overlap and of gaps per run, between turns. */
+/* Samples of overlap and of joint gaps in a run, taken between turns. */
 enum { SAMPLES = 32 };
 
 typedef struct race {
@@ -75,11 +75,12 @@ static bool take_all_turns(race *r, int repetition) {
     sample_every = sample_every < TURN ? TURN : sample_every;
     for (int first = 0, turn = 0; first < r->plan.steps; first += TURN, turn++) {
         int count = r->plan.steps - first < TURN ? r->plan.steps - first : TURN;
-        /* Going first, behind a sampling that filled the cache, goes round. */
+        /* The engine that goes first in a round, after sampling has filled the cache, changes each
+         * time. */
         for (int i = 0; i < engines; i++)
             if (!take_turn(r, (turn + repetition + i) % engines, repetition, first, count))
                 return false;
-        /* A repetition repeats the same motion: one measurement of it is enough. */
+        /* All repetitions have the same motion, so errors are sampled in the first only. */
         if (repetition == 0 && (first + TURN) % sample_every == 0)
             sample_errors(r);
         double done = (double)(first + count) / r->plan.steps;

@@ -1,4 +1,5 @@
-/* race.h: runs one scene in several engines at once and measures all of them alike. */
+/* race.h: runs one scene in several engines in turns, and measures time, overlap, joint gaps and
+ * memory of each in the same way. */
 #ifndef THUD_BENCH_RACE_H
 #define THUD_BENCH_RACE_H
 
@@ -11,7 +12,7 @@
 enum { RACE_MAX_ENGINES = 4 };
 
 typedef struct race_settings {
-    const physics_engine *const *engines; /* the first is compared with every other */
+    const physics_engine *const *engines; /* each of the others is compared with the first */
     int engine_count;                     /* 1 .. RACE_MAX_ENGINES */
     int repetitions;
 } race_settings;
@@ -22,20 +23,21 @@ typedef struct race_entry {
     penetration overlap;
     joint_gaps gaps;
     uint64_t bytes;
-    /* Time of this engine over the first one's: the lowest and the highest ratio of medians that
-     * a single repetition gave. */
+    /* The lowest and the highest ratio, over single repetitions, of this engine's median time to
+     * that of the first engine. */
     double ratio_low, ratio_high;
 } race_entry;
 
 typedef struct race_result {
     const char *scene;
     int size, bodies, steps, entry_count;
-    double target;   /* against Box2D; 0: none */
-    double limit_ms; /* on thud's worst step; 0: none */
+    double target;   /* bound on Box2D's time over thud's; 0: none */
+    double limit_ms; /* bound on thud's slowest step; 0: none */
     race_entry entries[RACE_MAX_ENGINES];
 } race_result;
 
-/* False, and a line on stderr, when an engine or memory fails. `size` is the scene's. */
+/* False, with a line on stderr, if an engine fails or memory runs out. `size` is the one that the
+ * scene was filled with. */
 bool race_run(const scene *s, int size, bench_plan plan, const race_settings *settings,
               race_result *out);
 

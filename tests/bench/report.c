@@ -1,4 +1,4 @@
-/* report.c: prints race results. */
+/* report.c: see report.h. */
 #include "report.h"
 
 #include "verdict.h"
@@ -44,7 +44,7 @@ static void print_rival(FILE *out, const race_result *r, const race_entry *rival
     fputc('\n', out);
 }
 
-/* Of scenes with joints alone. */
+/* Prints a line about gaps, for scenes with joints. */
 static void print_gaps(FILE *out, const race_result *r, const race_entry *rival) {
     const joint_gaps *own = &r->entries[0].gaps, *its = &rival->gaps;
     if (own->joints > 0)

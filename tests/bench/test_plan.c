@@ -1,4 +1,5 @@
-/* test_plan.c: the table of plans, and a command line that is read into it. */
+/* test_plan.c: tests the table of plans (scenes exist, sizes are valid, other sizes have no target)
+ * and the reading of thud-bench's options. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

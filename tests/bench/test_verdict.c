@@ -1,4 +1,5 @@
-/* test_verdict.c: a promise holds only when every part of it does. */
+/* test_verdict.c: tests that a verdict holds only if time, overlap, joint gaps and limits all hold,
+ * with results made by hand. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -7,7 +8,7 @@
 
 #include "verdict.h"
 
-/* Four times as fast as Box2D in all, and as deep; the target is 4. */
+/* A result at the bounds: four times as fast as Box2D, the target, with equal overlap. */
 static race_result even(void) {
     return (race_result){
         .scene = "any",

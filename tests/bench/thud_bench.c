@@ -1,5 +1,5 @@
-/* thud_bench.c: thud-bench, the side-by-side benchmark: runs what the command line asks for, one
- * thing after the other, and prints each as soon as it is done. */
+/* thud_bench.c: the program thud-bench, which compares thud with other engines. It runs the parts
+ * that the command line names, one after the other, and prints each when it is done. */
 #include "json.h"
 #include "lab/lab.h"
 #include "machine.h"
@@ -25,7 +25,7 @@ static bool run_scene(const options *o, const chosen_scene *chosen, race_result 
         fprintf(stderr, "thud-bench: out of memory for scene %s\n", chosen->info->name);
         return false;
     }
-    /* Who has no joints, say, is left out. */
+    /* An engine that cannot build the scene, for example because it has no joints, is left out. */
     for (int i = 0; i < o->engine_count; i++)
         if (engine_can_build(o->engines[i], &s))
             able[settings.engine_count++] = o->engines[i];

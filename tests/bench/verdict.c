@@ -1,11 +1,12 @@
-/* verdict.c: see verdict.h. Speed that costs accuracy does not count, so that overlap and gaps are
- * judged wherever speed is. */
+/* verdict.c: see verdict.h. Overlap and gaps are judged wherever speed is, so that speed cannot be
+ * bought with accuracy. */
 #include "verdict.h"
 
 #include <stdio.h>
 #include <string.h>
 
-static const double SAME = 1e-5; /* m */
+static const double SAME = 1e-5; /* m: differences of overlap or gaps below this count as equal.
+                                    Chosen. */
 
 const race_entry *verdict_rival(const race_result *result) {
     for (int e = 1; e < result->entry_count; e++)

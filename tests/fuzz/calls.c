@@ -41,7 +41,9 @@ static void leave_mode(const fuzz_session *s) {
 
 /* ---- calls ---- */
 
-/* How many allocations the present call may make before one fails; -1: any number. */
+/* The number of allocations that the present call may make before one fails; -1 if none fails.
+ * Between 0 and 7: in each call of the second memory twin, in one of 16 calls where numbers are
+ * hostile. */
 static long allowed(fuzz_session *s) {
     bool all = s->twin == TWIN_MEMORY && s->second, some = s->twin == TWIN_NONE && s->bytes.hostile;
     if (s->closing || !(all || some)) {
@@ -51,10 +53,12 @@ static long allowed(fuzz_session *s) {
     return all || dice >> 28 == 0 ? (long)(dice >> 16 & 7) : -1;
 }
 
-/* One in so many calls has the whole world compared should it be refused. */
+/* The world's snapshot is taken before each 8th call, and compared if that call is refused. Chosen,
+ * for speed. */
 enum { IMAGE_EVERY = 8 };
 
-/* The world's bytes, in one half of the image; 0 where there are none to be had. */
+/* Writes a snapshot of the world into one half of the image. Returns its bytes; 0 if it cannot be
+ * taken. */
 static size_t take_image(fuzz_session *s, bool after) {
     size_t bytes = 0;
     if (thud_world_snapshot_size(s->world, &bytes) != THUD_OK) {
@@ -70,6 +74,7 @@ static size_t take_image(fuzz_session *s, bool after) {
     return taken ? bytes : 0;
 }
 
+/* Fails if the world's snapshot differs from that before the call. */
 static void compare_images(fuzz_session *s, const session_call *call) {
     if (call->image && (take_image(s, true) != call->image ||
                         memcmp(s->image, s->image + s->image_room / 2, call->image) != 0)) {
@@ -92,12 +97,13 @@ void call_begin(fuzz_session *s, const char *text) {
     take_mode(s);
 }
 
+/* A refused call must call the log hook and leave the world as it was. */
 static void check_refusal(fuzz_session *s, const session_call *call) {
     if (s->told == call->told && s->result != THUD_ERROR_NULL) {
         fuzz_fail(s, "%s: %s, and the log hears nothing", call->text, thud_result_text(s->result));
     }
     if (s->result == THUD_ERROR_MEMORY) {
-        return; /* edits are in effect, and the twins must be the same */
+        return; /* waiting edits may have been applied; the twins are compared instead */
     }
     thud_stats stats = thud_world_stats(s->world);
     if (thud_world_hash(s->world) != call->hash || stats.steps != call->stats.steps ||
@@ -110,7 +116,8 @@ static void check_refusal(fuzz_session *s, const session_call *call) {
     compare_images(s, call);
 }
 
-/* Of a call that may fail, memory may be short once; it is then made again with all there is. */
+/* Checks a call's result. True if the call ran out of memory for the first time: it is then made
+ * again without failing allocations. */
 bool call_again(fuzz_session *s) {
     session_call *call = &s->calls[s->depth];
     leave_mode(s);
@@ -154,7 +161,7 @@ void call_pure(fuzz_session *s, const char *text, const void *out, size_t bytes)
     }
 }
 
-/* ---- what twins must agree on ---- */
+/* ---- the digest, in which twins must agree ---- */
 
 void note_bits(fuzz_session *s, uint64_t bits) {
     s->digest = (s->digest ^ bits) * 0x100000001b3u;

@@ -1,5 +1,6 @@
-/* calls.h: a call of the public API within a session: counted, in the caller's floating-point mode,
- * with memory that may fail, and held to what is promised of every call that is refused. */
+/* calls.h: macros for a call of the public API in a session. They count the call, make it in the
+ * caller's floating-point mode and with allocations that may fail, and check what every refused
+ * call promises: it calls the log hook, and changes neither the world nor its outputs. */
 #ifndef FUZZ_CALLS_H
 #define FUZZ_CALLS_H
 
@@ -7,14 +8,15 @@
 
 #include <string.h>
 
-/* Of a world that hears of refusals. Refused memory, it is made again. The result is s->result. */
+/* A call that takes a world, which logs refusals. If it runs out of memory it is made once more.
+ * The result is in s->result. */
 #define TRY(s, call)          \
     do {                      \
         call_begin(s, #call); \
         s->result = (call);   \
     } while (call_again(s))
 
-/* Without a world; refused, it leaves `out` as it was. */
+/* A call without a world. If it is refused, `out` must be unchanged. */
 #define PURE(s, out, call)                        \
     do {                                          \
         memset(&(out), CALL_FILL, sizeof(out));   \
@@ -22,22 +24,25 @@
         call_pure(s, #call, &(out), sizeof(out)); \
     } while (0)
 
-/* What has no result. */
+/* A call that returns no thud_result. */
 #define COUNTED(call) (fuzz_calls_made++, (call))
 
+/* Byte with which outputs are filled before a call. */
 enum { CALL_FILL = 0xa5 };
 
 void call_begin(fuzz_session *s, const char *text);
 bool call_again(fuzz_session *s);
 void call_pure(fuzz_session *s, const char *text, const void *out, size_t bytes);
-/* Bytes that were filled before a call that was refused. */
+/* Expects that these bytes of a refused call's outputs still have the value CALL_FILL. */
 void call_untouched(fuzz_session *s, const void *out, size_t bytes);
 
-/* ---- what twins must agree on ---- */
+/* ---- the digest, in which twins must agree ---- */
 
 void note_bits(fuzz_session *s, uint64_t bits);
-void note_number(fuzz_session *s, double value);  /* finite, or that is a finding */
-void note_place(fuzz_session *s, thud_pos place); /* likewise; but for shifted twins */
+void note_number(fuzz_session *s, double value);  /* a value that is not finite ends the process
+                                                     with a finding */
+void note_place(fuzz_session *s, thud_pos place); /* the same; left out of the digest of shifted
+                                                     twins */
 void note_vector(fuzz_session *s, thud_vec2 value);
 
 #endif

@@ -1,10 +1,10 @@
 /**
- * Random calls of the whole JavaScript package, by seed: numbers that nobody means, options that
- * nobody knows, what is gone or closed. Whatever is called, the engine does not trap, throws no
- * error but the package's own, and tells no number that is not finite.
+ * Calls the whole JavaScript package at random, by a seed: with numbers out of range, options
+ * without a meaning, and handles that are destroyed or closed. No call may make the engine trap,
+ * throw an error that is not the package's own, or return a number that is not finite.
  *
  *     node tests/fuzz/calls.mjs --seconds 60 [--seed N] [--findings FOLDER]
- *     node tests/fuzz/calls.mjs --replay FILE     a finding, which is a seed
+ *     node tests/fuzz/calls.mjs --replay FILE     plays a finding, which is a file with a seed
  */
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -14,11 +14,14 @@ import { EDIT_CALLS } from "./edit_calls.mjs";
 import { GEOMETRY_CALLS } from "./geometry_calls.mjs";
 import { JOINT_CALLS } from "./joint_calls.mjs";
 
+// The number of calls per seed. Chosen.
 const CALLS_OF_A_SEED = 300;
+// Numbers that are extreme or invalid as arguments.
 const HOSTILE = [NaN, Infinity, -Infinity, -0, 5e-324, 1e-30, 1e-4, 16384, 1e9, -1e12, 3e38, 1e308];
+// Methods whose result may be infinite.
 const MAY_BE_INFINITE = new Set(["bisectionLimit"]);
 
-/** What a seed plays with. */
+/** A world with its handles, and the random numbers and arguments of one seed. */
 class Session {
   constructor(engine, seed) {
     this.engine = engine;
@@ -84,7 +87,7 @@ class Session {
     return this.pick([{}, ...some, { ignore: this.body() }]);
   }
 
-  /** Now and then one that nobody knows. */
+  /** The options, to which a hostile seed adds an unknown one in one of 30 calls. */
   options(given) {
     return this.hostile && this.below(30) === 0 ? { ...given, [this.pick(["x", "Kind"])]: 1 } : given;
   }
@@ -127,7 +130,8 @@ class Session {
   }
 }
 
-/** By name: each calls what it is named for, and gives what that gave. */
+/**
+ * The calls by name. Each makes the call that its name says, and returns what the call returned. */
 export const CALLS = {
   ...GEOMETRY_CALLS,
   ...JOINT_CALLS,
@@ -204,7 +208,7 @@ export const CALLS = {
   advance: (s) => s.world.advance(s.number(0, 0.05), s.below(5)),
   events: (s) => s.world.events(),
   poses: (s) => {
-    s.world.poses(s.number(0, 1), ...s.place()); // NaN where there is no body
+    s.world.poses(s.number(0, 1), ...s.place()); // not checked: poses are NaN where there is no body
   },
   stats: (s) => s.world.stats(),
   bisectionLimit: (s) => s.world.bisectionLimit(),
@@ -274,13 +278,13 @@ export const CALLS = {
     other.step();
     s.keep(s.bodies, body);
     other.close();
-    other.step(); // of what is closed: refused by name
+    other.step(); // the world is closed: the call must be refused with a named error
   },
 };
 
 const NAMES = Object.keys(CALLS);
 
-/** Every number in it, however deep. */
+/** Throws if a number in the value is not finite, however deeply nested. */
 function checkFinite(value, name) {
   if (typeof value === "number" && !Number.isFinite(value) && !MAY_BE_INFINITE.has(name))
     throw new Error(`${name} tells ${value}`);
@@ -288,7 +292,7 @@ function checkFinite(value, name) {
     for (const inner of Object.values(value)) checkFinite(inner, name);
 }
 
-/** Plays one seed; throws what is a finding. Gives how many calls that was. */
+/** Plays one seed and throws at a finding. Returns the number of calls. */
 export function play(engine, seed) {
   const s = new Session(engine, seed);
   const ground = s.keep(s.bodies, s.world.createBody());
@@ -298,7 +302,7 @@ export function play(engine, seed) {
     const name = s.below(4) === 0 ? "step" : s.pick(NAMES);
     try {
       const told = CALLS[name](s);
-      // What the step has not seen yet need not be finite: impulses may add up to anything.
+      // Until the next step a velocity need not be finite: impulses may add up to infinity.
       unseen = name === "applyImpulse" || (unseen && name !== "step");
       if (!unseen || name !== "bodyState") checkFinite(told, name);
     } catch (error) {
@@ -310,14 +314,14 @@ export function play(engine, seed) {
     try {
       mover.close();
     } catch (error) {
-      if (!(error instanceof thud.ThudError)) throw error; // else it was closed before
+      if (!(error instanceof thud.ThudError)) throw error; // otherwise it was closed before
     }
   }
   s.world.close();
   return CALLS_OF_A_SEED;
 }
 
-/** `--name VALUE` of the command line. */
+/** The value of `--name` on the command line. */
 function option(name, fallback) {
   const at = process.argv.indexOf(`--${name}`);
   return at < 0 ? fallback : process.argv[at + 1];

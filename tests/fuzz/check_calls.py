@@ -1,8 +1,8 @@
-"""Whether the fuzzer calls the whole API: check_calls.py NM HEADERS LIBRARY.
+"""Checks that the fuzzer calls the whole API: check_calls.py NM HEADERS LIBRARY.
 
-Compares the functions that the public headers declare with what the library of operations leaves
-for the linker to find. Prints one line for each function that no operation calls, and exits with 1
-if there is any.
+Compares the functions that the public headers declare with the undefined symbols of the library
+of operations. Prints one line for each function that no operation calls, and exits with 1 if
+there is any.
 """
 
 import re
@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.DOTALL)
-# A declaration ends in ");", and no type of a callback has a name of the form `thud_x(`.
+# A declaration ends in ");", and types of callbacks do not have names of the form `thud_x(`.
 FUNCTION = re.compile(r"\b(thud_\w+)\s*\([^;{}]*\)\s*;")
 
 

@@ -1,5 +1,6 @@
-/* decoder.h: a fuzzer's bytes as choices and numbers. One byte makes one value, so that a fuzzer
- * that changes a byte changes one thing; when the bytes are used up every answer is the first. */
+/* decoder.h: turns a fuzzer's bytes into choices and numbers. Each value takes one byte, so that a
+ * fuzzer that changes a byte changes one value. When the bytes are used up every byte is 0, so that
+ * every choice is the first. */
 #ifndef FUZZ_DECODER_H
 #define FUZZ_DECODER_H
 
@@ -11,7 +12,7 @@
 
 typedef struct fuzz_bytes {
     const uint8_t *at, *end;
-    bool hostile; /* numbers may be what no caller means */
+    bool hostile; /* some bytes mean numbers that are out of range, infinite or NaN */
 } fuzz_bytes;
 
 static inline unsigned next_byte(fuzz_bytes *b) {
@@ -22,14 +23,16 @@ static inline int next_choice(fuzz_bytes *b, int count) {
     return (int)(next_byte(b) % (unsigned)count);
 }
 
-/* True once in so many of the 256 bytes, and never at their end. */
+/* True for one in `one_in` of the 256 bytes; false when the bytes are used up. */
 static inline bool next_chance(fuzz_bytes *b, int one_in) {
     return next_byte(b) % (unsigned)one_in == (unsigned)one_in - 1;
 }
 
 /* ---- numbers ---- */
 
-enum { FIRST_HOSTILE = 240 }; /* bytes from here on mean a hostile number, where those are wanted */
+enum {
+    FIRST_HOSTILE = 240
+}; /* where numbers are hostile, bytes from here on mean a hostile number */
 
 static inline double hostile_number(unsigned byte) {
     static const double numbers[] = {NAN,     INFINITY,     -INFINITY,
@@ -41,13 +44,13 @@ static inline double hostile_number(unsigned byte) {
     return numbers[byte % (sizeof numbers / sizeof *numbers)];
 }
 
-/* From low in steps; hostile now and then. */
+/* low + step * byte; with hostile numbers, one of hostile_number for the highest bytes. */
 static inline double next_number(fuzz_bytes *b, double low, double step) {
     unsigned byte = next_byte(b);
     return b->hostile && byte >= FIRST_HOSTILE ? hostile_number(byte) : low + step * (double)byte;
 }
 
-/* As a float, which what is beyond its range becomes infinite in. */
+/* The same as a float; numbers beyond the range of floats become infinite. */
 static inline float next_float(fuzz_bytes *b, double low, double step) {
     double wide = next_number(b, low, step);
     return fabs(wide) <= (double)FLT_MAX || isnan(wide) ? (float)wide
@@ -55,7 +58,7 @@ static inline float next_float(fuzz_bytes *b, double low, double step) {
                                                         : -INFINITY;
 }
 
-/* Small counts, and what is none: -1, 0, and more than anybody means. */
+/* A count between 0 and `most`; with hostile numbers also -1, 0, INT32_MIN and 2^20. */
 static inline int next_count(fuzz_bytes *b, int most) {
     unsigned byte = next_byte(b);
     if (b->hostile && byte >= FIRST_HOSTILE) {

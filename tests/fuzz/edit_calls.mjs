@@ -1,4 +1,6 @@
-/** Random calls that change bodies and shapes, push them, and read of them; see calls.mjs. */
+/**
+ * Random calls for calls.mjs that change bodies and shapes, apply forces, and read bodies and
+ * shapes. */
 import { thud } from "../web/support/package.mjs";
 
 const WORDS = ["static", "kinematic", "dynamic", "dynamic", "none"];
@@ -65,12 +67,12 @@ export const EDIT_CALLS = {
   impulses: (s) => s.world.impulses(),
   impulseView: (s) => s.world.impulseView(),
   setListeners: (s) => {
-    s.after = null; // listeners are no part of a snapshot, and neither is the filter
+    s.after = null; // listeners and the pair filter are not part of a snapshot
     const veto = s.number(0, 3), friction = s.number(0, 2);
     const prologue = (rows, count) => {
       for (let i = 0; i < count; i += 2) [rows[20 * i + 16], rows[20 * i + 17]] = [veto, friction];
     };
-    s.after = null; // snapshots have no listeners and filters
+    s.after = null; // listeners and the pair filter are not part of a snapshot
     const without = [[], ["point"], ["bodies"]][s.below(3)];
     s.world.setListeners(s.below(3) === 0 ? null : { prologue, epilogue() {}, without });
   },

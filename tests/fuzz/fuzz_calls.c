@@ -1,12 +1,13 @@
-/* fuzz_calls.c: any calls of the whole API in any order, played by two worlds that must do the
- * same. */
+/* fuzz_calls.c: a fuzz target that makes calls of the whole API in any order, in two sessions that
+ * must give the same results (session.h, twin_kind). It compares the digest after each operation.
+ */
 #include "calls.h"
 #include "progress.h"
 #include "target.h"
 
 #include <stdlib.h>
 
-/* Steps between two snapshots that the second session goes on from. */
+/* Operations after which the second session goes on in a new world, restored from a snapshot. */
 enum { REPLACED_EVERY = 7 };
 
 static void play_all(fuzz_session *s) {

@@ -1,5 +1,5 @@
-/* fuzz_geometry.c: shapes, volumes and lines of ground without a world, which is far cheaper than
- * among all other calls. */
+/* fuzz_geometry.c: a fuzz target for the functions of shapes, volumes and terrain lines that need
+ * no world. They are among the calls of fuzz_calls.c too; here they run much faster. */
 #include "operations.h"
 #include "progress.h"
 #include "target.h"

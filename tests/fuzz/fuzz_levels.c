@@ -1,8 +1,8 @@
-/* fuzz_levels.c: maps of the Tiled editor, as JSON and as XML, and the files that they refer to:
- * the reader refuses them, or gives a scene of numbers that an engine takes, and the world of it
- * steps.
+/* fuzz_levels.c: a fuzz target for maps of the Tiled editor, as JSON and as XML, and the files that
+ * they refer to. The reader has to refuse a map, or to give a scene of finite numbers that the
+ * engine accepts and steps.
  *
- * An input is the map, or behind a line "@PATH" one of the files that the map of the line's end
+ * An input is a map; or a first line "@PATH MAP" and the text of the file PATH, which the map MAP
  * refers to: "@tiles/ground.tsx shapes.tmx" and then the text of ground.tsx. */
 #include "build_thud.h"
 #include "level.h"
@@ -17,7 +17,7 @@
 #define MAPS "tests/levels/maps/"
 enum { NAME = 64 };
 
-/* One file is what the input says. */
+/* The folder of maps, in which the input replaces one file. */
 typedef struct folder {
     char replaced[NAME];
     const char *text;
@@ -38,7 +38,7 @@ static char *read_file(const char *name, size_t *length) {
     return text;
 }
 
-/* No path leads out of the maps' folder. */
+/* Opens a file for the map reader. Null for paths that lead out of the maps' folder. */
 static char *open_file(void *context, const char *path, size_t *length) {
     const folder *f = context;
     if (strcmp(path, f->replaced) == 0) {
@@ -78,7 +78,8 @@ static void check_scene(const scene *s) {
     }
 }
 
-/* Levels of thousands of bodies would take all the time. */
+/* Creates the scene's world and makes three steps. Scenes of more than 300 bodies are left out, to
+ * save time. */
 static void step_scene(const scene *s) {
     enum { MOST = 300 };
     thud_world_def def = thud_default_world_def();
@@ -91,7 +92,8 @@ static void step_scene(const scene *s) {
     int refused = -1;
     thud_result result = scene_build_thud(s, &def, &world, ids, &refused);
     if (result != THUD_OK && refused < 0) {
-        fail("a joint that was read is refused"); /* bodies may stand too far out */
+        fail("a joint that was read is refused"); /* a body that is too far from the origin may have
+                                                     been refused */
     }
     if (result == THUD_OK) {
         for (int i = 0; i < 3; i++) {
@@ -107,7 +109,8 @@ static void step_scene(const scene *s) {
     free(ids);
 }
 
-/* Takes the line that names the file, if there is one; what is left is the input. */
+/* Reads the line that names the file, if there is one. Returns the text of its map, and null if the
+ * whole input is a map. */
 static char *take_head(folder *f, size_t *length) {
     char map[NAME];
     const char *end = memchr(f->text, '\n', f->length);

@@ -1,10 +1,10 @@
-/* fuzz_snapshots.c: snapshots that somebody changed, with checksums that are right again, restored
- * into the world that they are of. Such a snapshot is refused, and nothing has changed; or it is
- * taken, and then the world is what nobody promises anything of, but that it can be thrown away
- * and that it is itself again once it is restored from a good snapshot.
+/* fuzz_snapshots.c: a fuzz target for snapshots with changed bytes and correct checksums, restored
+ * into the world that they were taken from. Either such a snapshot is refused, the log hook is
+ * called and the world's hash stays the same. Or it is accepted; then the world must be safe to
+ * destroy, and must behave as before once it is restored from a good snapshot.
  *
- * An input is a session as fuzz_calls has them, then from its last MUTATIONS on what is changed:
- * four bytes each: two for a place, one for what is done there, one for a value. */
+ * An input is a session as of fuzz_calls.c, followed by MUTATIONS changes of four bytes: two for
+ * the place, one for the kind of change, one for the value. */
 #include "calls.h"
 #include "oracles.h"
 #include "progress.h"
@@ -16,13 +16,15 @@
 
 enum { MUTATIONS = 6, MUTATION = 4, STEPS = 3 };
 
-/* Most of the checks are of the head: every other mutation is in it, else in one of the tables. */
+/* The byte of the snapshot to change. Half of the changes are in the head, which most checks
+ * concern, the others are anywhere. */
 static size_t place_of(unsigned value, size_t bytes) {
     size_t from = sizeof(char[8]) + sizeof(uint64_t), head = sizeof(td_snapshot_head);
     size_t range = value & 0x8000 ? (head < bytes ? head : bytes) - from : bytes - from;
     return from + (value & 0x7fff) * 8191u % range;
 }
 
+/* Changes one byte or word of a snapshot; `m` chooses the place and the change. */
 static void mutate(char *snapshot, size_t bytes, const uint8_t *m) {
     static const int32_t words[] = {-1, 0, 1, INT32_MAX, INT32_MIN, 65536, 1 << 26, 255};
     size_t at = place_of(m[0] | (unsigned)m[1] << 8, bytes), word = at & ~(size_t)3;
@@ -43,13 +45,15 @@ static void mutate(char *snapshot, size_t bytes, const uint8_t *m) {
     }
 }
 
+/* Recomputes the checksum, so that restoring reaches the changed data. */
 static void mend_checksum(char *snapshot, size_t bytes) {
     size_t from = offsetof(td_snapshot_head, checksum) + sizeof(uint64_t);
     uint64_t sum = td_snapshot_checksum(snapshot + from, bytes - from);
     memcpy(snapshot + offsetof(td_snapshot_head, checksum), &sum, sizeof sum);
 }
 
-/* From the good snapshot on it is as it was the first time. */
+/* Restores the good snapshot and makes the steps again; their hashes must be those of the first
+ * time. */
 static void goes_on(fuzz_session *s, const char *good, size_t bytes, const uint64_t hash[STEPS]) {
     TRY(s, thud_world_restore(s->world, good, bytes));
     if (s->result != THUD_OK) {
@@ -67,7 +71,7 @@ static void restore_changed(fuzz_session *s, const uint8_t *changes, size_t coun
     size_t bytes = 0;
     uint64_t hash[STEPS];
     s->operation = "restoring what was changed";
-    s->mood = 0; /* callbacks do nothing more, so that the steps are the same */
+    s->mood = 0; /* callbacks make no more calls, so that the steps are the same */
     TRY(s, thud_world_snapshot_size(s->world, &bytes));
     char *good = malloc(bytes), *bad = malloc(bytes);
     TRY(s, thud_world_snapshot(s->world, good, bytes, NULL));
@@ -104,7 +108,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         session.operations++;
     }
     restore_changed(&session, data + size, changes);
-    /* What was restored goes back to before the steps whose events were booked. */
+    /* Not session_close, which checks events: the restore has gone back to a time before the steps
+     * whose events are in the ledger. */
     thud_world_destroy(session.world);
     thud_world_destroy(session.other);
     free(session.snapshot);

@@ -1,4 +1,4 @@
-/** Random calls of "thud/geometry": two shapes without a world. */
+/** Random calls of "thud/geometry" for calls.mjs: functions of two shapes without a world. */
 import { geometry } from "../web/support/package.mjs";
 
 const placed = (s) => ({ ...s.solid(), center: s.place() });

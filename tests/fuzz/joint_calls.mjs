@@ -1,7 +1,7 @@
 /** Random calls of joints, for calls.mjs. */
 import { thud } from "../web/support/package.mjs";
 
-/** Directions that each kind drives. */
+/** The directions that each kind of joint drives. */
 const DRIVEN = {
   distance: ["along"],
   hinge: ["turn"],
@@ -26,7 +26,7 @@ function frameOf(s) {
   return s.options({ position: s.place(), angle: s.number(-4, 4) });
 }
 
-/** Where a joint is: by places in the world, or by frames. */
+/** The anchors of a joint: by places in the world, or by frames. */
 function placeOf(s, kind) {
   if (s.below(3) === 0) return { frameA: frameOf(s), frameB: frameOf(s) };
   if (kind === "distance") return s.pick([{ from: s.place(), to: s.place() }, {}]);
@@ -72,7 +72,7 @@ export const JOINT_CALLS = {
   jointsOf: (s) => s.world.jointsOf(s.body()),
   jointEvents: (s) => s.world.jointEvents(),
   jointTable: (s) => {
-    const { count } = s.world.jointTable(s.number(0, 1), ...s.place()); // infinite limits are none
+    const { count } = s.world.jointTable(s.number(0, 1), ...s.place()); // not checked: limits may be infinite
     if (count > s.world.joints().length) throw new Error("the table has more joints than the world");
   },
   useJoints: (s) => s.world.useJoints(),

@@ -1,4 +1,4 @@
-/* operations.c: the table of what a fuzzer plays. */
+/* operations.c: the table of operations that a fuzzer plays. */
 #include "operations.h"
 #include "oracles.h"
 

@@ -1,5 +1,5 @@
-/* operations.h: what a fuzzer plays: each takes its arguments from the session's bytes, makes its
- * calls by TRY, PURE or COUNTED, and notes what they give. */
+/* operations.h: the operations that a fuzzer plays. Each takes its arguments from the session's
+ * bytes, makes its calls by TRY, PURE or COUNTED, and adds their results to the digest. */
 #ifndef FUZZ_OPERATIONS_H
 #define FUZZ_OPERATIONS_H
 
@@ -8,8 +8,8 @@
 
 typedef void fuzz_operation(fuzz_session *s);
 
-/* The number of an operation is the byte that plays it, for good: a kept input means the same when
- * others are added. Bytes that name none play `step`. */
+/* An operation's index in the table is the byte that plays it, and never changes, so that kept
+ * inputs keep their meaning when operations are added. Bytes without an operation play `step`. */
 enum { OPERATION_BYTES = 128 };
 
 typedef struct named_operation {
@@ -19,7 +19,7 @@ typedef struct named_operation {
 
 extern const named_operation operations[OPERATION_BYTES];
 
-/* How often each was played, in all sessions of the process. */
+/* How often each operation was played, in all sessions of the process. */
 extern uint64_t operations_played[OPERATION_BYTES];
 
 /* operations_worlds.c */
@@ -28,7 +28,7 @@ fuzz_operation play_step, play_advance, play_advance_with, play_log, play_settin
 fuzz_operation play_poses, play_drawing, play_refused_worlds, play_nulls, play_limit;
 fuzz_operation play_listeners;
 /* operations_bodies.c */
-/* Where the session's table is full the one that stood there goes. */
+/* Adds a body to the session's table; if the table is full, destroys the one that it replaces. */
 void session_keep_body(fuzz_session *s, thud_body_id made);
 fuzz_operation play_body, play_wild_body, play_body_destroy, play_body_get, play_transform;
 fuzz_operation play_velocity, play_impulse, play_force, play_awake, play_enabled, play_user_data;
@@ -43,7 +43,7 @@ fuzz_operation play_cast_circle_all, play_cast_box, play_cast_box_all, play_over
 fuzz_operation play_overlap_circle, play_overlap_aabb, play_overlap_obb, play_closest;
 fuzz_operation play_ray_each, play_cast_each, play_rays, play_casts, play_meets_ray;
 fuzz_operation play_shape_point, play_shape_bounds;
-/* operations_movers.c: movers and snapshots */
+/* operations_movers.c: character movers and snapshots */
 fuzz_operation play_mover, play_mover_settings, play_mover_place, play_snapshot, play_restore;
 fuzz_operation play_restore_damaged;
 /* operations_geometry.c */
@@ -65,7 +65,7 @@ fuzz_operation play_explosion, play_wind, play_water, play_rolling, play_below, 
 fuzz_operation play_rule, play_rule_get, play_filter, play_impulses;
 /* operations_sessions.c */
 fuzz_operation play_saved, play_rollback;
-/* operations_lines.c: terrain without a world */
+/* operations_lines.c: terrain lines without a world */
 fuzz_operation play_line_sample, play_line_shape, play_line_impact, play_line_ray, play_foot;
 
 #endif

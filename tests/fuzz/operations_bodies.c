@@ -1,4 +1,4 @@
-/* operations_bodies.c: bodies and their edits. */
+/* operations_bodies.c: operations that create, change, read and destroy bodies. */
 #include "operations.h"
 
 #include <thud/thud_edits.h>
@@ -28,7 +28,7 @@ static void create_body(fuzz_session *s, const thud_body_def *def) {
     }
 }
 
-/* With up to three shapes of its own. */
+/* Creates a body together with up to three shapes. */
 static void create_whole_body(fuzz_session *s, const thud_body_def *def) {
     thud_body_shape shapes[3] = {0};
     thud_shape_id made[3] = {0};
@@ -66,7 +66,7 @@ void play_body(fuzz_session *s) {
     create_body(s, &def);
 }
 
-/* Every field as the bytes want it. */
+/* A body with values from the bytes for all fields of its def. */
 void play_wild_body(fuzz_session *s) {
     thud_body_def def = body_def(s);
     def.angular_velocity = next_float(&s->bytes, -16, 0.125);
@@ -102,7 +102,8 @@ void play_body_destroy(fuzz_session *s) {
     }
 }
 
-/* What the step has not seen yet need not be finite: impulses may add up to anything. */
+/* A velocity is added to the digest only after a step: until then it need not be finite, since
+ * impulses may add up to infinity. */
 void play_body_get(fuzz_session *s) {
     thud_body_id body = pick_body(s);
     thud_body_state state;
@@ -224,7 +225,7 @@ void play_body_volume(fuzz_session *s) {
     }
 }
 
-/* By options, of which each is the default as often as not. */
+/* thud_body_make with options, each of which is the default in half of the cases. */
 void play_make(fuzz_session *s) {
     thud_shape_instance at = pick_instance(s, true);
     thud_pos place = pick_place(s);
@@ -253,7 +254,7 @@ void play_make(fuzz_session *s) {
     }
 }
 
-/* A world of its own; what is not finite makes none. */
+/* thud_world_make; a gravity that is not finite makes no world. */
 void play_make_world(fuzz_session *s) {
     thud_vec2 gravity = pick_velocity(s);
     const thud_quality *quality = pick_quality(s, next_byte(&s->bytes));

@@ -1,4 +1,5 @@
-/* operations_edits.c: changes of bodies and shapes, forces, points of bodies, single values. */
+/* operations_edits.c: operations that change single values of bodies and shapes, apply forces,
+ * convert points and vectors of bodies, and read single values. */
 #include "operations.h"
 
 #include <thud/thud_edits.h>
@@ -142,7 +143,7 @@ void play_push(fuzz_session *s) {
     }
 }
 
-/* Told, but not noted: what the step has not seen yet need not be finite. */
+/* Called, but not added to the digest: velocities that no step has processed need not be finite. */
 void play_points(fuzz_session *s) {
     thud_body_id body = pick_body(s);
     thud_pos place = pick_place(s), out = {0, 0};

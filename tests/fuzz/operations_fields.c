@@ -1,5 +1,5 @@
-/* operations_fields.c: explosions, wind, water, rolling resistance. What they do to bodies is seen
- * in the next step. */
+/* operations_fields.c: explosions, wind, water, rolling resistance and grip. Their effect on bodies
+ * enters the digest with the next step. */
 #include "operations.h"
 
 #include <thud/thud_fields.h>

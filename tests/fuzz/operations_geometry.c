@@ -1,12 +1,14 @@
-/* operations_geometry.c: shapes without a world. */
+/* operations_geometry.c: functions of shapes without a world. */
 #include "operations.h"
 
+/* A normal must have the length 1, a fraction must be in [0, 1]. */
 static void unit_normal(fuzz_session *s, double nx, double ny) {
     if (!(fabs(nx * nx + ny * ny - 1) < 1e-6)) {
         fuzz_fail(s, "%s: the normal %g %g", s->calls[s->depth].text, nx, ny);
     }
 }
 
+/* Fails if `value` is not in 0 to 1. */
 static void fraction(fuzz_session *s, double value) {
     if (!(value >= 0 && value <= 1)) {
         fuzz_fail(s, "%s: the fraction %g", s->calls[s->depth].text, value);

@@ -1,4 +1,4 @@
-/* operations_joints.c: joints and their edits. */
+/* operations_joints.c: operations that create, change, read and destroy joints. */
 #include "driven.h"
 #include "operations.h"
 
@@ -10,7 +10,7 @@ static thud_joint_id pick_joint(fuzz_session *s) {
                                      : (thud_joint_id){byte % 4, byte * 0x01010101u};
 }
 
-/* Mostly valid; what it does not say is as it comes. */
+/* A drive that is valid in most cases; fields that the bytes do not set have their default. */
 static thud_drive pick_drive(fuzz_session *s) {
     thud_drive drive = thud_default_joint_def(THUD_WELD).drive[THUD_ALONG];
     unsigned byte = next_byte(&s->bytes);
@@ -71,7 +71,8 @@ void play_joint(fuzz_session *s) {
     make_joint(s, &def);
 }
 
-/* ---- many at once: a chain, a loop, a hub, a ladder, begun where every joint fits ---- */
+/* ---- linkages: a chain, a loop, a hub or a ladder of joints, created where every joint fits ----
+ */
 
 typedef enum linkage_form { CHAIN, LOOP, HUB, LADDER, LINKAGE_FORMS } linkage_form;
 
@@ -80,9 +81,9 @@ enum { LINKAGE_MOST = 12 };
 typedef struct linkage {
     linkage_form form;
     thud_joint_kind kind;
-    float frequency; /* of springs along; 0: none */
+    float frequency; /* Hz, of springs along; 0: no springs */
     int count;
-    thud_pos at[LINKAGE_MOST]; /* from the first body, in units */
+    thud_pos at[LINKAGE_MOST]; /* positions relative to the first body, in length scales */
     thud_body_id bodies[LINKAGE_MOST];
 } linkage;
 
@@ -126,7 +127,7 @@ static void add_links(fuzz_session *s, linkage *l) {
     }
 }
 
-/* Half way between the two, but for rods, which go from middle to middle. */
+/* The anchor is half way between the two bodies; a rod's anchors are the bodies' centers. */
 static void tie_links(fuzz_session *s, const linkage *l, int a, int b) {
     thud_joint_def def = COUNTED(thud_default_joint_def(l->kind));
     double x = (l->at[b].x - l->at[a].x) * s->unit, y = (l->at[b].y - l->at[a].y) * s->unit;
@@ -190,7 +191,7 @@ void play_joint_edit(fuzz_session *s) {
     }
 }
 
-/* What it says makes another. */
+/* Reads a joint's def; a joint created from it must be accepted. */
 static void read_def(fuzz_session *s, thud_joint_id joint) {
     thud_joint_def def;
     memset(&def, CALL_FILL, sizeof def);
@@ -207,7 +208,8 @@ static void read_def(fuzz_session *s, thud_joint_id joint) {
     }
 }
 
-/* Forces of the last substep may be anything that a float can hold. */
+/* The forces of the last substep may have any value that a float can hold, also infinite; they are
+ * not added to the digest. */
 void play_joint_get(fuzz_session *s) {
     thud_joint_id joint = pick_joint(s);
     thud_joint_state state;
@@ -244,7 +246,7 @@ void play_joint_breaking(fuzz_session *s) {
     TRY(s, thud_joint_set_breaking(s->world, joint, force, torque, byte & 4));
 }
 
-/* Lists say how long they are, whatever room there is. */
+/* Lists return the full number of joints, whatever their capacity. */
 void play_joint_lists(fuzz_session *s) {
     enum { ROOM = 4 };
     thud_joint_id list[ROOM];

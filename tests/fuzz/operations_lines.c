@@ -1,5 +1,6 @@
-/* operations_lines.c: lines of ground without a world. A line that thud_terrain_check refuses may
- * give results without a meaning, but no more than that. */
+/* operations_lines.c: functions of terrain lines without a world. A line that thud_terrain_check
+ * refuses may give results without a meaning, but must not make a function crash or read out of
+ * bounds. */
 #include "operations.h"
 
 typedef struct ground {
@@ -8,14 +9,15 @@ typedef struct ground {
     bool valid;
 } ground;
 
-/* The memory sanitizer would rightly say that what has no meaning goes by what was never written.
- */
+/* With such lines the memory sanitizer reports branches on values that were never written; under it
+ * they are left out. */
 #if defined(__has_feature)
 #if __has_feature(memory_sanitizer)
 #define ONLY_VALID
 #endif
 #endif
 
+/* A line from the fuzzer's bytes, and whether it is valid. */
 static void pick_ground(fuzz_session *s, ground *g) {
     g->line = pick_line(s, g->points);
     g->valid = COUNTED(thud_terrain_check(&g->line)) == THUD_OK;
@@ -27,12 +29,14 @@ static void pick_ground(fuzz_session *s, ground *g) {
 #endif
 }
 
+/* Fails if a valid line gives a normal whose length is not 1. */
 static void normal_of(fuzz_session *s, const ground *g, double nx, double ny) {
     if (g->valid && !(fabs(nx * nx + ny * ny - 1) < 1e-6)) {
         fuzz_fail(s, "%s: the normal %g %g", s->calls[s->depth].text, nx, ny);
     }
 }
 
+/* Fails if a valid line gives a value that is not finite. */
 static void finite_of(fuzz_session *s, const ground *g, double value) {
     if (g->valid && !isfinite(value)) {
         fuzz_fail(s, "%s: %g", s->calls[s->depth].text, value);

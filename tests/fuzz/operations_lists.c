@@ -1,9 +1,11 @@
-/* operations_lists.c: what there is in a world, as lists: all that is listed lives, in the order of
- * slots, and a list without room is the beginning of the whole one. */
+/* operations_lists.c: lists of a world's bodies, shapes, pairs and overlaps. All handles in a list
+ * are valid and in the order of their slots, and a list with less capacity is the beginning of the
+ * full one. */
 #include "operations.h"
 
 enum { ROOM = 6 };
 
+/* A capacity of a list, at most ROOM. */
 static int pick_room(fuzz_session *s) {
     int capacity = next_count(&s->bytes, ROOM);
     return capacity > ROOM ? ROOM : capacity;
@@ -83,7 +85,7 @@ void play_slots(fuzz_session *s) {
     note_bits(s, (uint64_t)body.index1 << 32 | shape.index1);
 }
 
-/* What is told is not told again. */
+/* A second call does not list the same bodies again. */
 void play_moved(fuzz_session *s) {
     thud_body_id bodies[ROOM];
     int capacity = pick_room(s), slots = next_count(&s->bytes, SESSION_BODIES);
@@ -118,7 +120,7 @@ static void check_side(fuzz_session *s, thud_shape_id shape, const thud_pair_sid
     note_bits(s, side->body.index1 + side->body_data + side->shape_data);
 }
 
-/* Of two shapes, or of what ended last. */
+/* The sides of two shapes of the session, or of the pair that ended last. */
 void play_sides(fuzz_session *s) {
     thud_shape_id a = pick_shape(s), b = pick_shape(s);
     thud_events e = COUNTED(thud_world_events(s->world));
@@ -136,7 +138,8 @@ void play_sides(fuzz_session *s) {
     check_side(s, b, &pair.b);
 }
 
-/* Each pair once, of the kinds that were asked for, and there; some are destroyed on the way. */
+/* Lists pairs of two categories: each pair occurs once, is of the categories that were asked for,
+ * and its shapes are valid; some shapes are destroyed during the loop. */
 void play_meetings(fuzz_session *s) {
     enum { MET = 32 };
     uint32_t first = next_byte(&s->bytes), second = next_byte(&s->bytes), told[MET][2];

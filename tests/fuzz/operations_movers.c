@@ -1,9 +1,9 @@
-/* operations_movers.c: a mover, and going back to a snapshot. */
+/* operations_movers.c: character movers, and restoring snapshots. */
 #include "operations.h"
 
 #include <stdlib.h>
 
-/* What a move changes. */
+/* Whether two movers have the same place and ground, which a move changes. */
 static bool same_mover(const thud_mover *a, const thud_mover *b) {
     bool shape = memcmp(&a->shape.x, &b->shape.x, 2 * sizeof a->shape.x) == 0;
     return shape && a->on_ground == b->on_ground &&
@@ -30,7 +30,7 @@ void play_mover(fuzz_session *s) {
         return;
     }
     if (s->twin == TWIN_SHIFT) {
-        return; /* its place is in double precision, which a shift rounds */
+        return; /* a mover's place is in double precision, which a shift rounds */
     }
     note_place(s, (thud_pos){s->now.mover.shape.x, s->now.mover.shape.y});
     note_vector(s, report.velocity);
@@ -101,7 +101,8 @@ void play_restore(fuzz_session *s) {
     TRY(s, thud_world_restore(s->world, s->snapshot, s->snapshot_bytes));
     if (s->result == THUD_OK) {
         s->now = s->kept;
-        s->destroyed_inside++; /* what the snapshot's callbacks destroyed is not known any more */
+        s->destroyed_inside++; /* it is unknown what callbacks had destroyed when the snapshot was
+                                  taken */
     } else if (s->result != THUD_ERROR_LOCKED) {
         fuzz_fail(s, "a snapshot is refused: %s", thud_result_text(s->result));
     }

@@ -1,4 +1,4 @@
-/* operations_queries.c: asking a world what is where. */
+/* operations_queries.c: rays, casts, overlaps and closest points of a world. */
 #include "operations.h"
 
 enum { ROOM = 4, MANY = 80 };
@@ -21,6 +21,7 @@ static thud_query_filter query_filter(fuzz_session *s, unsigned byte) {
     return filter;
 }
 
+/* The path of a cast with its filter and the capacity of its list. */
 static way pick_way(fuzz_session *s) {
     way w = {.from = pick_place(s)};
     unsigned byte = next_byte(&s->bytes);
@@ -33,14 +34,15 @@ static way pick_way(fuzz_session *s) {
     return w;
 }
 
-/* Before the caller's float mode is set, in which tiny floats may be 0. */
+/* The float as a double, converted before the caller's float mode is set, in which denormal floats
+ * may become 0. */
 static double widened(float value) {
     volatile double wide = (double)value;
     return wide;
 }
 
-/* A way in double precision from a place that a shift may have rounded: its length is noted, and
- * what was met. */
+/* Checks a hit and adds it to the digest. The path is in double precision from a point that a shift
+ * may have rounded. */
 static void check_hit(fuzz_session *s, const thud_ray_hit *hit) {
     double length = (double)hit->normal.x * (double)hit->normal.x +
                     (double)hit->normal.y * (double)hit->normal.y;
@@ -205,7 +207,7 @@ void play_closest(fuzz_session *s) {
     }
 }
 
-/* ---- hit by hit, and many at once ---- */
+/* ---- casts with a callback for each hit, and many casts in one call ---- */
 
 void play_ray_each(fuzz_session *s) {
     way w = pick_way(s);
@@ -233,12 +235,13 @@ static void check_many(fuzz_session *s, const thud_ray_hit *hits, int count) {
     }
 }
 
+/* A number of casts in one call, at most MANY; may be negative. */
 static int pick_many(fuzz_session *s) {
     int count = next_count(&s->bytes, MANY);
     return count > MANY ? 0 : count;
 }
 
-/* A fan of rays. */
+/* Many rays from one point in different directions. */
 void play_rays(fuzz_session *s) {
     way w = pick_way(s);
     int count = pick_many(s);
@@ -269,7 +272,7 @@ void play_casts(fuzz_session *s) {
     check_many(s, hits, count);
 }
 
-/* ---- one shape ---- */
+/* ---- queries of one shape ---- */
 
 void play_meets_ray(fuzz_session *s) {
     thud_shape_id shape = pick_shape(s);

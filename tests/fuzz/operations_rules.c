@@ -1,13 +1,16 @@
-/* operations_rules.c: rules between four kinds, the caller's own filter, and impulses above a
- * rule's. What a rule does is seen in the next step. */
+/* operations_rules.c: rules between four categories of shapes, the caller's pair filter, and
+ * impulse events, which rules ask for. The effect of a rule on contacts enters the digest with the
+ * next step. */
 #include "operations.h"
 
+/* See session.h. */
 void session_take_filter(fuzz_session *s, thud_world *world) {
     if (s->filters) {
         COUNTED(thud_world_set_filter(world, session_filter, s));
     }
 }
 
+/* Excludes one in seven pairs, by the slots of their shapes. */
 bool session_filter(const thud_world *world, thud_shape_id a, thud_shape_id b, void *context) {
     (void)world, (void)context;
     return (a.index1 + b.index1) % 7 != 3;

@@ -1,5 +1,5 @@
-/* operations_sessions.c: worlds in files, and a rollback in a world of its own, which in the end is
- * as if every input had come in time. */
+/* operations_sessions.c: worlds saved in files, and a rollback in a world of its own, which must
+ * end as if every input had been known in time. */
 #include "operations.h"
 
 #include <thud/thud_forces.h>
@@ -11,6 +11,7 @@
 
 /* ---- files ---- */
 
+/* Flips a bit of a byte of the file; a second call with the same `dice` flips it back. */
 static void flip_byte(const char *path, unsigned dice) {
     FILE *file = fopen(path, "r+b");
     fseek(file, 0, SEEK_END);
@@ -22,6 +23,8 @@ static void flip_byte(const char *path, unsigned dice) {
     fclose(file);
 }
 
+/* Saves the world. Loading is refused with too little room for the caller's own bytes and from a
+ * damaged file, and gives the saved bytes back otherwise. */
 void play_saved(fuzz_session *s) {
     char path[64];
     snprintf(path, sizeof path, "fuzz-save-%d", (int)getpid());
@@ -73,7 +76,8 @@ static thud_world *make_balls(thud_body_id balls[2]) {
     return world;
 }
 
-/* Inputs of both come by chance, each player's in order, at most DEPTH late. */
+/* Inputs of two players arrive at random times, each player's in order and at most DEPTH steps
+ * late. */
 void play_rollback(fuzz_session *s) {
     thud_body_id balls[2], plain[2], copy[2];
     thud_world *world = make_balls(balls), *straight = make_balls(plain);

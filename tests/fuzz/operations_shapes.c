@@ -1,6 +1,8 @@
-/* operations_shapes.c: shapes of bodies, and editing the lines of terrains. */
+/* operations_shapes.c: operations that create, read and destroy shapes, and that edit terrain
+ * lines. */
 #include "operations.h"
 
+/* Whether the world has as many shapes as a session may create. */
 static bool full(fuzz_session *s) {
     return COUNTED(thud_world_stats(s->world)).shapes >= SESSION_SHAPES_MOST;
 }
@@ -84,7 +86,7 @@ void play_obb(fuzz_session *s) {
     add_obb(s, pick_body(s));
 }
 
-/* A body with a shape, which a fuzzer would seldom come upon by two operations. */
+/* A body with a shape, which a fuzzer would seldom find with two operations. */
 void play_thing(fuzz_session *s) {
     int next = s->now.next_body;
     play_body(s);
@@ -139,7 +141,7 @@ void play_shape_get(fuzz_session *s) {
     }
 }
 
-/* ---- lines ---- */
+/* ---- terrain lines ---- */
 
 static void check_line(fuzz_session *s, thud_shape_id shape) {
     thud_terrain line;

@@ -1,4 +1,4 @@
-/* operations_volumes.c: bounding volumes. */
+/* operations_volumes.c: functions of bounding volumes. */
 #include "operations.h"
 
 static thud_shape_kind pick_kind(fuzz_session *s) {
@@ -11,7 +11,7 @@ static void check_volume(fuzz_session *s, const thud_volume *volume) {
     }
 }
 
-/* What is around a shape holds the shape. */
+/* A volume around a shape must contain it. */
 static void check_around(fuzz_session *s, const thud_volume *volume, const thud_volume *inner) {
     bool inside;
     if (s->result == THUD_OK) {

@@ -1,4 +1,4 @@
-/* operations_worlds.c: stepping a world, its settings, and what it tells of itself. */
+/* operations_worlds.c: operations that step a world, change its settings, and read its reports. */
 #include "operations.h"
 #include "oracles.h"
 
@@ -14,7 +14,7 @@ void play_step(fuzz_session *s) {
     }
 }
 
-/* One step at most, so that no event goes unbooked. */
+/* At most one step in a call, so that the events of each step are checked. */
 void play_advance(fuzz_session *s) {
     double elapsed = next_number(&s->bytes, 0, 1.0 / 4096), alpha = 0;
     int most = next_chance(&s->bytes, 8) ? 0 : 1, steps = 0;
@@ -36,7 +36,7 @@ static void count_step(thud_world *world, void *context) {
     ++*(int *)context;
 }
 
-/* The same with a call after each step. */
+/* The same with a callback after each step. */
 void play_advance_with(fuzz_session *s) {
     double elapsed = next_number(&s->bytes, 0, 1.0 / 4096);
     int steps = 0, calls = 0;
@@ -53,7 +53,7 @@ void play_advance_with(fuzz_session *s) {
     }
 }
 
-/* A log in place of the session's own, for as long as nothing is told. */
+/* Replaces the session's log hook and sets it again before any message. */
 void play_log(fuzz_session *s) {
     TRY(s, thud_world_set_log(s->world, thud_log_to_stderr, NULL));
     TRY(s, thud_world_set_log(s->world, s->def.log, s->def.log_context));
@@ -86,8 +86,8 @@ void play_settings(fuzz_session *s) {
     }
 }
 
-/* Of either none, one of the two forms, or, which is refused, both; and without
- * parts, of which only two are known. */
+/* No listener, one of the two forms, or both forms, which is refused; and `without` parts, of which
+ * only two bits are valid. */
 void play_listeners(fuzz_session *s) {
     unsigned byte = next_byte(&s->bytes);
     thud_listeners listeners = {.prologue = byte & 1 ? session_prologue : NULL,
@@ -182,6 +182,7 @@ void play_poses(fuzz_session *s) {
 
 /* ---- drawing ---- */
 
+/* Fails if a drawn coordinate is not finite. */
 static void see_number(void *context, double value) {
     fuzz_session *s = context;
     if (!isfinite(value)) {
@@ -235,7 +236,7 @@ void play_drawing(fuzz_session *s) {
     TRY(s, thud_world_draw(s->world, &draw));
 }
 
-/* ---- what is refused ---- */
+/* ---- calls that are refused ---- */
 
 void play_refused_worlds(fuzz_session *s) {
     thud_world_def def = s->def;
@@ -281,6 +282,7 @@ void play_refused_worlds(fuzz_session *s) {
     }
 }
 
+/* Fails if a call with a null argument was not refused. */
 static void wants_null(fuzz_session *s, thud_result result) {
     fuzz_calls_made++;
     if (result != THUD_ERROR_NULL) {

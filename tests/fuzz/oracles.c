@@ -13,6 +13,7 @@ static int find(const pair_ledger *l, const thud_contact_event *pair) {
     return i;
 }
 
+/* Removes the pair from the ledger; false if it is not open. */
 static bool closes(pair_ledger *l, const thud_contact_event *pair) {
     int i = find(l, pair);
     if (i == l->count) {
@@ -26,7 +27,7 @@ static void note_pair(fuzz_session *s, const thud_contact_event *pair) {
     note_bits(s, (uint64_t)pair->shape_a.index1 << 32 | pair->shape_b.index1);
 }
 
-/* Nothing is destroyed between its beginning and the end of the step, but by callbacks. */
+/* Shapes of a pair that begins are valid, unless callbacks have destroyed a shape in the step. */
 static void check_handles(fuzz_session *s, const thud_contact_event *pair, const char *what) {
     if (!s->destroyed_inside && !(thud_shape_is_valid(s->world, pair->shape_a) &&
                                   thud_shape_is_valid(s->world, pair->shape_b))) {
@@ -34,7 +35,8 @@ static void check_handles(fuzz_session *s, const thud_contact_event *pair, const
     }
 }
 
-/* Ends of what was open come first; what is left of them must be of what begins. */
+/* Enters a step's events into the ledger. Ends of open pairs are entered first; the other ends must
+ * be of pairs that begin in this step. */
 static void book(fuzz_session *s, pair_ledger *l, const char *what, const thud_contact_event *begin,
                  int begins, const thud_contact_event *end, int ends) {
     static bool late[SESSION_OPEN];
@@ -83,10 +85,10 @@ static void check_events(fuzz_session *s) {
     check_hits(s, &e);
 }
 
-/* ---- bodies and figures ---- */
+/* ---- bodies and statistics ---- */
 
-/* A step holds x and y of a velocity to the world's maximum, and spins to 10^8 rad/s; an impact on
- * the way may leave more. */
+/* After a step x and y of a velocity are within the world's maximum_speed, and the angular velocity
+ * within 10^8 rad/s; an impact within the step may leave more. */
 static void check_speed(const fuzz_session *s, thud_body_id body, const thud_body_state *state) {
     double most = 1.00001 * (double)s->def.maximum_speed * s->unit;
     bool held = fabs((double)state->velocity.x) <= most &&
@@ -157,7 +159,8 @@ static void check_poses(fuzz_session *s) {
     }
 }
 
-/* Each segment of a line that a shape is over makes a pair of its own; digging adds vertices. */
+/* Upper bound of pairs for two shapes: each segment of a line that a shape overlaps makes a pair of
+ * its own. Lines begin with 16 segments, and digging adds vertices. Chosen. */
 enum { SEGMENTS_MOST = 64 };
 
 static void check_counts(fuzz_session *s) {

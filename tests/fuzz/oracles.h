@@ -1,14 +1,14 @@
-/* oracles.h: what must hold of a session's world after a step, and in the end. */
+/* oracles.h: checks of what must hold for a session's world after each step, and at the end. */
 #ifndef FUZZ_ORACLES_H
 #define FUZZ_ORACLES_H
 
 #include "session.h"
 
-/* Books the step's events, asks every body and figure whether it is finite, every count whether it
- * can be, and notes all of it for the twin. */
+/* Enters the step's events into the ledger, checks that all values of bodies and reports are finite
+ * and all counts possible, and adds them to the digest. */
 void oracle_step(fuzz_session *s);
 
-/* Destroys every body and steps: no pair may be left open. */
+/* Destroys every body and makes a step: no pair may stay open. */
 void oracle_end(fuzz_session *s);
 
 #endif

@@ -1,7 +1,8 @@
-"""Kept inputs of a fuzzer as one file: pack.py pack FOLDER FILE, or pack.py unpack FILE FOLDER.
+"""Packs kept inputs of a fuzzer into one file: pack.py pack FOLDER FILE, or pack.py unpack FILE
+FOLDER.
 
-A packed file is, for each input, its length as four bytes, the lowest first, and the input itself,
-in the order of their names; replay.c reads it.
+A packed file contains for each input its length in four bytes, little-endian, and its bytes, in
+the order of the inputs' names; replay.c reads it.
 """
 
 import hashlib

@@ -1,15 +1,18 @@
-/* pick.h: what an operation is played with: places, lengths and handles of a session's world. */
+/* pick.h: arguments for operations, decoded from the session's bytes: places, lengths, and handles
+ * of the session's world. */
 #ifndef FUZZ_PICK_H
 #define FUZZ_PICK_H
 
 #include "session.h"
 
-/* A coordinate without the shift, on a grid that a shift does not round. */
+/* A coordinate without the shift. In shift twins it is on a grid of 1/8 length scale, which a shift
+ * does not round. */
 static inline double pick_coordinate(fuzz_session *s) {
     double value = next_number(&s->bytes, -16, 0.125);
     bool grid = fabs(value) <= 16;
     if (s->twin == TWIN_SHIFT && !(grid && value * 8 == rint(value * 8))) {
-        return value - value; /* not a number, for both twins, where it is not finite; else 0 */
+        return value - value; /* NaN for a value that is not finite, otherwise 0; the same in both
+                                 twins */
     }
     return grid ? value * s->unit : value;
 }
@@ -44,7 +47,7 @@ static inline double pick_angle(fuzz_session *s) {
     return next_number(&s->bytes, -6.4, 0.05);
 }
 
-/* A motion of shapes without a world. */
+/* A motion, for functions of shapes without a world. */
 static inline thud_motion pick_motion(fuzz_session *s) {
     double x = pick_coordinate(s), y = pick_coordinate(s);
     return (thud_motion){x, y, pick_angle(s)};
@@ -52,15 +55,15 @@ static inline thud_motion pick_motion(fuzz_session *s) {
 
 /* ---- qualities and detections ---- */
 
-/* Swept bodies are held where there is no memory to look for whom they meet: twins whose memory
- * fails go without. */
+/* Quality exact is left out for memory twins: its swept bodies are held at their place if there is
+ * no memory to find which bodies they may meet, which changes the result. */
 static inline const thud_quality *pick_quality(const fuzz_session *s, unsigned byte) {
     static const thud_quality *const qualities[] = {&thud_quality_default, &thud_quality_draft,
                                                     &thud_quality_high, &thud_quality_exact};
     return qualities[byte % (s->twin == TWIN_MEMORY ? 3 : 4)];
 }
 
-/* Null: the world's, or the quality's. */
+/* Null is the world's or the quality's detection. */
 static inline const thud_detection *pick_detection(const fuzz_session *s, unsigned byte) {
     static const thud_detection *const detections[] = {NULL, &thud_detection_overlap,
                                                        &thud_detection_continuous,
@@ -71,7 +74,7 @@ static inline const thud_detection *pick_detection(const fuzz_session *s, unsign
 
 /* ---- handles ---- */
 
-/* Bytes from here on mean a handle that is null, stale, foreign or made up. */
+/* Bytes from here on mean a handle that is null, stale, of another world, or invented. */
 enum { FIRST_WRONG_HANDLE = 232 };
 
 static inline thud_body_id pick_body(fuzz_session *s) {
@@ -110,7 +113,7 @@ static inline thud_shape_id pick_shape(fuzz_session *s) {
 
 /* ---- shapes and lines without a world ---- */
 
-/* Mostly valid; about the origin, for a shape that is placed by its caller. */
+/* A shape that is valid in most cases; at the origin if `centred`, for a caller that places it. */
 static inline thud_shape_instance pick_instance(fuzz_session *s, bool centred) {
     unsigned kind = next_byte(&s->bytes);
     thud_shape_instance shape = {.kind = (thud_shape_kind)(kind % 3), .c = 1};
@@ -132,7 +135,7 @@ static inline thud_shape_instance pick_instance(fuzz_session *s, bool centred) {
 
 enum { PICK_POINTS = 12 };
 
-/* Mostly valid; `points` is what it goes by. */
+/* A terrain line that is valid in most cases and refers to `points`. */
 static inline thud_terrain pick_line(fuzz_session *s, thud_pos points[PICK_POINTS]) {
     thud_terrain line = {.kind = (thud_terrain_kind)next_choice(&s->bytes, 3)};
     line.slope = next_number(&s->bytes, -2, 1.0 / 64);

@@ -1,5 +1,5 @@
-/* population.c: what stands in a session's world from the start, so that a few bytes are enough for
- * things to meet. */
+/* population.c: the bodies that a session's world has at the beginning, so that a few bytes of
+ * input are enough for bodies to collide. */
 #include "calls.h"
 
 static thud_body_id add_body(fuzz_session *s, thud_body_kind kind, double x, double y) {
@@ -12,7 +12,7 @@ static thud_body_id add_body(fuzz_session *s, thud_body_kind kind, double x, dou
     return body;
 }
 
-/* A circle where hy is 0. */
+/* Adds a circle if hy is 0, otherwise a box. */
 static void add_shape(fuzz_session *s, thud_body_id body, double hx, double hy, bool sensor) {
     thud_shape_def def = thud_default_shape_def();
     thud_shape_id shape = {0, 0};
@@ -71,7 +71,8 @@ void session_populate(fuzz_session *s, int kind) {
         thud_body_id lift = add_body(s, THUD_KINEMATIC, -3, 0.5);
         add_shape(s, lift, 1, 0.25, false);
         TRY(s, thud_body_set_velocity(s->world, lift, (thud_vec2){(float)s->unit, 0}, 0.5f));
-        if (s->twin != TWIN_SHIFT) { /* it goes by places that a shift rounds */
+        if (s->twin !=
+            TWIN_SHIFT) { /* the mover's place depends on positions that a shift rounds */
             s->now.mover.body = lift;
         }
     }

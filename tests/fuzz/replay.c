@@ -1,5 +1,6 @@
-/* replay.c: plays kept inputs without a fuzzer: files, folders of them, and packed files (pack.py).
- * Says which one it plays, so that a finding names its own. */
+/* replay.c: runs a fuzz target on kept inputs without a fuzzer: on files, folders of them, and
+ * packed files (pack.py). It prints the name of each before it is played, so that the last name
+ * printed is the one that fails. */
 #include "session.h"
 #include "target.h"
 
@@ -13,7 +14,8 @@ enum { LARGEST = 1 << 22 };
 
 static int played;
 
-/* In a block of exactly its length, so that a byte too far is noticed. */
+/* Plays an input from a block of exactly its length, so that sanitizers notice a read past its end.
+ */
 static void play(const char *name, const uint8_t *text, size_t size) {
     uint8_t *exact = malloc(size + (size == 0));
     memcpy(exact, text, size);
@@ -53,7 +55,7 @@ static void play_file(const char *path) {
     free(text);
 }
 
-/* False if it is no folder. */
+/* False if the path is not a folder. */
 static bool play_folder(const char *path) {
     DIR *folder = opendir(path);
     if (!folder) {

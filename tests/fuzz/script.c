@@ -1,7 +1,9 @@
-/* script.c: callbacks of a session. What they do is told by the script's bytes and by how many
- * there were before, so that twins, which are asked the same, do the same. */
+/* script.c: the callbacks of a session. Which calls they make depends on the script's bytes and on
+ * the number of callbacks before, so that twins, which get the same callbacks, make the same calls.
+ */
 #include "calls.h"
 
+/* The script's next byte. */
 static unsigned dice(fuzz_session *s) {
     return s->script[s->asked++ % SESSION_SCRIPT];
 }
@@ -111,8 +113,8 @@ bool session_pass(const thud_mover *mover, const thud_mover_hit *hit, thud_vec2 
                   void *context) {
     fuzz_session *s = context;
     thud_one_way way = {.categories = 1, .drop = s->script[2] & 1};
-    /* Places are in double precision, which a shift does round; and a move that is refused memory
-     * may have asked by then, and asks once more. */
+    /* The hit is in double precision, which a shift rounds. A move that runs out of memory may have
+     * called this before, and calls it again when it is repeated. */
     if (s->twin != TWIN_SHIFT && s->twin != TWIN_MEMORY) {
         note_bits(s, hit->shape.index1);
         note_vector(s, hit->normal);

@@ -24,10 +24,11 @@ _Noreturn void fuzz_fail(const fuzz_session *s, const char *format, ...) {
 
 /* ---- hooks ---- */
 
+/* The world's allocator; an allocation fails when `memory_allowed` is 0. */
 static void *allocate(size_t bytes, void *context) {
     fuzz_session *s = context;
     if (s->memory_allowed == 0) {
-        s->memory_allowed = -2; /* one failed, and no other will */
+        s->memory_allowed = -2; /* this allocation fails, and all later ones succeed */
         return NULL;
     }
     s->memory_allowed -= s->memory_allowed > 0;
@@ -41,6 +42,7 @@ static void release(void *block, size_t bytes, void *context) {
     free(block);
 }
 
+/* The world's log: checks and counts the messages. */
 static void listen(thud_result result, const char *message, void *context) {
     fuzz_session *s = context;
     if (!message || !message[0] || (unsigned)result > THUD_ERROR_LOCKED) {
@@ -50,12 +52,13 @@ static void listen(thud_result result, const char *message, void *context) {
     s->heard = result;
 }
 
+/* The world's clock: advances by 0.1 ms per call. */
 static double tell_time(void *context) {
     fuzz_session *s = context;
     return s->clock += 1e-4;
 }
 
-/* Threads that are none: the calls come one after the other. */
+/* A job system without threads: the workers' tasks run one after the other. */
 static void run_in_turn(thud_task_fn *task, void *argument, int workers, void *context) {
     (void)context;
     for (int i = 0; i < workers; i++) {
@@ -63,6 +66,7 @@ static void run_in_turn(thud_task_fn *task, void *argument, int workers, void *c
     }
 }
 
+/* Real threads for one in eight inputs, and for all if FUZZ_THREADS is set. */
 static thud_job_system job_system(unsigned byte) {
     static pool *threads;
     if (byte % 8 != 0 && !getenv("FUZZ_THREADS")) {
@@ -74,6 +78,7 @@ static thud_job_system job_system(unsigned byte) {
 
 /* ---- settings ---- */
 
+/* Reads the world's settings from the fuzzer's first bytes. */
 static void take_settings(fuzz_session *s) {
     fuzz_bytes *b = &s->bytes;
     unsigned choices = next_byte(b), scales = next_byte(b), flags = next_byte(b);
@@ -97,6 +102,7 @@ static void take_settings(fuzz_session *s) {
     s->def = def;
 }
 
+/* Sets allocator, log, clock and listeners. */
 static void take_hooks(fuzz_session *s) {
     s->def.allocator = (thud_allocator){allocate, release, s};
     s->def.log = listen;
@@ -106,7 +112,8 @@ static void take_hooks(fuzz_session *s) {
     s->listeners.epilogue = s->mood ? session_epilogue : NULL;
 }
 
-/* What the second session has otherwise; the first has the grid, or what the byte says. */
+/* Applies what distinguishes the second session from the first, by the kind of twin; the broadphase
+ * of both follows from the byte. */
 static void take_twin(fuzz_session *s, unsigned byte) {
     static const thud_broadphase *const broadphases[] = {&thud_broadphase_grid,
                                                          &thud_broadphase_sweep,

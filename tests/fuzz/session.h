@@ -1,5 +1,6 @@
-/* session.h: a world that a fuzzer plays with, and all that it keeps of it. The same bytes are
- * played by two sessions, which differ in what must change nothing (their twin kind). */
+/* session.h: a session is a world that a fuzzer's bytes play with, and what the checks remember of
+ * it. The same bytes are played in two sessions, which differ in a property that must not change
+ * any result (their kind of twins). */
 #ifndef FUZZ_SESSION_H
 #define FUZZ_SESSION_H
 
@@ -16,16 +17,16 @@
 #include <thud/thud_snapshot.h>
 #include <thud/thud_terrain.h>
 
-/* What the second session has otherwise. */
+/* What distinguishes the second session from the first. */
 typedef enum twin_kind {
-    TWIN_NONE = 0, /* there is no second one; memory may fail, and numbers are hostile */
+    TWIN_NONE = 0, /* there is no second session; allocations may fail, and numbers are hostile */
     TWIN_BROADPHASE,
-    TWIN_BASELINE,   /* the instruction set */
-    TWIN_SHIFT,      /* all places, by 10^7 units */
-    TWIN_SNAPSHOT,   /* it goes on in new worlds, restored from snapshots of the last one */
-    TWIN_WORKERS,    /* of a job system */
-    TWIN_MEMORY,     /* each call is refused memory before it is made again */
-    TWIN_FLOAT_MODE, /* the caller's */
+    TWIN_BASELINE,   /* it uses the baseline instruction set */
+    TWIN_SHIFT,      /* all positions are shifted, by up to 10^7 units */
+    TWIN_SNAPSHOT,   /* it goes on in new worlds, restored from snapshots of its last one */
+    TWIN_WORKERS,    /* it has a job system with several workers */
+    TWIN_MEMORY,     /* each call runs out of memory once, and is made again */
+    TWIN_FLOAT_MODE, /* it has another floating-point mode */
     TWIN_COUNT
 } twin_kind;
 
@@ -34,12 +35,12 @@ enum {
     SESSION_SHAPES = 64,
     SESSION_JOINTS = 24,
     SESSION_GONE = 16,
-    SESSION_SHAPES_MOST = 64, /* in the world */
-    SESSION_OPEN = 4096,      /* pairs, all of which may end and begin again in a step */
-    SESSION_MOST = 512,       /* operations of one input */
-    SESSION_SCRIPT = 24,      /* bytes that callbacks play */
+    SESSION_SHAPES_MOST = 64, /* shapes in the world at a time */
+    SESSION_OPEN = 4096,      /* open pairs; all of them may end and begin again in a step */
+    SESSION_MOST = 512,       /* operations of an input */
+    SESSION_SCRIPT = 24,      /* bytes that decide what callbacks do */
     SESSION_DEPTH = 2,
-    SESSION_KINDS = 4 /* of shapes, by their filter's lowest bit */
+    SESSION_KINDS = 4 /* categories of shapes, by the lowest bit set in their filter */
 };
 
 /* Pairs that have begun and not ended. */
@@ -48,7 +49,7 @@ typedef struct pair_ledger {
     int count;
 } pair_ledger;
 
-/* What goes back with a snapshot. */
+/* State of the session that a restore sets back to that of the snapshot. */
 typedef struct session_state {
     thud_body_id bodies[SESSION_BODIES];
     thud_shape_id shapes[SESSION_SHAPES];
@@ -60,53 +61,54 @@ typedef struct session_state {
     bool ruled[SESSION_KINDS][SESSION_KINDS];
 } session_state;
 
-/* A call under way, and how the world was before it. */
+/* A call in progress, and the state of the world before it. */
 typedef struct session_call {
     const char *text;
     uint64_t hash;
     thud_stats stats;
     int told;
-    bool again;   /* memory was refused to it once */
-    long outer;   /* memory that the call around it is allowed */
-    size_t image; /* bytes of the session's image that are the world before it; 0: none was taken */
+    bool again;   /* it has run out of memory once */
+    long outer;   /* memory_allowed of the call around it */
+    size_t image; /* bytes of the snapshot before the call, in the image; 0 if none was taken */
 } session_call;
 
 typedef struct fuzz_session {
-    thud_world *world, *other; /* the other one only gives handles */
+    thud_world *world, *other; /* `other` is used for handles of another world only */
     thud_world_def def;
-    thud_listeners listeners; /* the world's, of which another one has the same */
-    bool filters;             /* likewise */
+    thud_listeners listeners; /* the world's listeners, which worlds that replace it get too */
+    bool filters;             /* the world has the pair filter; the same */
     twin_kind twin;
     bool second, closing;
-    bool asks; /* the second one is asked about the world after each operation */
+    bool asks; /* the second session makes queries after each operation */
     session_state now, kept;
     thud_body_id gone_bodies[SESSION_GONE], foreign_body;
     thud_shape_id gone_shapes[SESSION_GONE], foreign_shape;
     unsigned gone;
-    char *snapshot; /* `kept` belongs to it */
+    char *snapshot; /* the snapshot to restore; `kept` is the state at its time */
     size_t snapshot_bytes;
-    char *image; /* of the world before a call, now and then, in the first half */
+    char *image; /* a snapshot before a call in its first half, one after it in the second */
     size_t image_room;
     double unit, shift_x, shift_y;
-    thud_body_seen seen[SESSION_BODIES]; /* what it was told of bodies that moved */
+    thud_body_seen seen[SESSION_BODIES]; /* of thud_world_moved_bodies */
 
     fuzz_bytes bytes;
     uint8_t script[SESSION_SCRIPT];
-    int mood;             /* one in so many callbacks does something; 0: none */
-    int depth;            /* of callbacks */
+    int mood;             /* one in so many callbacks makes calls; 0: none */
+    int depth;            /* nested callbacks; 0: outside of them */
     unsigned asked;       /* callbacks so far */
-    int destroyed_inside; /* callbacks, since the last step */
+    int destroyed_inside; /* bodies and shapes destroyed in callbacks since the last step */
 
     session_call calls[SESSION_DEPTH]; /* by depth */
     thud_result result;                /* of the last call */
-    int told;                          /* messages of the log ... */
-    thud_result heard;                 /* ... and what the last one was of */
-    long memory_allowed;               /* allocations until one fails; negative: no end */
+    int told;                          /* number of log messages ... */
+    thud_result heard;                 /* ... and the result of the last one */
+    long memory_allowed;               /* allocations until one fails; -1: none fails, -2: one has
+                                          failed */
     long memory_held;
     unsigned memory_round;
     double clock;
 
-    uint64_t digest, trace[SESSION_MOST + 1]; /* after each operation */
+    uint64_t digest, trace[SESSION_MOST + 1]; /* the digest now, and after each operation */
     int operations;
     const char *operation;
 } fuzz_session;
@@ -114,31 +116,32 @@ typedef struct fuzz_session {
 /* Calls of the public API, in all sessions of the process. */
 extern uint64_t fuzz_calls_made;
 
-/* Says what is wrong, and ends the process: a fuzzer keeps the input. */
+/* Prints a finding and aborts the process; a fuzzer keeps the input. */
 __attribute__((format(printf, 2, 3))) _Noreturn void fuzz_fail(const fuzz_session *s,
                                                                const char *format, ...);
 
 /* ---- session.c ---- */
 
-/* Takes the settings from the first bytes, and makes the world. */
+/* Reads the settings from the first bytes, and creates the world. */
 void session_open(fuzz_session *s, const uint8_t *data, size_t size, bool second);
-/* Ends all that is left, and asks whether every begin had its end and all memory came back. */
+/* Destroys everything, and checks that every begin event had its end and all memory was released.
+ */
 void session_close(fuzz_session *s);
-/* The bytes are used up, or enough was played. */
+/* Whether the bytes are used up, or SESSION_MOST operations were played. */
 bool session_over(const fuzz_session *s);
-/* Goes on in another world, restored from a snapshot of the present one. */
+/* Goes on in a new world, restored from a snapshot of the present one. */
 void session_replace_world(fuzz_session *s);
-/* Queries, reports and a snapshot, which change nothing. */
+/* Queries, reports and a snapshot, which must not change anything. */
 void session_question(fuzz_session *s);
 
 /* ---- population.c ---- */
 
-/* What stands in the world from the start. */
+/* Creates the bodies that the world has at the beginning. */
 void session_populate(fuzz_session *s, int kind);
 
 /* ---- script.c: callbacks ---- */
 
-/* Rules and filter of the session's worlds, for another one. */
+/* Sets the pair filter in another world that the session goes on with. */
 void session_take_filter(fuzz_session *s, thud_world *world);
 thud_filter_fn session_filter;
 thud_prologue_fn session_prologue;
@@ -148,7 +151,7 @@ thud_epilogue_all_fn session_epilogue_all;
 thud_overlap_fn session_overlap;
 thud_cast_fn session_cast;
 thud_mover_pass_fn session_pass;
-/* Plays something of the table within a callback, now and then. */
+/* Plays an operation within a callback, in one of `mood` callbacks. */
 void session_ask(fuzz_session *s);
 
 /* ---- operations.c ---- */

@@ -1,4 +1,4 @@
-/* target.h: the one function that every fuzz target is, for libFuzzer and for replay.c. */
+/* target.h: the function that each fuzz target defines, called by libFuzzer and by replay.c. */
 #ifndef FUZZ_TARGET_H
 #define FUZZ_TARGET_H
 

@@ -1,4 +1,6 @@
-/* asking.c: guarantees of queries: they find what geometry finds, each shape against each. */
+/* asking.c: guarantees of queries: rays, casts, overlaps, closest points and character movers of a
+ * world give the same results as tests of the query against each single shape (thud_geometry.h),
+ * for shapes and query filters drawn at random. */
 #include "guarantee.h"
 
 #include <thud/thud_casts.h>
@@ -15,6 +17,8 @@ typedef struct crowd {
     bool sensor[FOUND];
 } crowd;
 
+/* Creates bodies of all kinds and forms at random places, every fifth of them a sensor. False if
+ * the world could not be created. */
 static bool make_crowd(trial *t, crowd *c) {
     c->world = trial_make(t, trial_weightless(t));
     for (int i = 0; i < FOUND && c->world; i++) {
@@ -36,7 +40,8 @@ static bool make_crowd(trial *t, crowd *c) {
     return c->world != NULL;
 }
 
-/* Some steps, and then edits that no step has seen. */
+/* Runs some steps, then moves bodies by edits that no step has processed yet, and stores each
+ * shape's instance, at which queries have to find it. */
 static void stir(trial *t, crowd *c) {
     trial_run(t, c->world, 3);
     for (int i = 0; i < 3; i++) {
@@ -48,6 +53,7 @@ static void stir(trial *t, crowd *c) {
     }
 }
 
+/* The shape's index in the crowd, or FOUND if it is not in it. */
 static int number_of(const crowd *c, thud_shape_id shape) {
     int i = 0;
     while (i < FOUND && c->shape[i].index1 != shape.index1) {
@@ -56,6 +62,7 @@ static int number_of(const crowd *c, thud_shape_id shape) {
     return i;
 }
 
+/* Whether shape i passes the query filter, by the rule that thud_queries.h states. */
 static bool asked_for(const crowd *c, const thud_query_filter *f, int i) {
     return (!c->sensor[i] || f->sensors) && (f->mask & c->filter[i].category) &&
            (c->filter[i].mask & f->category);
@@ -108,12 +115,13 @@ static void rays_hit_the_nearest(trial *t) {
     }
 }
 
-/* What is told of one by one, up to where an answer clips the way. */
+/* The hits that a cast reports one by one, until the callback ends the cast. */
 typedef struct hearing {
     thud_ray_hit hit[FOUND];
-    int count, last; /* the hit that is made the last */
+    int count, last; /* index of the hit at which the callback ends the cast */
 } hearing;
 
+/* Records a hit, and ends the cast at the hit whose number is `last`. */
 static double hear(const thud_ray_hit *hit, void *context) {
     hearing *h = context;
     if (h->count < FOUND) {
@@ -162,6 +170,7 @@ typedef struct list {
     bool disordered;
 } list;
 
+/* Marks a shape as found, and checks that shapes come in the order of their handles. */
 static bool note(thud_shape_id shape, void *context) {
     list *l = context;
     l->found[number_of(l->c, shape)] = true;
@@ -234,7 +243,7 @@ static void closest_is_the_closest(trial *t) {
     }
 }
 
-/* Cast shapes stop where they touch what is in their way, and nothing before. */
+/* Cast shapes stop where they touch the first shape on their path, and touch none before. */
 static void casts_stop_at_the_first(trial *t) {
     crowd c;
     if (!make_crowd(t, &c)) {
@@ -263,7 +272,7 @@ static void casts_stop_at_the_first(trial *t) {
     }
 }
 
-/* A character walks along its tunnel of statics, and is never in any of them. */
+/* A character mover walks through a tunnel of static shapes, and never overlaps any of them. */
 static void movers_enter_nothing(trial *t) {
     thud_world *world = trial_make(t, trial_def(t));
     thud_mover_report report;

@@ -1,4 +1,6 @@
-/* bits.c: guarantees that two worlds end with the same bits, and tell the same of each step. */
+/* bits.c: guarantees of determinism: two worlds that differ only in a setting that must not matter
+ * (broadphase, instruction set, workers, a shift, a restore, queries in between) end with the same
+ * bits, and report the same events, errors and statistics for each step. */
 #include "guarantee.h"
 #include "yard.h"
 
@@ -12,7 +14,8 @@
 
 enum { STEPS = 40 };
 
-/* The trial's yard beside one of another def, step for step. */
+/* Runs the trial's yard (yard.h) beside a second one that has another def, or that stands `away`
+ * units from the origin; reports the first step after which yard_told differs. */
 static void compare(trial *t, thud_world_def def, double away) {
     yard one, other;
     yard_make(&one, t, trial_def(t), 0);
@@ -51,10 +54,12 @@ static void same_bits_twice(trial *t) {
     compare(t, trial_def(t), 0);
 }
 
-/* ---- workers: a step is shared from 64 blocks of contacts on ---- */
+/* ---- workers: a step uses worker threads from 64 blocks of contacts on ---- */
 
 enum { COLUMNS = 300 };
 
+/* A world of COLUMNS pairs of stacked boxes on a floor, which makes enough blocks of contacts. The
+ * trial's source of random numbers is reset, so that each call makes the same scene. */
 static thud_world *make_field(trial *t, int workers) {
     source start = t->random;
     thud_world_def def = trial_def(t);
@@ -107,6 +112,7 @@ static void same_bits_any_workers(trial *t) {
 
 /* ---- snapshots ---- */
 
+/* Runs STEPS steps, and stores yard_told after each. */
 static void walk(yard *y, uint64_t told[STEPS]) {
     for (int i = 0; i < STEPS && !trial_failed(y->t); i++) {
         yard_step(y);
@@ -114,7 +120,8 @@ static void walk(yard *y, uint64_t told[STEPS]) {
     }
 }
 
-/* Back in the world itself, and in another one with other SIMD and workers. */
+/* Restores the snapshot in the world itself, and in a second one with baseline SIMD and another
+ * number of workers. */
 static void same_bits_after_restore(trial *t) {
     yard y, kept;
     uint64_t first[STEPS] = {0}, again[STEPS] = {0};
@@ -143,7 +150,7 @@ static void same_bits_after_restore(trial *t) {
     free(s.bytes);
 }
 
-/* ---- other company ---- */
+/* ---- rounding modes, queries and thud_world_advance ---- */
 
 static void same_bits_any_rounding_mode(trial *t) {
     static const int modes[] = {
@@ -171,6 +178,7 @@ static void same_bits_any_rounding_mode(trial *t) {
     }
 }
 
+/* A query callback that continues. */
 static bool see(thud_shape_id shape, void *context) {
     (void)shape;
     (void)context;
@@ -184,7 +192,7 @@ static void draw_nothing(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *
     (void)context;
 }
 
-/* Of each body that is there. */
+/* Reads everything that the API offers about each body. */
 static void ask_of_bodies(yard *y) {
     trial *t = y->t;
     for (int i = 0; i < YARD_BODIES; i++) {
@@ -200,7 +208,8 @@ static void ask_of_bodies(yard *y) {
     }
 }
 
-/* What is told of the last step stays as it is meanwhile. */
+/* Calls all queries, reports, drawing and snapshots; what the world reports of the last step must
+ * stay the same. */
 static void ask_much(yard *y) {
     trial *t = y->t;
     double limit;
@@ -226,7 +235,8 @@ static void ask_much(yard *y) {
 
 enum { EDITS = 3 };
 
-/* One is asked after each edit, and before the first step, when its joints have just been made. */
+/* The second yard is queried after each edit and before the first step, when its joints have just
+ * been made. */
 static void same_bits_asked_or_not(trial *t) {
     yard one, other;
     yard_make(&one, t, trial_def(t), 0);
@@ -246,7 +256,8 @@ static void same_bits_asked_or_not(trial *t) {
     }
 }
 
-/* Pictures at any rate give the same steps, and all of the time that has passed. */
+/* thud_world_advance, called at random intervals, makes the same steps as thud_world_step, and as
+ * many as the time that has passed contains. */
 static void same_bits_in_advance(trial *t) {
     yard one, other;
     int made = 0, stepped = 0, steps = 0;
@@ -273,23 +284,27 @@ static void same_bits_in_advance(trial *t) {
     }
 }
 
-/* ---- a program that steps by the time that has passed, beside one that makes the steps ---- */
+/* ---- a program that calls thud_world_advance at a frame rate, beside one that makes each step
+ * ---- */
 
 typedef struct player {
     yard y;
-    thud_body_id pulled[2]; /* which no edit concerns: it would come sooner or later in a picture */
+    thud_body_id pulled[2]; /* bodies that no edit changes: edits come in steps, and these forces
+                               come in frames */
     int made;
-    uint64_t told[STEPS]; /* of each step */
-    long events;          /* as the program counts them after each call */
+    uint64_t told[STEPS]; /* yard_told after each step */
+    long events;          /* events counted by the program after each of its calls */
 } player;
 
+/* The callback of thud_world_advance before each step: edits, and a force that varies with the
+ * step. */
 static void before_step(thud_world *world, void *context) {
     player *p = context;
     yard_before_step(&p->y);
     thud_body_apply_force(world, p->y.body[0], (thud_vec2){0, (float)(p->made % 7)}, 0.5f);
 }
 
-/* What the step told; and a force of the next one. */
+/* Stores yard_told of the step, and applies a force for the next one. */
 static void after_step(thud_world *world, void *context) {
     player *p = context;
     thud_events e = thud_world_events(world);
@@ -297,6 +312,7 @@ static void after_step(thud_world *world, void *context) {
     thud_body_apply_force(world, p->y.body[1], (thud_vec2){(float)e.begin_count, 1}, 0);
 }
 
+/* Starts a game: a yard with two more balls, which forces pull. */
 static void play(player *p, trial *t) {
     *p = (player){.made = 0};
     yard_make(&p->y, t, trial_def(t), 0);
@@ -306,6 +322,7 @@ static void play(player *p, trial *t) {
     }
 }
 
+/* Applies a force to each ball before a picture's steps. */
 static void before_picture(player *p) {
     for (int i = 0; i < 2; i++) {
         thud_vec2 force = {0.3f * (float)i, 1.1f};
@@ -313,6 +330,7 @@ static void before_picture(player *p) {
     }
 }
 
+/* Counts the events of a picture's steps. */
 static void after_picture(player *p) {
     thud_events e = thud_world_events(p->y.world);
     p->events += e.begin_count + e.end_count + e.hit_count;

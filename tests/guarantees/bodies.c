@@ -1,10 +1,11 @@
-/* bodies.c: guarantees of single bodies: kinds, motion, force, coming and going. */
+/* bodies.c: guarantees of single bodies: kinds of bodies, motion under forces, limits of speed, and
+ * bodies that are disabled or destroyed. */
 #include "guarantee.h"
 #include "yard.h"
 
 /* ---- kinds ---- */
 
-/* A kinematic plate goes its way, and pushes what stands in it along. */
+/* A kinematic plate moves at its velocity, and pushes the body in its path along. */
 static void kinematic_bodies_push(trial *t) {
     form kind = (form)trial_pick(t, FORMS);
     thud_world *world = trial_make(t, trial_weightless(t));
@@ -30,7 +31,8 @@ static void kinematic_bodies_push(trial *t) {
     }
 }
 
-/* Forces and collisions move neither static nor kinematic bodies, and turn no AABB. */
+/* Forces and collisions do not move static and kinematic bodies, and do not turn a body with an
+ * AABB. */
 static void what_cannot_move_does_not(trial *t) {
     thud_world *world = trial_make(t, trial_def(t));
     thud_body_def fixed = thud_default_body_def();
@@ -80,8 +82,8 @@ static void what_cannot_move_does_not(trial *t) {
 
 /* ---- motion ---- */
 
-/* After n steps of a fall the velocity is that of gravity, and the place no further from the
- * parabola than the substeps allow: swept, it is on it. */
+/* After n steps of a fall the velocity is that of gravity, and the distance to the exact parabola
+ * is at most the error of the substeps' integration; with swept it is zero up to rounding. */
 static void falls_follow_gravity(trial *t) {
     thud_world *world = trial_make(t, trial_def(t));
     if (!world) {
@@ -107,7 +109,7 @@ static void falls_follow_gravity(trial *t) {
     }
 }
 
-/* A force acts through one step, an impulse at once. */
+/* A force acts for one step, an impulse at once. */
 static void forces_act_for_one_step(trial *t) {
     thud_world *world = trial_make(t, trial_weightless(t));
     if (!world) {
@@ -131,7 +133,7 @@ static void forces_act_for_one_step(trial *t) {
     }
 }
 
-/* Nothing is pushed or turned faster than the world allows. */
+/* No force or impulse makes a body move or turn faster than the world's limits. */
 static void speeds_have_their_limits(trial *t) {
     thud_world_def def = trial_def(t);
     def.maximum_speed = 1e3f;
@@ -153,8 +155,8 @@ static void speeds_have_their_limits(trial *t) {
     }
 }
 
-/* What turns fast throws off what touches it, whose own speed has the same limit; but an impact on
- * the way may leave more. */
+/* A fast body with high friction throws off the bodies that touch it; their speed stays below the
+ * world's maximum_speed too, except after an impact within the step. */
 static void what_is_thrown_off_has_its_limit(trial *t) {
     thud_world_def def = trial_weightless(t);
     thud_shape_def rough = thud_default_shape_def();
@@ -183,7 +185,7 @@ static void what_is_thrown_off_has_its_limit(trial *t) {
     }
 }
 
-/* However hard it is pushed, all is finite, or told to be quarantined. */
+/* Under forces near the limit of floats, every body stays finite or is reported as quarantined. */
 static void all_is_finite(trial *t) {
     thud_world_def def = trial_def(t);
     int frozen = 0, told = 0;
@@ -192,7 +194,8 @@ static void all_is_finite(trial *t) {
     for (int k = 0; k < 40 && !trial_failed(t); k++) {
         thud_body_id body = y.body[trial_pick(t, YARD_BODIES)];
         thud_vec2 hard = {(float)trial_draw(t, 2e38, 3e38), (float)trial_draw(t, -3e38, 3e38)};
-        for (int twice = 0; twice < 2 && k % 4 == 0; twice++) { /* more than a float can hold */
+        for (int twice = 0; twice < 2 && k % 4 == 0; twice++) { /* twice this is more than a float
+                                                                   can hold */
             DO(t, thud_body_apply_force(y.world, body, hard, k % 8 ? 1e25f : 0));
         }
         yard_step(&y);
@@ -227,6 +230,7 @@ static bool count_one(thud_shape_id shape, void *context) {
     return true;
 }
 
+/* How many shapes overlap a small circle at that place. */
 static int found_at(trial *t, thud_world *world, double x, double y) {
     int found = 0;
     DO(t, thud_world_overlap_circle(world, trial_place(t, x, y), 0.05 * t->scale, NULL, count_one,
@@ -234,7 +238,8 @@ static int found_at(trial *t, thud_world *world, double x, double y) {
     return found;
 }
 
-/* What is out of the world is met by nobody, and comes back as it was. */
+/* Nothing collides with a disabled body or finds it by a query; enabled again, it has the same
+ * state as before. */
 static void disabled_bodies_are_not_there(trial *t) {
     thud_world *world = trial_make(t, trial_weightless(t));
     double speed = 0.3 / t->step;
@@ -244,7 +249,7 @@ static void disabled_bodies_are_not_there(trial *t) {
     thud_body_id plate =
         trial_add(t, world,
                   (part){.kind = THUD_KINEMATIC, .form = UPRIGHT, .hx = 0.4, .hy = 1, .vy = 0.001});
-    thud_body_id still = trial_drop(t, world, BALL, -0.69, 0, 0.3); /* touches it */
+    thud_body_id still = trial_drop(t, world, BALL, -0.69, 0, 0.3); /* touches the plate */
     trial_run(t, world, 1);
     int before = found_at(t, world, 0, 0);
     DO(t, thud_body_set_enabled(world, plate, false));
@@ -267,7 +272,8 @@ static void disabled_bodies_are_not_there(trial *t) {
     (void)still;
 }
 
-/* A destroyed body's handles are stale, also when its slot is another's, and its contacts end. */
+/* Handles of a destroyed body are stale, also when its slot has a new body, and its contacts end
+ * with events. */
 static void destroyed_bodies_are_gone(trial *t) {
     thud_world *world = trial_make(t, trial_def(t));
     thud_body_state s;

@@ -1,4 +1,5 @@
-/* callbacks.c: guarantees of the prologue and the epilogue. */
+/* callbacks.c: guarantees of the prologue and the epilogue (pre-solve and post-solve callbacks):
+ * which pairs they are called for, vetoes, surface settings, and edits made inside of them. */
 #include "guarantee.h"
 #include "yard.h"
 
@@ -6,16 +7,19 @@
 
 enum { ASKED_MAX = 256 };
 
-/* ---- who is asked ---- */
+/* ---- which pairs callbacks are called for ---- */
 
+/* The pairs that callbacks were called for in a step, with the number of prologues (asks) and
+ * epilogues (tells) of each. */
 typedef struct asked {
     trial *t;
     thud_shape_id a[ASKED_MAX], b[ASKED_MAX];
     int asks[ASKED_MAX], tells[ASKED_MAX];
     int count;
-    int unasked; /* epilogues of pairs that no prologue was asked about */
+    int unasked; /* epilogues of pairs that had no prologue */
 } asked;
 
+/* The index of the pair of shapes, in either order; `count` if it is not listed. */
 static int find_asked(const asked *s, thud_shape_id a, thud_shape_id b) {
     int i = 0;
     while (i < s->count && !(s->a[i].index1 == a.index1 && s->b[i].index1 == b.index1) &&
@@ -25,6 +29,7 @@ static int find_asked(const asked *s, thud_shape_id a, thud_shape_id b) {
     return i;
 }
 
+/* A prologue that counts its calls for each pair. */
 static bool note_asked(thud_world *world, const thud_contact *contact,
                        thud_contact_settings *wanted, void *context) {
     asked *s = context;
@@ -41,6 +46,7 @@ static bool note_asked(thud_world *world, const thud_contact *contact,
     return true;
 }
 
+/* An epilogue that counts its calls for each pair, and those for pairs without a prologue. */
 static void note_told(thud_world *world, const thud_contact *contact, void *context) {
     asked *s = context;
     int i = find_asked(s, contact->shape_a, contact->shape_b);
@@ -52,8 +58,9 @@ static void note_told(thud_world *world, const thud_contact *contact, void *cont
     }
 }
 
-/* More than once only for a collision each on the way, where detection finds those, and with a line
- * of ground, of which each segment touches by itself. */
+/* Reports a pair with more than one prologue in a step. Allowed are: one for each collision within
+ * the step, where the detection resolves those; and pairs with a terrain line, of which each
+ * segment is a contact of its own. */
 static void expect_asked_once(trial *t, const asked *s, thud_shape_id line, int step) {
     bool often = t->set->value[DETECTION] >= BISECT;
     for (int i = 0; i < s->count; i++) {
@@ -68,7 +75,8 @@ static void expect_asked_once(trial *t, const asked *s, thud_shape_id line, int 
     }
 }
 
-/* Every pair that a step solved was asked about once in it, and no other was told of. */
+/* Every contact that a step solved had one prologue in it, and there is no epilogue of another
+ * pair. */
 static void prologue_asks_each_pair_once(trial *t) {
     asked s = {.t = t};
     thud_world_def def = trial_def(t);
@@ -103,6 +111,7 @@ static void prologue_asks_each_pair_once(trial *t) {
 
 /* ---- vetoes ---- */
 
+/* A prologue that vetoes every contact and counts its calls. */
 static bool refuse_all(thud_world *world, const thud_contact *contact,
                        thud_contact_settings *wanted, void *context) {
     (void)world;
@@ -112,13 +121,15 @@ static bool refuse_all(thud_world *world, const thud_contact *contact,
     return false;
 }
 
+/* Adds 1,000,000 to the count of calls, which no scene reaches by prologues. */
 static void count_epilogues(thud_world *world, const thud_contact *contact, void *context) {
     (void)world;
     (void)contact;
     *(int *)context += 1000000;
 }
 
-/* What falls through everything falls as in an empty world, and nobody tells of it. */
+/* A body whose contacts are all vetoed falls as in an empty world, without hit events and
+ * epilogues. */
 static void vetoed_pairs_do_nothing(trial *t) {
     int calls = 0;
     thud_world_def def = trial_def(t);
@@ -144,7 +155,8 @@ static void vetoed_pairs_do_nothing(trial *t) {
     }
     double at = trial_state(t, world, body).position.y;
     double wanted = trial_state(t, empty, alone).position.y;
-    /* An island that is solved directly takes a step at once: substeps err by that much. */
+    /* An island that is solved directly integrates a step at once: its place differs by up to the
+     * error of substeps. */
     double substep = t->step / thud_world_stats(empty).substeps;
     if (fabs(at - wanted) > 0.5 * 10 * 0.5 * substep || hits > 0 || calls >= 1000000 ||
         calls == 0) {
@@ -157,7 +169,8 @@ typedef struct one_way_platform {
     thud_body_id body;
 } one_way_platform;
 
-/* Lets through what rises faster than a length scale a second, which being pushed out is not. */
+/* A prologue that lets a body pass if it rises faster than 1 length scale per second; a body that
+ * is pushed out of the platform is slower. */
 static bool one_way(thud_world *world, const thud_contact *contact, thud_contact_settings *wanted,
                     void *context) {
     const one_way_platform *s = context;
@@ -201,9 +214,10 @@ static void one_way_platforms_hold_from_above(trial *t) {
 
 typedef struct surface {
     float friction, speed;
-    int steps; /* for which a prologue sets them */
+    int steps; /* number of steps in which the prologue sets them */
 } surface;
 
+/* A prologue that sets friction and surface speed while `steps` is positive. */
 static bool set_surface(thud_world *world, const thud_contact *contact,
                         thud_contact_settings *wanted, void *context) {
     const surface *s = context;
@@ -216,8 +230,9 @@ static bool set_surface(thud_world *world, const thud_contact *contact,
     return true;
 }
 
-/* On ice a box slides on; what a prologue sets is forgotten with its step; a belt carries; what is
- * no friction is refused, and the pair keeps its own. */
+/* A surface that a prologue sets holds for one step: without friction a box slides on, then it is
+ * braked again; a surface speed carries a box; an invalid friction is refused, and the pair keeps
+ * its own. */
 static void surfaces_are_what_a_prologue_sets(trial *t) {
     surface ice = {.friction = 0, .steps = 1};
     thud_world_def def = trial_def(t);
@@ -254,7 +269,7 @@ static void surfaces_are_what_a_prologue_sets(trial *t) {
     }
 }
 
-/* ---- what they may not do, and what they do later ---- */
+/* ---- edits and refused calls inside callbacks ---- */
 
 typedef struct intruder {
     trial *t;
@@ -263,6 +278,7 @@ typedef struct intruder {
     int calls;
 } intruder;
 
+/* An epilogue whose first call makes calls that must be refused inside a step. */
 static void intrude(thud_world *world, const thud_contact *contact, void *context) {
     intruder *s = context;
     trial *t = s->t;
@@ -281,7 +297,7 @@ static void intrude(thud_world *world, const thud_contact *contact, void *contex
     DO(t, thud_body_set_transform(world, s->other, s->to, 0));
 }
 
-/* What an epilogue may not do is refused; its edits take effect with the next step. */
+/* Calls that an epilogue may not make are refused; its edits take effect with the next step. */
 static void callbacks_edit_the_next_step(trial *t) {
     intruder s = {.t = t, .to = trial_place(t, 20, 3)};
     thud_world_def def = trial_weightless(t);

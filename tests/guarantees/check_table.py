@@ -1,11 +1,11 @@
-"""Holds docs/guarantees.md to the tests: check_table.py TEST_GUARANTEES ROOT.
+"""Compares docs/guarantees.md with the tests: check_table.py TEST_GUARANTEES ROOT.
 
-  rows      each guarantee that the program tries has one row, and each row is tried there or names
-            a test elsewhere
-  tests     the file that a row links is there, and has each `name` of the row's test in it
-  settings  a row says of its settings what the program's table does
+  rows      each guarantee of the program has one row, and each row is tested there or names a
+            test elsewhere
+  tests     the file that a row links exists, and contains each `name` in the row's test
+  settings  a row states the same settings as the program's table
   faults    each row names the deliberate fault that made its test fail
-  drawn     each value of each dimension is drawn for each guarantee, unless its row leaves it out;
+  drawn     each value of each dimension is drawn for each guarantee, unless its row excludes it;
             each quality, detection and broadphase of the public headers is a value
 
 Prints one line per breach and exits with 1 if there is any.
@@ -55,7 +55,7 @@ def read_draws(text):
 
 
 def public_values(root):
-    """Each quality, detection and broadphase that callers can choose, as "dimension=value"."""
+    """Each quality, detection and broadphase of the public headers, as "dimension=value"."""
     return {f"{dimension}={name}" for header in sorted((root / "engine/include/thud").glob("*.h"))
             for dimension, name in PUBLIC.findall(header.read_text(encoding="utf-8"))}
 
@@ -108,7 +108,7 @@ def check_faults(rows):
 
 
 def left_out(settings):
-    """The values that a row's settings leave out: "not draft, high: why; not on: why"."""
+    """The values that a row's settings exclude: "not draft, high: why; not on: why"."""
     return {value.strip() for part in settings.split(";") if part.strip().startswith("not ")
             for value in part.strip()[4:].split(":")[0].split(",")}
 

@@ -1,4 +1,5 @@
-/* draws.c: see draws.h. Greedy: of some random settings the one with most pairs that none had. */
+/* draws.c: see draws.h. A greedy algorithm: of CANDIDATES random settings it takes the one that
+ * covers the largest number of pairs of values that are not covered yet. */
 #include "draws.h"
 
 #include <string.h>
@@ -6,10 +7,12 @@
 enum { CANDIDATES = 48, TRIES = 4096 };
 
 typedef struct covered {
-    bool pair[DIMENSIONS][VALUES_MAX][DIMENSIONS][VALUES_MAX]; /* a dimension with itself: values */
+    bool pair[DIMENSIONS][VALUES_MAX][DIMENSIONS][VALUES_MAX]; /* a dimension with itself: single
+                                                                  values */
 } covered;
 
-/* How many pairs the settings add; values of their own count more, so that they come first. */
+/* How many uncovered pairs the settings cover. Single values weigh 100 times as much, so that all
+ * values are drawn first. */
 static int gain_of(const covered *c, const settings *s) {
     int gain = 0;
     for (int d = 0; d < DIMENSIONS; d++) {
@@ -22,6 +25,7 @@ static int gain_of(const covered *c, const settings *s) {
     return gain;
 }
 
+/* Marks all pairs of values in `s` as covered. */
 static void cover(covered *c, const settings *s) {
     for (int d = 0; d < DIMENSIONS; d++) {
         for (int e = 0; e <= d; e++) {
@@ -30,6 +34,7 @@ static void cover(covered *c, const settings *s) {
     }
 }
 
+/* A seed that is different for each guarantee, and never 0. */
 static uint64_t seed_of(const char *name, uint64_t seed) {
     seed = (seed + 1) * 0x9e3779b97f4a7c15u;
     for (; *name; name++) {
@@ -38,6 +43,7 @@ static uint64_t seed_of(const char *name, uint64_t seed) {
     return seed ? seed : 1;
 }
 
+/* Random settings for which the guarantee holds. */
 static settings draw_settings(const guarantee *g, source *random) {
     settings s = {{0}};
     do {
@@ -46,7 +52,8 @@ static settings draw_settings(const guarantee *g, source *random) {
     return s;
 }
 
-/* What no candidate of a round adds is looked for once more in all settings. */
+/* The best of `tries` random settings. draws_of repeats the search with TRIES where CANDIDATES find
+ * nothing new. */
 static settings draw_best(const guarantee *g, const covered *c, source *random, int tries) {
     settings best = draw_settings(g, random);
     for (int i = 1; i < tries; i++) {

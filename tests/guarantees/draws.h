@@ -1,5 +1,5 @@
-/* draws.h: a few settings for each guarantee, drawn by a seed, in which any two values of two
- * dimensions that it covers come together at least once. */
+/* draws.h: draws a few settings for each guarantee by a seed (pairwise testing): any two values of
+ * two dimensions that the guarantee covers occur together at least once. */
 #ifndef DRAWS_H
 #define DRAWS_H
 
@@ -7,7 +7,8 @@
 
 enum { DRAWS_MAX = 128 };
 
-/* How many of `out` were drawn; the first ones have each value of each dimension. */
+/* Fills `out` and returns the number of settings; the first ones contain each value of each
+ * dimension. */
 int draws_of(const guarantee *g, uint64_t seed, settings out[DRAWS_MAX]);
 
 #endif

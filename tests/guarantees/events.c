@@ -1,17 +1,18 @@
-/* events.c: guarantees of begin, end and hit events, and of sensors. */
+/* events.c: guarantees of begin, end and hit events of contacts, and of sensor events. */
 #include "guarantee.h"
 #include "yard.h"
 
 enum { SHAPES_MAX = 96 };
 
-/* ---- the books ---- */
+/* ---- ledger of pairs ---- */
 
-/* Which pairs are open, by the slots of their shapes. */
+/* The pairs that have begun and not ended, by the slots of their shapes. */
 typedef struct books {
     bool open[SHAPES_MAX][SHAPES_MAX];
     int begun;
 } books;
 
+/* The pair's entry in the ledger. */
 static bool *entry(trial *t, books *b, const thud_contact_event *e) {
     if (e->shape_a.index1 >= SHAPES_MAX || e->shape_b.index1 >= SHAPES_MAX) {
         trial_fault(t, "no shape has the slots %u, %u", e->shape_a.index1, e->shape_b.index1);
@@ -20,6 +21,7 @@ static bool *entry(trial *t, books *b, const thud_contact_event *e) {
     return &b->open[e->shape_a.index1][e->shape_b.index1];
 }
 
+/* Whether the list has an event of the same two shapes. */
 static bool listed(const thud_contact_event *e, const thud_contact_event *list, int count) {
     int i = 0;
     while (i < count && memcmp(e, &list[i], sizeof *e) != 0) {
@@ -28,7 +30,9 @@ static bool listed(const thud_contact_event *e, const thud_contact_event *list, 
     return i < count;
 }
 
-/* A pair in both lists has ended and begun again where it was open, and begun and ended else. */
+/* Enters a step's events into the ledger, and reports ends without a begin and second begins. A
+ * pair that is in both lists has ended and begun again if it was open, otherwise begun and ended.
+ */
 static void book(trial *t, books *b, const thud_contact_event *begin, int begins,
                  const thud_contact_event *end, int ends) {
     for (int i = 0; i < ends; i++) {
@@ -50,6 +54,7 @@ static void book(trial *t, books *b, const thud_contact_event *begin, int begins
     }
 }
 
+/* The number of open pairs. */
 static int open_in(const books *b) {
     int count = 0;
     for (int i = 0; i < SHAPES_MAX * SHAPES_MAX; i++) {
@@ -58,8 +63,8 @@ static int open_in(const books *b) {
     return count;
 }
 
-/* Runs until five pairs have begun, at least for 1.5 seconds and at most for six; then all bodies
- * are destroyed, so that a last step ends every pair. */
+/* Runs until five pairs have begun, between 1.5 and 6 seconds; then all bodies are destroyed, so
+ * that the last step has to end every pair. */
 static void each_begin_has_one_end(trial *t) {
     books *touch = calloc(2, sizeof *touch), *sensed = touch + 1;
     yard y;
@@ -89,7 +94,8 @@ static void each_begin_has_one_end(trial *t) {
 
 /* ---- one fall ---- */
 
-/* A touch begins once and is hit once, at the speed of the fall, however it settles. */
+/* A body that falls on a floor has one begin event and one hit event, at the speed of the fall, and
+ * no end event while it settles. */
 static void a_fall_begins_and_hits_once(trial *t) {
     int begins = 0, ends = 0, hits = 0;
     double speed = 0, fall = sqrt(2 * 10 * 1.0), slower = 10 * t->step;
@@ -151,7 +157,7 @@ typedef struct watch {
     thud_body_id body[WATCHED];
     thud_shape_id shape[WATCHED];
     bool sensor[WATCHED], open[WATCHED][WATCHED];
-    bool passive[WATCHED]; /* static */
+    bool passive[WATCHED]; /* its body is static */
 } watch;
 
 static void add_watched(trial *t, watch *w) {
@@ -184,6 +190,7 @@ static int number_of(const watch *w, thud_shape_id shape) {
     return i;
 }
 
+/* Enters the step's sensor events into `open`. */
 static void note_sensors(trial *t, watch *w) {
     thud_events e = thud_world_events(w->world);
     for (int i = 0; i < e.sensor_end_count + e.sensor_begin_count; i++) {
@@ -194,12 +201,14 @@ static void note_sensors(trial *t, watch *w) {
         if (a == WATCHED || b == WATCHED || !w->sensor[a]) {
             trial_fault(t, "shape %u is no sensor", pair->shape_a.index1);
         } else {
-            w->open[a][b] = !w->open[a][b]; /* what is in both lists is as it was */
+            w->open[a][b] =
+                !w->open[a][b]; /* a pair in both lists has the state that it had before */
         }
     }
 }
 
-/* By where bodies stand as the step ends: those nearer to touching than rounding may be either. */
+/* Sensor events agree with the geometry of the poses at the end of the step, except for pairs that
+ * are closer to touching than rounding errors. */
 static void sensors_report_all_they_overlap(trial *t) {
     watch w = {.world = trial_make(t, trial_weightless(t))};
     thud_shape_instance stood[WATCHED];
@@ -232,8 +241,8 @@ static void sensors_report_all_they_overlap(trial *t) {
     }
 }
 
-/* A ball flies through a gate that is thinner than its way in a step; `continuous` looks at static
- * gates. It is told in the step in which it passes, at the time of that. */
+/* A ball flies through a sensor that is thinner than its motion in a step, and is reported in that
+ * step with its time; `continuous` does so for static sensors only. */
 static void sensors_report_what_passes(trial *t) {
     thud_shape_def sensor = thud_default_shape_def();
     thud_world *world = trial_make(t, trial_weightless(t));

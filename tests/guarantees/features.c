@@ -1,5 +1,6 @@
-/* features.c: guarantees of what only some programs link: fields, casts, locks, rules, rollback. A
- * yard that has them goes beside one that differs in what must change nothing. */
+/* features.c: guarantees of optional features: fields, casts, locked axes, rules, rollback. A yard
+ * (yard.h) that uses them runs beside a twin, which differs in a setting that must not matter; both
+ * must report the same for each step. */
 #include "guarantee.h"
 #include "yard.h"
 
@@ -35,7 +36,7 @@ static thud_world_def def_of(trial *t, twin kind) {
     return def;
 }
 
-/* Goes on in the spare world, from a snapshot of its own. */
+/* Exchanges the yard's world for the spare one, which is restored from a snapshot of it. */
 static void swap_world(yard *y, thud_world **spare) {
     trial_bytes s = trial_snapshot(y->t, y->world);
     DO(y->t, thud_world_restore(*spare, s.bytes, s.size));
@@ -45,6 +46,7 @@ static void swap_world(yard *y, thud_world **spare) {
     free(s.bytes);
 }
 
+/* Mixes a hit into the digest and continues the cast. */
 static double hear(const thud_ray_hit *hit, void *context) {
     uint64_t *digest = context;
     yard_mix(digest, &hit->shape.index1, sizeof hit->shape.index1);
@@ -52,7 +54,8 @@ static double hear(const thud_ray_hit *hit, void *context) {
     return THUD_CAST_ON;
 }
 
-/* From the middle of the room in all directions, many at once, hit by hit, and of single shapes. */
+/* A digest of casts from the middle of the room in all directions: many in one call, hit by hit,
+ * and of single shapes. */
 static uint64_t cast(yard *y) {
     trial *t = y->t;
     thud_ray rays[RAYS];
@@ -80,7 +83,7 @@ static uint64_t cast(yard *y) {
     return digest;
 }
 
-/* What must change nothing, between two edits too. */
+/* Queries, reports and snapshots, which must change nothing, also between two edits. */
 static void ask(yard *y) {
     cast(y);
     thud_world_error(y->world);
@@ -88,6 +91,7 @@ static void ask(yard *y) {
     free(trial_snapshot(y->t, y->world).bytes);
 }
 
+/* Three edits, with queries after each if `asked`, and a step. */
 static void step_beside(yard *y, bool asked) {
     for (int i = 0; i < 3 && !trial_failed(y->t); i++) {
         yard_edit(y);
@@ -98,6 +102,7 @@ static void step_beside(yard *y, bool asked) {
     yard_step(y);
 }
 
+/* Runs a yard and its twin, and reports the first step (or cast) in which they differ. */
 static void go_beside(trial *t, twin kind, unsigned features, bool casts) {
     yard one, other;
     thud_world *spare = NULL;
@@ -125,6 +130,7 @@ static void go_beside(trial *t, twin kind, unsigned features, bool casts) {
     }
 }
 
+/* Runs a yard against each kind of twin. */
 static void go_beside_all(trial *t, unsigned features, bool casts) {
     for (int kind = 0; kind < TWINS && !trial_failed(t); kind++) {
         go_beside(t, (twin)kind, features, casts);
@@ -147,12 +153,14 @@ static void same_bits_of_casts(trial *t) {
     go_beside_all(t, YARD_ALL, true);
 }
 
+/* An epilogue that sets a body's velocity. */
 static void kick(thud_world *world, const thud_contact *contact, void *context) {
     yard *y = context;
     thud_body_set_velocity(world, contact->body_b, trial_speed(y->t, 1, 2), 0);
 }
 
-/* What callbacks ask for waits for the step, and comes after what is edited meanwhile. */
+/* Edits that callbacks make take effect in the next step, after the edits that the caller makes in
+ * between; queries change nothing of that order. */
 static void edits_of_callbacks_wait_for_the_step_asked_or_not(trial *t) {
     yard yards[2];
     for (int k = 0; k < 2; k++) {
@@ -176,7 +184,7 @@ static void edits_of_callbacks_wait_for_the_step_asked_or_not(trial *t) {
     }
 }
 
-/* Many rays are shared among workers. */
+/* Many rays in one call are divided among workers. */
 static void same_hits_any_workers(trial *t) {
     yard one, other;
     thud_world_def def = trial_def(t);
@@ -200,7 +208,7 @@ static void same_hits_any_workers(trial *t) {
 
 enum { PLAYERS = 2, DEPTH = 6 };
 
-/* A yard with edits, whose first bodies the players push. */
+/* The step function of the rollback: a yard with edits, whose first bodies the players push. */
 static thud_result play(thud_world *world, const uint64_t *inputs, void *state) {
     yard *y = state;
     for (int i = 0; i < PLAYERS; i++) {
@@ -211,6 +219,7 @@ static thud_result play(thud_world *world, const uint64_t *inputs, void *state) 
     return thud_world_step(world);
 }
 
+/* Gives the rollback a player's inputs up to a step. */
 static void tell_until(trial *t, thud_rollback *r, uint64_t inputs[STEPS][PLAYERS], int player,
                        int64_t *told, int64_t until) {
     for (; *told <= until && *told < STEPS; ++*told) {

@@ -1,4 +1,5 @@
-/* filters.c: guarantees of filters and of rules that ignore: who meets whom. */
+/* filters.c: guarantees of filters and of rules that ignore pairs: which shapes collide, and that
+ * no callback or event reports a pair that is filtered out. */
 #include "guarantee.h"
 
 #include <thud/thud_rules.h>
@@ -12,6 +13,7 @@ typedef struct company {
     int meetings;
 } company;
 
+/* Whether two filters let their shapes collide, by the rule that the header states. */
 static bool meet(const thud_filter *a, const thud_filter *b) {
     if (a->group == b->group && a->group != 0) {
         return a->group > 0;
@@ -27,6 +29,7 @@ static int number_of(const company *c, thud_shape_id shape) {
     return i;
 }
 
+/* Reports a pair that was seen in a callback or event although its filters forbid it. */
 static void expect_meet(company *c, thud_shape_id a, thud_shape_id b, const char *where) {
     int i = number_of(c, a), k = number_of(c, b);
     if (i == BODIES || k == BODIES) {
@@ -38,6 +41,7 @@ static void expect_meet(company *c, thud_shape_id a, thud_shape_id b, const char
     }
 }
 
+/* A prologue: the pair's filters must allow it. */
 static bool ask(thud_world *world, const thud_contact *contact, thud_contact_settings *wanted,
                 void *context) {
     (void)world;
@@ -46,6 +50,7 @@ static bool ask(thud_world *world, const thud_contact *contact, thud_contact_set
     return true;
 }
 
+/* An epilogue: the pair's filters must allow it. */
 static void tell(thud_world *world, const thud_contact *contact, void *context) {
     (void)world;
     expect_meet(context, contact->shape_a, contact->shape_b, "epilogue");
@@ -57,6 +62,7 @@ static thud_filter draw_filter(trial *t) {
     return some[trial_pick(t, 6)];
 }
 
+/* Adds bodies of all kinds with random filters; the last shape is a sensor. */
 static void add_company(trial *t, thud_world *world, company *c) {
     for (int i = 0; i < BODIES; i++) {
         thud_shape_def def = thud_default_shape_def();
@@ -78,7 +84,7 @@ static void add_company(trial *t, thud_world *world, company *c) {
     }
 }
 
-/* No callback, event or sensor ever tells of a pair that its filters keep apart. */
+/* No callback, contact event or sensor event reports a pair that its filters keep apart. */
 static void filters_keep_apart(trial *t) {
     company c = {.t = t};
     thud_world_def def = trial_weightless(t);
@@ -107,8 +113,8 @@ static void filters_keep_apart(trial *t) {
     }
 }
 
-/* One shot at each of a row of plates: it stops at those that it meets, and flies on through
- * others as if they were not there. */
+/* A shot at each of a row of plates stops at those that its filter lets it collide with, and flies
+ * through others without any effect. */
 static void filters_decide_who_stops(trial *t) {
     double speed = 0.3 / t->step;
     for (int k = 0; k < 6 && !trial_failed(t); k++) {
@@ -145,7 +151,7 @@ static void filters_decide_who_stops(trial *t) {
     }
 }
 
-/* Of two kinds that ignore each other. */
+/* Two categories with a rule that ignores their pairs. */
 static void kinds_that_ignore_each_other_do_not_meet(trial *t) {
     thud_world *world = trial_make(t, trial_weightless(t));
     for (int k = 0; k < 4 && world && !trial_failed(t); k++) {

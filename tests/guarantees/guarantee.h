@@ -1,5 +1,6 @@
-/* guarantee.h: a promise of the headers and READMEs, and how it is tried on any settings. Each has
- * its row in docs/guarantees.md, which check_table.py holds to these tables. */
+/* guarantee.h: a guarantee: a promise of the headers and READMEs with the function that tests it on
+ * any settings. Each has a row in docs/guarantees.md; check_table.py compares the rows with these
+ * tables. */
 #ifndef GUARANTEE_H
 #define GUARANTEE_H
 
@@ -16,7 +17,7 @@ typedef struct exception {
 
 typedef struct guarantee {
     const char *name;
-    /* Builds what it needs, runs it, and leaves in the trial what is not as promised. */
+    /* Builds a scene, runs it, and reports in the trial (trial_fault) what is not as promised. */
     void (*check)(trial *t);
     exception except[EXCEPTIONS_MAX];
 } guarantee;
@@ -24,7 +25,7 @@ typedef struct guarantee {
 #define BIT(value) (1u << (value))
 #define ALL_BUT(value) (~BIT(value))
 
-/* One table for each file of guarantees; the last of each has no name. */
+/* One table for each file of guarantees; each ends with an entry without a name. */
 extern const guarantee guarantees_of_asking[], guarantees_of_bits[], guarantees_of_bodies[],
     guarantees_of_callbacks[], guarantees_of_events[], guarantees_of_features[],
     guarantees_of_filters[], guarantees_of_joints[], guarantees_of_passing[],
@@ -32,9 +33,10 @@ extern const guarantee guarantees_of_asking[], guarantees_of_bits[], guarantees_
 
 enum { GUARANTEES_MAX = 96 };
 
-/* All of them, in the order of the tables; how many. */
+/* Fills `out` with all of them, in the order of the tables, and returns the number. */
 int guarantees_all(const guarantee *out[GUARANTEES_MAX]);
 
+/* False if one of the exceptions excludes the settings. */
 bool guarantee_covers(const guarantee *g, const settings *s);
 
 #endif

@@ -1,9 +1,11 @@
-/* joints.c: guarantees of joints: what they lock, tie, bear and let through. */
+/* joints.c: guarantees of joints: how exactly locked directions are kept, forces of motors and
+ * springs, breaking, collisions of connected bodies, and joints of destroyed bodies. */
 #include "guarantee.h"
 #include "trial.h"
 
 #include <thud/thud_joint.h>
 
+/* A def with anchors at x on body a and at -x on body b, in length scales. */
 static thud_joint_def between(trial *t, thud_joint_kind kind, thud_body_id a, thud_body_id b,
                               double x) {
     thud_joint_def def = thud_default_joint_def(kind);
@@ -20,6 +22,7 @@ static thud_joint_id make(trial *t, thud_world *world, const thud_joint_def *def
     return joint;
 }
 
+/* The joint's state, with the gap in length scales. */
 static thud_joint_state state_of(trial *t, const thud_world *world, thud_joint_id joint) {
     thud_joint_state state = {.gap = 0};
     DO(t, thud_joint_get(world, joint, &state));
@@ -27,6 +30,7 @@ static thud_joint_state state_of(trial *t, const thud_world *world, thud_joint_i
     return state;
 }
 
+/* A static body without a shape. */
 static thud_body_id hook_at(trial *t, thud_world *world, double x, double y) {
     thud_body_def def = thud_default_body_def();
     thud_body_id hook = {0, 0};
@@ -35,7 +39,8 @@ static thud_body_id hook_at(trial *t, thud_world *world, double x, double y) {
     return hook;
 }
 
-/* Three links of 0.8 swing from level. */
+/* A chain of three links, each 0.8 length scales long, swings from the horizontal; its gaps stay
+ * small. */
 static void joints_hold_what_they_lock(trial *t) {
     thud_world *world = trial_make(t, trial_def(t));
     thud_joint_id joint[3];
@@ -65,7 +70,8 @@ static void joints_hold_what_they_lock(trial *t) {
     }
 }
 
-/* A load on a rope, a link on a hook, and a chain of three that hangs that much too low. */
+/* Joints that begin open: a load on a rope, a link on a hinge, and a chain of three links whose top
+ * hinge is open. */
 enum { LINKS = 3, OPEN = 2 + LINKS };
 
 typedef struct open_joints {
@@ -100,7 +106,9 @@ static open_joints hang(trial *t) {
     return o;
 }
 
-/* The rope is shortened by 4 and the hook raised by as much, once all hangs still. */
+/* After two seconds the rope is shortened by 4 length scales and the hook raised by as much. The
+ * gaps that the world reports are those of the joints, and after 5 seconds all are closed and
+ * asleep. */
 static void joints_close_before_they_sleep(trial *t) {
     open_joints o = hang(t);
     double widest = 0;
@@ -127,8 +135,8 @@ static void joints_close_before_they_sleep(trial *t) {
     }
 }
 
-/* A target along and across from a post, whose springs or motors have caps of some multiples of the
- * body's weight. */
+/* A target joint that pulls a body along and across towards a post, by springs or by motors with
+ * maximum forces of some multiples of the body's weight. */
 typedef struct capped {
     thud_joint_id joint;
     bool motors;
@@ -157,6 +165,7 @@ static capped pull_at(trial *t, thud_world *world, thud_body_id body) {
     return c;
 }
 
+/* Reports a motor or spring force above its maximum. */
 static void look_at_forces(trial *t, const thud_world *world, const capped *c, int step) {
     thud_joint_state s = state_of(t, world, c->joint);
     double force[2], room = 1.0001;
@@ -171,8 +180,8 @@ static void look_at_forces(trial *t, const thud_world *world, const capped *c, i
     }
 }
 
-/* Targets pull at what lies at the bottom, in the middle and on top of a heap, and at the end of a
- * chain. */
+/* Target joints pull at bodies at the bottom, in the middle and on top of a heap, and at the end of
+ * a chain; no drive exceeds its maximum force. */
 static void drives_keep_their_forces(trial *t) {
     enum { COLUMNS = 3, ROWS = 3, LINKS_PULLED = 3, TARGETS = 4 };
     thud_world *world = trial_make(t, trial_def(t));
@@ -208,7 +217,8 @@ static void drives_keep_their_forces(trial *t) {
     }
 }
 
-/* A box rests on what it is not tied to, and falls through what it is. */
+/* A box rests on a body that it has no joint with, and falls through one that a joint connects it
+ * with. */
 static void tied_bodies_pass_through_each_other(trial *t) {
     thud_joint_kind kind = trial_pick(t, 2) ? THUD_FILTER : THUD_DISTANCE;
     thud_world *world = trial_make(t, trial_def(t));
@@ -231,7 +241,8 @@ static void tied_bodies_pass_through_each_other(trial *t) {
     }
 }
 
-/* Of two that hang side by side, the one that bears less than its weight falls, with an event. */
+/* Of two bodies that hang side by side, the one whose joint has a breaking force below its weight
+ * falls, with one event. */
 static void joints_break_where_they_bear_too_much(trial *t) {
     thud_world *world = trial_make(t, trial_def(t));
     if (!world) {
@@ -263,7 +274,7 @@ static void joints_break_where_they_bear_too_much(trial *t) {
     }
 }
 
-/* ... and lets the other one go. */
+/* Destroying one of its bodies destroys a joint; the other body moves freely. */
 static void joints_are_gone_with_their_bodies(trial *t) {
     thud_world *world = trial_make(t, trial_weightless(t));
     if (!world) {

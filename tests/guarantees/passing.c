@@ -1,4 +1,5 @@
-/* passing.c: guarantees of bodies that move: what stops them, and what does not. */
+/* passing.c: guarantees of collision detection for moving bodies: what stops them (thin walls,
+ * other moving bodies), and what does not (seams of ground, shapes that a teleport skips). */
 #include "guarantee.h"
 #include "yard.h"
 
@@ -6,8 +7,9 @@
 
 enum { SHOTS = 6 };
 
-/* How fast a body of half extents 0.3 may be to meet a wall of this thickness, in length scales a
- * second: by the rules of its detection. */
+/* The largest speed, in length scales per second, at which a body of half extents 0.3 is promised
+ * to collide with a wall of this thickness, by the rules of the trial's detection
+ * (thud_detection.h). */
 static double fastest(trial *t, thud_world *world, double thickness) {
     double limit = 0;
     switch (t->set->value[DETECTION]) {
@@ -21,11 +23,13 @@ static double fastest(trial *t, thud_world *world, double thickness) {
     }
 }
 
+/* A random speed between a tenth of `most` and `most`, uniform in its logarithm. */
 static double draw_speed(trial *t, double most) {
     return exp(trial_draw(t, log(0.1 * most), log(most)));
 }
 
-/* Shots from the left, each in a row of its own, at something at x = 0. */
+/* Reports shots that have passed x = reach. Each shot starts at the left in a row of its own, at y0
+ * + 4 i. */
 static void expect_stopped(trial *t, thud_world *world, const thud_body_id *shot, double y0,
                            double reach) {
     for (int i = 0; i < SHOTS && !trial_failed(t); i++) {
@@ -37,6 +41,7 @@ static void expect_stopped(trial *t, thud_world *world, const thud_body_id *shot
     }
 }
 
+/* Adds a body that flies along x at `speed`; `i` is its lane and form. */
 static thud_body_id shoot(trial *t, thud_world *world, int i, double speed,
                           const thud_detection *detection) {
     return trial_add(t, world,
@@ -69,7 +74,8 @@ static void thin_static_walls_stop(trial *t) {
     expect_stopped(t, world, shot, 0, overlap ? 0.1 : 0);
 }
 
-/* Both move: whoever was on the left of a plate stays there, unless it comes round its end. */
+/* Shot and plate both move: a shot that began on the left of its plate stays there, unless it goes
+ * round the plate's end. */
 static void moving_bodies_meet(trial *t) {
     bool swept = t->set->value[DETECTION] == SWEPT;
     double half = swept ? 0.02 : 0.3;
@@ -108,7 +114,7 @@ static void moving_bodies_meet(trial *t) {
     }
 }
 
-/* Of two moving bodies the finer choice decides on their pair. */
+/* In a pair of two moving bodies the higher of both detections decides. */
 static void bodies_own_detection_decides(trial *t) {
     thud_world *world = trial_make(t, trial_weightless(t));
     thud_body_id shot[SHOTS];
@@ -135,6 +141,7 @@ static void bodies_own_detection_decides(trial *t) {
 
 enum { GAS = 8 };
 
+/* The penetration depth of two bodies in length scales; 0 if they are apart. */
 static double overlap_of(trial *t, thud_world *world, thud_body_id a, thud_body_id b) {
     thud_shape_instance one = trial_placed(t, world, a), other = trial_placed(t, world, b);
     thud_closest c = {.distance = 1};
@@ -142,7 +149,8 @@ static double overlap_of(trial *t, thud_world *world, thud_body_id a, thud_body_
     return fmax(-c.distance, 0);
 }
 
-/* What is apart does not come to overlap, but for what presses it together. */
+/* Bodies that are apart do not come to overlap by more than the load that presses them together
+ * explains. */
 static void swept_bodies_keep_apart(trial *t) {
     thud_world *world = trial_make(t, trial_weightless(t));
     thud_body_id body[GAS];
@@ -181,8 +189,8 @@ static void swept_bodies_keep_apart(trial *t) {
 
 enum { ROPES = 4 };
 
-/* Ropes from bodies in the room to hooks beyond its walls and its floor, which are reeled in at 3
- * length scales a second, whatever stands in the way. */
+/* Ropes from bodies in the room to hooks outside of its walls and its floor, shortened by 3 length
+ * scales per second without regard to what is in between. */
 typedef struct winches {
     thud_joint_id rope[ROPES];
     thud_drive drive[ROPES];
@@ -209,9 +217,10 @@ static winches reel_from_outside(yard *y) {
     return w;
 }
 
-/* A winch slips where its rope is too short by a tenth of a length scale: a body that an edit has
- * put elsewhere, and that a far too short rope pulls back, is faster than `overlap` and `bisect`
- * see; and without slipping three of 4,000 such rooms lose a body (thud_joint.h). */
+/* Shortens the ropes by a step, but keeps each at most 0.1 length scales shorter than the distance
+ * that it spans. A rope that is much too short, after an edit has moved its body away, pulls the
+ * body faster than `overlap` and `bisect` can detect; without this rule 3 of 4,000 such rooms lose
+ * a body (thud_joint.h). */
 static void reel_in(trial *t, thud_world *world, winches *w) {
     for (int i = 0; i < ROPES; i++) {
         thud_joint_state s = {.gap = 0};
@@ -244,7 +253,7 @@ static void nothing_is_lost(trial *t) {
     }
 }
 
-/* Ground of tiles, upright and turned ones in turn, and of a line that goes on beside them. */
+/* A ground of boxes (AABBs and OBBs by turns), which a terrain line continues. */
 static void make_seams(trial *t, thud_world *world, const thud_shape_def *smooth) {
     thud_pos points[11];
     thud_body_def def = thud_default_body_def();
@@ -300,7 +309,7 @@ static void seams_catch_nothing(trial *t) {
     }
 }
 
-/* What is set somewhere stands there, and has met nothing on the way. */
+/* A body that is set to a place stands exactly there, and has collided with nothing in between. */
 static void teleports_meet_nothing(trial *t) {
     thud_world *world = trial_make(t, trial_weightless(t));
     if (!world) {
@@ -308,7 +317,7 @@ static void teleports_meet_nothing(trial *t) {
     }
     trial_wall(t, world, 0, 0, 0.5, 4);
     thud_body_id body = trial_drop(t, world, (form)trial_pick(t, FORMS), -2, 0, 0.3);
-    thud_body_id other = trial_drop(t, world, BALL, -1.5, 0, 0.3); /* touches it */
+    thud_body_id other = trial_drop(t, world, BALL, -1.5, 0, 0.3); /* touches the body */
     trial_run(t, world, 2);
     thud_pos to = trial_place(t, 3, 1);
     DO(t, thud_body_set_transform(world, body, to, 0));

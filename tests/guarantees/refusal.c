@@ -1,4 +1,5 @@
-/* refusal.c: guarantees that what is refused, or runs out of memory, changes nothing. */
+/* refusal.c: guarantees that calls which are refused, or which run out of memory, leave the world
+ * unchanged. */
 #include "guarantee.h"
 #include "hostile_memory.h"
 #include "yard.h"
@@ -6,6 +7,7 @@
 #include <thud/thud_mover.h>
 #include <thud/thud_snapshot.h>
 
+/* Reports if the world's snapshot is not `before`. */
 static void expect_same(trial *t, const thud_world *world, const trial_bytes *before,
                         const char *what) {
     trial_bytes now = trial_snapshot(t, world);
@@ -92,7 +94,8 @@ static void refused_calls_change_nothing(trial *t) {
     free(before.bytes);
 }
 
-/* Bytes that are cut short, damaged in any place, or of a world with other settings. */
+/* Restores snapshots that are truncated, that have a changed byte at any place, or that come from a
+ * world with other settings. */
 static void damaged_snapshots_are_refused(trial *t) {
     yard y;
     yard_make(&y, t, trial_def(t), 0);
@@ -114,7 +117,7 @@ static void damaged_snapshots_are_refused(trial *t) {
         s.bytes[at] ^= (char)(1 << trial_pick(t, 8));
         REFUSED(t, thud_world_restore(y.world, s.bytes, s.size), THUD_ERROR_INVALID);
         REFUSED(t, thud_world_restore(y.world, s.bytes, at), THUD_ERROR_INVALID);
-        s.bytes[at] = before.bytes[0]; /* stays damaged, but for once in a while */
+        s.bytes[at] = before.bytes[0]; /* keeps the damage, except in every so many rounds */
         expect_same(t, y.world, &before, "a damaged snapshot");
         free(s.bytes);
         s = trial_snapshot(t, y.world);
@@ -128,6 +131,7 @@ static void damaged_snapshots_are_refused(trial *t) {
 
 /* ---- memory ---- */
 
+/* Reports if the world's events are not those of the last step. */
 static void same_events(trial *t, const thud_world *world, const thud_events *before, int step) {
     thud_events e = thud_world_events(world);
     if (e.begin_count != before->begin_count || e.end_count != before->end_count ||
@@ -136,8 +140,9 @@ static void same_events(trial *t, const thud_world *world, const thud_events *be
     }
 }
 
-/* A step whose allocations fail, one after the other, beside one whose memory never does: until it
- * gets through nothing moves and nothing is told, and then all is as in the other. */
+/* Each step is tried with its first, second, ... allocation failing, beside a world without
+ * failures. A step that fails moves nothing and reports no event; the step that succeeds gives the
+ * same result as in the other world. */
 static void steps_without_memory_change_nothing(trial *t) {
     thud_world_def def = trial_def(t);
     yard one, other;

@@ -1,10 +1,11 @@
-/* rest.c: guarantees of what rests, sleeps, sinks and gains. */
+/* rest.c: guarantees of resting bodies: sleep and waking, penetration depth, the reported errors,
+ * and energy. */
 #include "guarantee.h"
 #include "yard.h"
 
 enum { STACK = 3 };
 
-/* Three boxes on each other and a ball beside them, on a floor. */
+/* A stack of three boxes and a ball beside it, on a floor. */
 typedef struct heap {
     thud_world *world;
     thud_body_id floor, box[STACK], ball;
@@ -22,7 +23,8 @@ static heap make_heap(trial *t, thud_world_def def) {
     return h;
 }
 
-/* The deepest overlap of what stands on each other, by geometry of its own. */
+/* The largest penetration depth between bodies that stand on each other, in length scales, computed
+ * by thud_shapes_closest. */
 static double deepest(trial *t, const heap *h) {
     double most = 0;
     for (int i = 0; i <= STACK; i++) {
@@ -61,7 +63,8 @@ static void what_rests_stays_and_sleeps(trial *t) {
     }
 }
 
-/* Two boxes, set down 6 deep in each other and the floor. */
+/* Two boxes that begin 6 length scales deep in each other and in the floor separate before they
+ * fall asleep. */
 static void overlaps_part_before_they_sleep(trial *t) {
     thud_world *world = trial_make(t, trial_def(t));
     if (!world) {
@@ -83,6 +86,7 @@ static void overlaps_part_before_they_sleep(trial *t) {
 
 enum { NUDGES = 8 };
 
+/* One of NUDGES edits that must wake the stack. */
 static void nudge(trial *t, heap *h, int what) {
     thud_vec2 up = trial_speed(t, 0, 30 * t->scale * t->scale);
     thud_pos middle = trial_place(t, 0, 2);
@@ -116,8 +120,8 @@ static void nudge(trial *t, heap *h, int what) {
     }
 }
 
-/* Whatever is done to one of a stack wakes it, and what stands on it; the ball beside sleeps on,
- * but for gravity and the floor. */
+/* An edit of one body of a stack wakes it and the bodies above it; the ball beside them sleeps on,
+ * except where gravity or the floor was edited. */
 static void edits_wake_who_touches(trial *t) {
     int what = trial_pick(t, NUDGES);
     heap h = make_heap(t, trial_def(t));
@@ -143,8 +147,8 @@ static void edits_wake_who_touches(trial *t) {
 
 /* ---- depth ---- */
 
-/* In length scales, of a stack of three, 1 second after it was put there: soft contacts sink with
- * the square of the step. */
+/* The largest allowed depth of a stack of three, in length scales, 1 second after it was created.
+ * Soft contacts overlap in proportion to the square of the time step. */
 static double depth_allowed(const trial *t) {
     static const double most[] = {[DRAFT] = 0.003, [DEFAULT] = 0.0008, [HIGH] = 0, [EXACT] = 0};
     return most[t->set->value[QUALITY]] * (60 * t->step) * (60 * t->step) + 5e-6;
@@ -162,8 +166,9 @@ static void what_rests_overlaps_little(trial *t) {
     }
 }
 
-/* A heap sunk into each other: what the step reports is what geometry finds, and so is the pass,
- * but where detection moves bodies after the solver is done. */
+/* A heap that begins overlapped: the maximum and the number of overlaps that the step reports agree
+ * with thud_world_measure and with geometry, except where the detection moves bodies after the
+ * solver. */
 static void error_tells_the_overlap(trial *t) {
     thud_world_def def = trial_def(t);
     def.sleeping = false;
@@ -195,12 +200,12 @@ static void error_tells_the_overlap(trial *t) {
     }
 }
 
-/* A heavy box on a light one, in a world that names what it can bear. */
+/* A heavy box on a light one, in a world with max_error: at rest the overlap stays below it. */
 static void max_error_is_kept_at_rest(trial *t) {
     thud_shape_def heavy = thud_default_shape_def();
     thud_world_def def = trial_def(t);
     def.max_error = 1e-3 * t->scale;
-    heavy.density = 10; /* which default would leave to the soft solver */
+    heavy.density = 10; /* density ratio that quality default would leave to the soft solver */
     thud_world *world = trial_make(t, def);
     if (!world) {
         return;
@@ -228,7 +233,8 @@ static double energy_of(const thud_world *world) {
     return m.kinetic_energy + m.potential_energy;
 }
 
-/* Things that fall into a box, without restitution, never have more than they began with. */
+/* Bodies without restitution that fall into a box never have more energy than at the beginning
+ * (1e-5 for rounding). */
 static void falling_gains_no_energy(trial *t) {
     thud_world_def def = trial_def(t);
     def.sleeping = false;
@@ -260,7 +266,8 @@ static void falling_gains_no_energy(trial *t) {
     }
 }
 
-/* The change that a step tells is that of kinetic and potential energy. */
+/* The energy change that a step reports is that of kinetic and potential energy, in steps without
+ * impacts and held bodies. */
 static void error_tells_the_energy_change(trial *t) {
     thud_world_def def = trial_def(t);
     def.sleeping = false;
@@ -280,7 +287,7 @@ static void error_tells_the_energy_change(trial *t) {
     }
 }
 
-/* Between two walls and under gravity, a ball of restitution 1 keeps its energy. */
+/* A ball of restitution 1 between walls, under gravity and without friction, keeps its energy. */
 static void elastic_bodies_keep_their_energy(trial *t) {
     thud_shape_def elastic = thud_default_shape_def();
     thud_world_def def = trial_def(t);

@@ -40,7 +40,7 @@ void settings_write(const settings *s, char text[SETTINGS_TEXT]) {
     }
 }
 
-/* The text `name=value` up to a comma or the end. */
+/* Whether `text` is "name=value" of this dimension and value. */
 static bool is_value(const char *text, size_t length, const dimension *d, int value) {
     size_t name = strlen(d->name), rest = strlen(d->values[value]);
     return length == name + 1 + rest && memcmp(text, d->name, name) == 0 && text[name] == '=' &&

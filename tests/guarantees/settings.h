@@ -1,5 +1,5 @@
-/* settings.h: what a guarantee is tried on: one value of each dimension. The product of them all is
- * what `THUD_GUARANTEES=full` runs through. */
+/* settings.h: the settings on which a guarantee is tested: one value for each dimension.
+ * THUD_GUARANTEES=full runs through the product of all dimensions. */
 #ifndef SETTINGS_H
 #define SETTINGS_H
 
@@ -13,7 +13,7 @@ enum { VALUES_MAX = 4 };
 enum { DRAFT, DEFAULT, HIGH, EXACT };
 enum { OVERLAP, CONTINUOUS, BISECT, SWEPT };
 
-/* A value is its number among those of its dimension. */
+/* Each value is an index into `values` of its dimension. */
 typedef struct settings {
     int value[DIMENSIONS];
 } settings;
@@ -26,16 +26,17 @@ typedef struct dimension {
 
 extern const dimension dimensions[DIMENSIONS];
 
-/* How many settings there are in all, and the i-th of them. */
+/* The number of combinations, and the i-th of them. */
 int settings_count(void);
 settings settings_at(int i);
 
-/* As "quality=draft,detection=swept,..."; settings_read wants each dimension once, in any order. */
+/* Writes and reads "quality=draft,detection=swept,...". settings_read accepts the dimensions in any
+ * order, and returns false unless each is there once. */
 enum { SETTINGS_TEXT = 160 };
 void settings_write(const settings *s, char text[SETTINGS_TEXT]);
 bool settings_read(const char *text, settings *out);
 
-/* What the values mean. */
+/* The engine's options and numbers for the values. */
 const thud_quality *settings_quality(const settings *s);
 const thud_detection *settings_detection(const settings *s);
 const thud_broadphase *settings_broadphase(const settings *s);

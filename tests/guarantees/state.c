@@ -1,10 +1,12 @@
-/* state.c: guarantees of what can be read of a world, and of ground that is edited. */
+/* state.c: guarantees of what can be read from a world (poses, contacts, lists of moved bodies and
+ * of sensor overlaps), and of terrain that is edited. */
 #include "guarantee.h"
 #include "yard.h"
 
 #include <thud/thud_lists.h>
 
-/* Poses at 0 and 1 are those of the last two steps; a slot without a body has none. */
+/* thud_world_poses with alpha 0 and 1 gives the poses of the last two steps; a slot without a body
+ * has the pose NaN. */
 static void poses_are_those_of_two_steps(trial *t) {
     yard y;
     thud_pos before[YARD_BODIES];
@@ -35,7 +37,8 @@ static void poses_are_those_of_two_steps(trial *t) {
     }
 }
 
-/* Digging wakes who stood there and lets it down; who rests elsewhere sleeps on. */
+/* Digging wakes the body that stood there, and it falls; a body that rests elsewhere stays asleep.
+ */
 static void dug_ground_lets_down_who_stood_there(trial *t) {
     thud_world *world = trial_make(t, trial_def(t));
     thud_body_def ground = thud_default_body_def();
@@ -71,7 +74,7 @@ static void dug_ground_lets_down_who_stood_there(trial *t) {
     }
 }
 
-/* What touches a body, as the last step left it, is what stands beside it. */
+/* The contacts of a body after a step are those with the bodies beside it. */
 static void contacts_of_a_body_are_its_neighbours(trial *t) {
     thud_world *world = trial_make(t, trial_def(t));
     thud_manifold m[8];
@@ -108,7 +111,7 @@ static void contacts_of_a_body_are_its_neighbours(trial *t) {
 
 enum { SLOTS = 64 };
 
-/* Where a slot's body was when it was told last. */
+/* A slot's body and pose when the list of moved bodies last contained it. */
 typedef struct place {
     thud_body_id body;
     thud_pos position;
@@ -120,7 +123,7 @@ static bool same_place(place a, place b) {
            a.position.x == b.position.x && a.position.y == b.position.y && a.angle == b.angle;
 }
 
-/* The list of moved bodies has those whose position or angle is another, and no other. */
+/* The list of moved bodies contains those whose position or angle has changed, and no other. */
 static void moved_bodies_are_those_elsewhere(trial *t) {
     static thud_body_seen seen[SLOTS];
     place last[SLOTS];
@@ -150,8 +153,8 @@ static void moved_bodies_are_those_elsewhere(trial *t) {
     }
 }
 
-/* What a sensor overlaps is what it told of as begun, and not as ended. Each event turns a pair
- * from one to the other, also where a step tells of both for a pair (thud_events.h). */
+/* The overlaps that a sensor lists are the pairs that its events have begun and not ended. Each
+ * event toggles a pair, also where a step reports both for it (thud_events.h). */
 static void sensors_list_what_they_told(trial *t) {
     bool open[SLOTS][SLOTS] = {{false}};
     thud_shape_id all[SLOTS], list[SLOTS];

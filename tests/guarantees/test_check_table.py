@@ -1,4 +1,4 @@
-"""check_table.py notices each breach, and nothing where there is none."""
+"""Tests that check_table.py reports each kind of breach, and nothing for a correct table."""
 
 import tempfile
 import unittest

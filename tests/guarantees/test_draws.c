@@ -1,5 +1,6 @@
-/* test_draws.c: what is drawn for `./run test` covers the product: whatever the seed, each
- * guarantee meets any two values of two dimensions together. */
+/* test_draws.c: the settings that `./run test` draws cover all pairs: with each of several seeds,
+ * each guarantee is tested with any two values of two dimensions that it covers; and settings are
+ * read as they are written. */
 #include "draws.h"
 
 #include <setjmp.h>

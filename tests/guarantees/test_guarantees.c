@@ -1,11 +1,12 @@
-/* test_guarantees.c: every guarantee on the product of the settings. `./run test` draws some of it
- * by a seed, THUD_GUARANTEES=full runs all of it, THUD_GUARANTEES=SEED draws by that one, and
- * THUD_GUARANTEES=full:SEED makes other scenes of all.
+/* test_guarantees.c: runs every guarantee on combinations of settings. `./run test` draws some of
+ * them by a seed, THUD_GUARANTEES=full runs all combinations, THUD_GUARANTEES=SEED draws by another
+ * seed, and THUD_GUARANTEES=full:SEED runs all combinations with other random scenes.
  *
- *   --share I/N                 every N-th case, from the I-th on, 1 the first
- *   --only NAME                 that guarantee alone
- *   --settings DIMENSION=VALUE,...   with --only: that case alone
- *   --list, --draws             names what is tried and what is left out; names each case */
+ *   --share I/N                 runs every N-th case, beginning with the I-th; 1 is the first
+ *   --only NAME                 runs that guarantee alone
+ *   --settings DIMENSION=VALUE,...   with --only: runs that case alone
+ *   --list, --draws             prints guarantees with the values they leave out; prints each case
+ */
 #include "draws.h"
 #include "share.h"
 
@@ -28,6 +29,7 @@ static struct options {
 
 /* ---- cases ---- */
 
+/* Fills `out` with the settings to run, by the options, and returns their number. */
 static int cases_of(const guarantee *g, settings *out) {
     settings one;
     int count = 0;
@@ -54,6 +56,7 @@ static settings *room_for_cases(void) {
     return room;
 }
 
+/* Runs one case. Returns 1 and prints the command that repeats it if it failed, else 0. */
 static int try_case(const guarantee *g, const settings *s) {
     char text[SETTINGS_TEXT];
     trial *t = malloc(sizeof *t);
@@ -72,6 +75,7 @@ static int try_case(const guarantee *g, const settings *s) {
     return failed;
 }
 
+/* The test of one guarantee: all of its cases in this share must pass. */
 static void holds(void **state) {
     const guarantee *g = *state;
     settings *cases = room_for_cases();
@@ -85,7 +89,7 @@ static void holds(void **state) {
     }
 }
 
-/* ---- what is tried ---- */
+/* ---- --list and --draws ---- */
 
 static void list_guarantee(const guarantee *g) {
     printf("%s\t", g->name);

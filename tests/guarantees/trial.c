@@ -8,7 +8,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-/* Other settings get other scenes, too. */
+/* The seed depends on the settings too, so that each case has a scene of its own. */
 void trial_begin(trial *t, const settings *set, uint64_t seed) {
     for (int d = 0; d < DIMENSIONS; d++) {
         seed = seed * VALUES_MAX + (uint64_t)set->value[d];
@@ -51,6 +51,7 @@ void trial_refused(trial *t, thud_result got, thud_result wanted, const char *ca
 
 /* ---- worlds ---- */
 
+/* The world's log: counts messages and keeps the last result. */
 static void listen(thud_result result, const char *message, void *context) {
     trial *t = context;
     (void)message;
@@ -60,6 +61,7 @@ static void listen(thud_result result, const char *message, void *context) {
 
 static long shared_runs;
 
+/* The pool's job system, with a count of its calls. */
 static void run_shared(thud_task_fn *task, void *argument, int workers, void *context) {
     thud_job_system jobs = pool_job_system(context);
     shared_runs++;

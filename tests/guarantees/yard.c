@@ -8,7 +8,8 @@
 #include <thud/thud_locks.h>
 #include <thud/thud_rules.h>
 
-/* Kinds of shapes, as bits of their filter's category: those of bodies come by turns. */
+/* Categories of shapes, as bits of their filter: bodies have KINDS categories from FIRST_KIND on by
+ * turns. */
 enum { LINE = 7, FIRST_KIND = 2, KINDS = 3, PLATE_KIND = 16 };
 
 thud_pos yard_origin(const yard *y) {
@@ -16,12 +17,14 @@ thud_pos yard_origin(const yard *y) {
     return (thud_pos){at, at};
 }
 
+/* A position of the world, from length scales within the yard. */
 static thud_pos place(const yard *y, double x, double up) {
     thud_pos at = trial_place(y->t, x, up), origin = yard_origin(y);
     return (thud_pos){at.x + origin.x, at.y + origin.y};
 }
 
-/* Of kinds by turns; every fifth bounces, every seventh is a sensor. */
+/* Adds body i: its form and category depend on i, every fifth body bounces, every seventh is a
+ * sensor. */
 static void add_body(yard *y, int i, double x, double up) {
     trial *t = y->t;
     thud_body_def def = thud_default_body_def();
@@ -79,7 +82,7 @@ static void add_floor(yard *y) {
                  &y->line));
 }
 
-/* Kinds by turns, some with a drive or a limit. */
+/* Adds a joint; its kind depends on i, and some have a drive or a limit. */
 static void tie(yard *y, int i, thud_body_id a, thud_body_id b) {
     static const thud_joint_kind kinds[] = {THUD_DISTANCE, THUD_HINGE, THUD_WHEEL, THUD_SLIDER,
                                             THUD_FILTER,   THUD_WELD,  THUD_TARGET};
@@ -101,8 +104,8 @@ static void tie(yard *y, int i, thud_body_id a, thud_body_id b) {
     DO(y->t, thud_joint_create(y->world, &def, NULL));
 }
 
-/* Two kinds ignore each other, meet one way where they are two, or have a surface of their own, by
- * `what`. */
+/* Sets a rule between two categories: `what` 0 lets them ignore each other, 1 gives them a surface,
+ * 2 makes the plate one-way for other categories. */
 static void rule_between(yard *y, int what, uint32_t first, uint32_t second) {
     thud_rule rule = thud_default_rule();
     rule.meeting = what == 0 ? THUD_IGNORE : THUD_COLLIDE;
@@ -156,7 +159,8 @@ void yard_make_with(yard *y, trial *t, thud_world_def def, double away, unsigned
     }
 }
 
-/* Of what is read back as a double, the last bits depend on how far away the yard is. */
+/* Rounds a position to 1/64 length scale. The last bits of a position that is read back as a double
+ * depend on how far away the yard is. */
 static thud_pos coarse(const yard *y, thud_pos at) {
     thud_pos origin = yard_origin(y);
     double scale = y->t->scale;
@@ -221,7 +225,7 @@ void yard_edit(yard *y) {
     }
 }
 
-/* Before a step: each body gets one of four by turns. */
+/* Applies fields before a step: each body gets one of four kinds, by its index. */
 static void act(yard *y) {
     thud_water water = thud_default_water();
     float scale = (float)y->t->scale;
@@ -266,7 +270,7 @@ void yard_step(yard *y) {
     }
 }
 
-/* ---- what it tells ---- */
+/* ---- digest of what the yard reports ---- */
 
 void yard_mix(uint64_t *digest, const void *bytes, size_t count) {
     const unsigned char *at = bytes;
@@ -331,7 +335,7 @@ uint64_t yard_told(const yard *y) {
     int count = 0;
     const thud_pose *poses = thud_world_poses(y->world, yard_origin(y), 1.0, &count);
     for (int i = 0; i < count; i++) {
-        if (poses[i].x == poses[i].x) { /* else no body has the slot */
+        if (poses[i].x == poses[i].x) { /* NaN: no body has the slot */
             MIX(poses[i]);
         }
     }

@@ -1,6 +1,6 @@
-/* yard.h: a lively world for guarantees: a closed box with tiles and a hill for its floor, balls
- * and boxes, a plate that moves to and fro, sensors; what more is asked for; and edits of it by a
- * seed, the same for each yard of a trial. */
+/* yard.h: a scene with many features for guarantees: a closed box whose floor is made of tiles and
+ * a terrain line, balls and boxes, a plate that moves to and fro, sensors; joints, fields and rules
+ * on request. A seed draws edits of it, the same ones for each yard of a trial. */
 #ifndef YARD_H
 #define YARD_H
 
@@ -10,11 +10,11 @@
 
 enum { YARD_BODIES = 12, YARD_JOINTS = 7 };
 
-/* What a yard may have besides. */
+/* Optional features, as bits. */
 typedef enum yard_feature {
-    YARD_TIED = 1,   /* of all kinds but gears, and locks that come and go */
-    YARD_FIELDS = 2, /* wind, water, rolling resistance, grip before each step; explosions */
-    YARD_RULES = 4,  /* between kinds of bodies; they change */
+    YARD_TIED = 1, /* joints of all kinds except gears, and locked axes that edits set and clear */
+    YARD_FIELDS = 2, /* wind, water, rolling resistance and grip before each step; explosions */
+    YARD_RULES = 4,  /* rules between categories of bodies, which edits change */
     YARD_ALL = 7
 } yard_feature;
 
@@ -23,33 +23,35 @@ typedef struct yard {
     thud_world *world;
     thud_body_id body[YARD_BODIES], plate, floor, ground;
     thud_shape_id line;
-    source random; /* of the edits */
-    double away;   /* by how many units all is shifted to the right, and up by as many */
+    source random; /* source of the edits' random numbers */
+    double away;   /* shift of the whole yard to the right and upwards, in world units */
     int steps;
     unsigned features;
 } yard;
 
-/* Its world made by this def, but for gravity, which stays; `features` are yard_feature bits. */
+/* Creates the world by this def, except that gravity stays the yard's own; `features` are
+ * yard_feature bits. */
 void yard_make_with(yard *y, trial *t, thud_world_def def, double away, unsigned features);
-/* With joints. */
+/* With YARD_TIED. */
 void yard_make(yard *y, trial *t, thud_world_def def, double away);
-/* Without them, which pull bodies to each other through whatever is in the way. */
+/* Without joints, which pull bodies towards each other through shapes in between. */
 void yard_make_loose(yard *y, trial *t, thud_world_def def, double away);
-/* A few random edits; most often none. */
+/* Makes a few random edits, in most calls none. */
 void yard_edit(yard *y);
-/* Edits, and then one step. */
+/* Edits, followed by one step. */
 void yard_step(yard *y);
-/* The same, where the step may be refused: the edits alone. */
+/* The edits of yard_step alone, for callers that make the step themselves because it may be
+ * refused. */
 void yard_before_step(yard *y);
 
-/* All that a caller can tell of the last step, wherever the yard stands and whatever its handles'
- * generations, in one number. */
+/* A digest of everything that a caller can read about the last step. It does not depend on the
+ * yard's place and on the generations of handles. */
 uint64_t yard_told(const yard *y);
 
-/* The corner from which everything is told. */
+/* The corner of the yard, from which its positions are measured. */
 thud_pos yard_origin(const yard *y);
 
-/* Mixes bytes into a number. */
+/* Mixes bytes into a digest (FNV-1a). */
 void yard_mix(uint64_t *digest, const void *bytes, size_t count);
 
 #endif

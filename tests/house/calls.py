@@ -1,13 +1,13 @@
-"""Who calls whom, checked on what the compiler made of the engine: calls.py NM LIST OBJECT...
+"""Checks the order of calls in the compiled engine: calls.py NM LIST OBJECT...
 
-NM is nm or llvm-nm, LIST is engine/CMakeLists.txt, objects are those of the library. A unit calls
-another one where it names a function or a constant of it. What is plugged in at run time is no
-call; naming it to plug it in is one.
+NM is nm or llvm-nm, LIST is engine/CMakeLists.txt, objects are those of the library. A unit
+calls another one if it refers to a function or a constant of it. A function that is plugged in
+at run time is no call where it is called, but a call where it is named to plug it in.
 
   loops    no unit calls itself through others
   stages   a unit that the list calls a stage calls no other stage
-  order    a unit calls only what stands above it in the list
-  listed   every unit stands in the list, and every unit of the list has an object
+  order    a unit calls only units above it in the list
+  listed   every unit is in the list, and every unit of the list has an object
 
 Prints one line per breach and exits with 1 if there is any.
 """
@@ -19,7 +19,7 @@ from pathlib import Path
 
 from listing import read_listing
 
-# nm has each object's name in a line of its own, then a line for each symbol.
+# nm prints each object's name in a line of its own, then a line for each symbol.
 OBJECT = re.compile(r"^(?:.*/)?src/(.+\.c)\.(?:o|obj):$")
 SYMBOL = re.compile(r"^(\S+) ([A-Za-z])(?: |$)")
 
@@ -93,7 +93,7 @@ def main(arguments):
         print(__doc__)
         return 0 if arguments and arguments[0] in ("-h", "--help") else 2
     nm, listing, *objects = arguments
-    # One object alone is not named: it is asked for twice.
+    # nm does not print the name if there is only one object, so the first is given twice.
     text = subprocess.run([nm, "-g", "-P", *objects, objects[0]], check=True, capture_output=True,
                           text=True).stdout
     found = breaches(text, read_listing(Path(listing).read_text(encoding="utf-8")))

@@ -1,4 +1,4 @@
-"""./run test as far as it goes without building: its help names its parts, and what is none is refused."""
+"""Tests ./run test without building: its help lists its parts, and other names are refused."""
 
 import os
 import re

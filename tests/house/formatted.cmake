@@ -1,4 +1,4 @@
-# Fails where a C file is not as .clang-format has it: run clang-format-16 -i on it.
+# Fails if a C file is not formatted by .clang-format; clang-format-16 -i formats it.
 get_filename_component(ROOT ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
 set(FILES)
 foreach(TREE engine demo tests web/wasm examples)

@@ -1,12 +1,12 @@
-"""What the public headers must say, checked on their text: headers.py PROJECT.
+"""Checks what the text of the public headers must contain: headers.py PROJECT.
 
-  stated    each limit that tests/wrong_input/limits.h tries at a field or argument is named in the
-            comment of that field, or for an argument in those of its function's section
-  tried     each limit of thud_limits.h stands in that table
-  used      each limit of thud_limits.h is one that the engine goes by
-  numbers   no other header gives a limit as a number, no file of the engine compares with one
-  vectors   functions of a world take places and directions as thud_pos and thud_vec2, but for the
-            way of a ray or cast; geometry without a world takes and gives numbers
+  stated    each limit that tests/wrong_input/limits.h tests at a field or argument is named in
+            the comment of that field, or for an argument in those of its function's section
+  tried     each limit of thud_limits.h is in that table
+  used      the engine uses each limit of thud_limits.h
+  numbers   no other header gives a limit as a number, and no file of the engine compares with one
+  vectors   functions of a world take places and directions as thud_pos and thud_vec2, except the
+            path of a ray or cast; geometry without a world takes and returns numbers
   all       thud_all.h includes every other header
 
 Prints one line per breach and exits with 1 if there is any.
@@ -25,10 +25,10 @@ COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 FUNCTION = re.compile(r"^(?:THUD_NODISCARD )?(?:THUD_API |bool )[^;{}#]*?\b(thud_\w+)\(([^;{}]*)\);", re.MULTILINE)
 NUMBER = re.compile(r"(?:<=|>=|\[|\]|,) *-?\d[\d.]*e\+?\d")
 COMPARED = re.compile(r"[<>]=? *-?\d[\d.]*e\+?\d")
-# Handles and structs that only a world has.
+# Handles and structs that belong to a world.
 OF_A_WORLD = re.compile(r"\bthud_(?:world|mover|mover_hit) \*|\bthud_(?:body|shape|joint)_id\b")
 PAIR = re.compile(r"\bdouble \*?([a-z_]*?)x, double \*?\1y\b")
-# Ways of rays and casts, and sizes in queries; thud_math.h has the reasons.
+# Prefixes of paths of rays and casts, and of sizes in queries; thud_math.h has the reasons.
 WAYS = {"d", "half_"}
 
 

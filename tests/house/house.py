@@ -1,16 +1,16 @@
-"""The rules of the house, checked on a source tree: house.py ROOT.
+"""Checks the rules of the project's structure on a source tree: house.py ROOT.
 
-  order       a file of engine/src includes only what stands above it in the list of
-              engine/CMakeLists.txt, and a stage no other stage; calls.py has the same of calls
-  listed      every file of engine/src has its one line in that list, every line has its file
+  order       a file of engine/src includes only files above it in the list of
+              engine/CMakeLists.txt, and a stage no other stage; calls.py checks the same of calls
+  listed      every file of engine/src has one line in that list, and every line has its file
   folders     docs/architecture.md has a row for each folder of engine/src
-  cycles      no file includes itself, however far round
-  public      a public header includes only public headers and the C library's
-  outside     demo/ and web/ speak to the engine through its public headers alone
-  intrinsics  processor-specific code stands only in engine/src/base/simd.h
-  sources     the C files that the CMakeLists name are those that are there; demo/scenes alone
-              takes all of its own, so that a scene needs no line
-  lock        a package-lock.json says what is installed and not from which host
+  cycles      no file includes itself, directly or through others
+  public      a public header includes only public headers and headers of the C library
+  outside     demo/ and web/ use the engine through its public headers only
+  intrinsics  processor-specific code is only in engine/src/base/simd.h
+  sources     the C files that the CMakeLists name are those that exist; only demo/scenes takes
+              all of its files, so that a scene needs no line
+  lock        a package-lock.json names versions, and no host that they were installed from
   elsewhere   no text of web/ or tests/web names a folder of the machine that it was written on
 
 Prints one line per breach and exits with 1 if there is any.
@@ -64,7 +64,8 @@ def c_files(root):
 
 
 def web_texts(root):
-    """What people wrote for the page, its package and their tests, relative to the root."""
+    """All text files that people wrote for the page, its package and their tests, relative to the
+    root."""
     return [path.relative_to(root)
             for tree in WEB_TREES for path in sorted((root / tree).rglob("*"))
             if path.suffix in WEB_TEXTS and not SKIPPED & set(path.relative_to(root).parts)
@@ -72,7 +73,7 @@ def web_texts(root):
 
 
 def resolve(root, includer, name):
-    """The project's file that an include means, or None for one from elsewhere."""
+    """The project's file that an include refers to; None for one from elsewhere."""
     places = [root / "engine/include", root / "engine/src", *sorted((root / "demo").glob("*/"))]
     if name.startswith('"'):
         places.insert(0, root / includer.parent)
@@ -95,7 +96,7 @@ def in_directory(file, directory):
 
 
 def source_names(root):
-    """Every file of engine/src, relative to it."""
+    """Every file of engine/src, relative to that folder."""
     return sorted(path.relative_to(root / SOURCES).as_posix()
                   for path in (root / SOURCES).rglob("*") if path.is_file())
 

@@ -1,10 +1,10 @@
-"""Draws the rooms of the engine, floor by floor, from the list that the tests check.
+"""Draws the folders of the engine, floor by floor, from the list of its files.
 
 picture.py LIST SVG           writes the picture
-picture.py LIST SVG --check   exits with 1 unless it is as it would be written
+picture.py LIST SVG --check   exits with 1 unless the picture is up to date
 
-LIST is engine/CMakeLists.txt. A floor is a part of the list, under its comment; a room is what one
-folder has on that floor.
+LIST is engine/CMakeLists.txt. A floor is a part of the list, with its comment as title; a room
+is the files of a folder on that floor.
 """
 
 import sys
@@ -16,7 +16,7 @@ from listing import read_floors
 WIDTH, MARGIN, GAP = 1180, 20, 8
 TITLE_WIDTH = 210
 SIZE, LINE = 12, 16
-GLYPH = 6.7  # mean width of a letter at this size
+GLYPH = 6.7  # pixels: mean width of a letter at this size
 COLOURS = {
     "base": "#e3e3e3", "geometry": "#d8e8f7", "terrain": "#e4efd3", "state": "#fdeec4",
     "broadphase": "#d5efe9", "constraint": "#f9d8d2", "contact": "#fbe3cd", "solver": "#e6dcf4",
@@ -25,7 +25,7 @@ COLOURS = {
 
 
 def wrap(text, width):
-    """Lines of whole words, at most so many pixels wide."""
+    """The text's words in lines of at most `width` pixels."""
     lines, line = [], ""
     for word in text.split():
         longer = f"{line} {word}".strip()
@@ -49,7 +49,8 @@ def rooms_of(paths):
 
 
 def widths_of(rooms, width):
-    """Each room is as wide as its longest word; the rest is shared by what stands in them."""
+    """The width of each room: that of its longest word, and a share of the rest by its text's
+    length."""
     least = [GLYPH * 1.15 * max(map(len, [folder, *units])) + 24 for folder, units in rooms.items()]
     weights = [sum(len(unit) + 2 for unit in units) for units in rooms.values()]
     free = width - GAP * (len(least) - 1) - sum(least)
@@ -61,7 +62,7 @@ def text(x, y, words, style=""):
 
 
 def draw_floor(title, rooms, y):
-    """The floor's shapes, and how high it is."""
+    """The SVG elements of a floor, and its height."""
     shapes, x = [], MARGIN + TITLE_WIDTH
     widths = widths_of(rooms, WIDTH - 2 * MARGIN - TITLE_WIDTH)
     filled = [wrap(", ".join(units), width - 20)

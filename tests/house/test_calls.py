@@ -1,4 +1,4 @@
-"""Calls that go up pass calls.py, and each rule, broken alone, is noticed."""
+"""Tests that correct calls pass calls.py, and that a breach of each rule is reported."""
 
 import unittest
 

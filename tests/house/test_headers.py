@@ -1,4 +1,4 @@
-"""Headers that say what they must pass headers.py, and each rule, broken alone, is noticed."""
+"""Tests that correct headers pass headers.py, and that a breach of each rule is reported."""
 
 import unittest
 

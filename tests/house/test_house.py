@@ -1,4 +1,4 @@
-"""A healthy tree passes house.py, and each rule, broken alone, is noticed."""
+"""Tests that a correct tree passes house.py, and that a breach of each rule is reported."""
 
 import tempfile
 import unittest

@@ -1,11 +1,11 @@
-/* joint_maps.h: maps of a few bodies with one joint or another. */
+/* joint_maps.h: texts of Tiled maps with a few bodies and the joints of a test. */
 #ifndef JOINT_MAPS_H
 #define JOINT_MAPS_H
 
 #include "level_support.h"
 
 #define DYNAMIC "\"properties\":[{\"name\":\"body\",\"value\":\"dynamic\"}]"
-/* Two boxes that move, one of them turned, and one that does not; joints are number 9 and up. */
+/* Two dynamic boxes, the second one turned, and a static one; joints have the ids 9 and up. */
 #define BODIES                                                                         \
     "{\"id\":1,\"x\":64,\"y\":64,\"width\":32,\"height\":32," DYNAMIC "},"             \
     "{\"id\":2,\"x\":200,\"y\":40,\"width\":64,\"height\":16,\"rotation\":30," DYNAMIC \
@@ -20,7 +20,7 @@
     "{\"id\":9,\"polyline\":[{\"x\":0,\"y\":0},{\"x\":96,\"y\":-128}]," WITH(kind, properties) "}"
 #define HAS(name, value) ",{\"name\":\"" name "\",\"value\":" #value "}"
 
-/* A map of 20 by 10 tiles of 32 pixels. */
+/* Reads a map of 20 by 10 tiles of 32 pixels with BODIES and these objects. */
 static inline bool read_map(const char *objects, bool skip, scene *s, level_report *report) {
     static char text[16384];
     int length = snprintf(text, sizeof text,

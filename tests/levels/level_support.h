@@ -1,4 +1,4 @@
-/* level_support.h: reads the maps in tests/levels/maps, and looks for what the reader told. */
+/* level_support.h: reads the maps in tests/levels/maps, and searches the reader's report. */
 #ifndef LEVEL_SUPPORT_H
 #define LEVEL_SUPPORT_H
 
@@ -14,7 +14,7 @@
 
 #include <cmocka.h>
 
-/* What a map gives, all else left out. */
+/* Reads a map, skipping everything that the reader cannot represent. */
 static inline scene read_file(const char *name, level_report *report) {
     char path[64];
     snprintf(path, sizeof path, "tests/levels/maps/%s", name);
@@ -24,6 +24,7 @@ static inline scene read_file(const char *name, level_report *report) {
     return s;
 }
 
+/* Whether the report has a problem of this severity with this text in it. */
 static inline bool says(const level_report *report, level_severity severity, const char *text) {
     for (int i = 0; i < report->count; i++)
         if (report->problems[i].severity == severity && strstr(report->problems[i].text, text))

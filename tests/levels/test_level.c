@@ -1,4 +1,5 @@
-/* test_level.c: what of a Tiled map becomes what in a scene. */
+/* test_level.c: tests which bodies and shapes the objects, tiles and properties of a Tiled map
+ * become in a scene. */
 #include "level.h"
 
 #include <math.h>
@@ -10,7 +11,7 @@
 
 #include <cmocka.h>
 
-/* A map of 20 by 10 tiles of 32 pixels, with the given map fields and layers. */
+/* Reads a map of 20 by 10 tiles of 32 pixels, with the given map fields and layers. */
 static bool read_with(const char *fields, const char *layers, bool skip, scene *s,
                       level_report *report) {
     static char text[16384];
@@ -22,7 +23,7 @@ static bool read_with(const char *fields, const char *layers, bool skip, scene *
     return level_read("test", text, (size_t)length, skip, s, report);
 }
 
-/* One object layer with these objects; the map must load without a word. */
+/* Reads a map with one layer of these objects, and expects an empty report. */
 static scene read_objects(const char *objects) {
     static char layer[8192];
     scene s;
@@ -66,7 +67,7 @@ static void rectangle_dynamic_becomes_obb_unless_its_rotation_is_fixed(void **st
 
 static void rectangle_rotated_by_a_quarter_turns_clockwise_about_its_top_left_corner(void **state) {
     (void)state;
-    /* 64 wide, 32 high, hanging from (320, 96): it now reaches 32 to the left and 64 down. */
+    /* 64 wide, 32 high, turned about (320, 96): it reaches 32 to the left and 64 down. */
     scene s =
         read_objects("{\"id\":1,\"x\":320,\"y\":96,\"width\":64,\"height\":32,\"rotation\":90}");
     assert_int_equal(s.shapes[0].kind, SCENE_OBB);
@@ -168,8 +169,8 @@ static void tiles_become_boxes_where_layer_tile_or_tileset_says_solid(void **sta
     (void)state;
     scene s;
     level_report report;
-    /* Tile 1 is solid by its tileset, 2 is not by itself, 3 has friction of its own; the cell
-     * 2147483649 is tile 1 flipped. */
+    /* Tile 1 is solid by its tileset, tile 2 is not by its own property, and tile 3 has its own
+     * friction; the cell 2147483649 is tile 1 with a flip bit. */
     const char *tilesets =
         "\"tilesets\":[{\"firstgid\":1,\"tilewidth\":32,\"tileheight\":32,\"properties\":"
         "[{\"name\":\"solid\",\"value\":true}],\"tiles\":[{\"id\":1,\"properties\":[{\"name\":"

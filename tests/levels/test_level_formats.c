@@ -1,6 +1,6 @@
-/* test_level_formats.c: every form that Tiled writes its maps in. The maps in tests/levels/maps,
- * each as JSON and as XML, are of tools/make_test_levels.py; the page reads the same
- * (tests/web/package/level-formats.test.mjs). */
+/* test_level_formats.c: tests all formats in which Tiled writes maps. The maps in
+ * tests/levels/maps, each as JSON and as XML, are made by tools/make_test_levels.py; the page's
+ * reader is tested with the same maps (tests/web/package/level-formats.test.mjs). */
 #include "level_support.h"
 
 static const scene_body *body_of(const scene *s, uint32_t id) {
@@ -89,7 +89,7 @@ static void layer_is_the_same_however_it_is_packed(void **state) {
     scene_free(&plain);
 }
 
-/* A map of 20 by 10 cells of 32 pixels, with a tile in one cell and its collision shapes. */
+/* Reads a map with a tile in one cell and collision shapes for that tile. */
 static scene read_tile(const char *shapes, uint32_t gid, level_report *report) {
     static char text[4096];
     snprintf(
@@ -107,7 +107,8 @@ static scene read_tile(const char *shapes, uint32_t gid, level_report *report) {
 
 static void collision_shape_lies_as_its_tile_is_flipped(void **state) {
     (void)state;
-    /* 8 by 4 pixels about (10, 6) of 32 by 32: in metres, about the middle, (-6, 10) / 32. */
+    /* 8 by 4 pixels about (10, 6) of 32 by 32; relative to the tile's middle, in metres with y up:
+     * (-6, 10) / 32. */
     static const struct {
         uint32_t flip;
         double x, y, hx, hy;
@@ -141,7 +142,7 @@ static void collision_shape_that_leans_leans_the_other_way_in_a_flipped_tile(voi
     assert_true(flipped.shapes[0].angle == -s.shapes[0].angle);
     assert_true(fabs(flipped.shapes[0].x + s.shapes[0].x) < 1e-12);
     assert_true(flipped.shapes[0].y == s.shapes[0].y);
-    /* x and y change places: what leaned by 30 degrees from x leans by 30 from y. */
+    /* x and y are exchanged: an angle of 30 degrees from x becomes one of 30 degrees from y. */
     assert_true(turned.shapes[0].angle == -s.shapes[0].angle);
     assert_true(turned.shapes[0].hx == s.shapes[0].hy && turned.shapes[0].hy == s.shapes[0].hx);
     scene_free(&s);
@@ -165,7 +166,7 @@ static void slope_is_ground_where_all_below_it_is_solid(void **state) {
     assert_true(flipped.bodies[0].y + flipped.points[1].y == 0);
     scene_free(&flipped);
 
-    /* In the air, it would make all below it solid. */
+    /* In the air, all below it would become solid. */
     scene in_air = read_file("wrong.tmj", &report);
     assert_true(says(&report, LEVEL_SKIP, "the polygons of 1 tiles are no ground"));
     for (int i = 0; i < in_air.shape_count; i++)
@@ -187,10 +188,10 @@ static void polygons_become_boxes_and_ground(void **state) {
     assert_int_equal(s.shapes[turned->first_shape].kind, SCENE_OBB);
     assert_true(s.shapes[turned->first_shape].hx == 1);
     assert_true(fabs(turned->angle + 20 * acos(-1) / 180) < 1e-12);
-    /* 60 by 20 pixels, along (4, 3). */
+    /* 60 by 20 pixels, with the long side along (4, 3). */
     assert_true(fabs(s.shapes[slanted->first_shape].hx - 30.0 / 32) < 1e-12);
     assert_true(fabs(slanted->angle + atan2(3, 4)) < 1e-12);
-    /* An arch is three boxes, and a dynamic body of two is one body. */
+    /* An arch becomes three boxes, and a dynamic body with two parts stays one body. */
     assert_int_equal(body_of(&s, 35)->shape_count, 3);
     assert_int_equal(body_of(&s, 36)->shape_count, 2);
     assert_int_equal(body_of(&s, 36)->kind, SCENE_DYNAMIC);
@@ -208,7 +209,7 @@ static void tile_object_stands_on_its_lower_left_corner_as_large_as_it_is_drawn(
     assert_int_equal(crate->kind, SCENE_DYNAMIC);
     assert_true(s.shapes[leaning->first_shape].hx == 30.0 / 32);
     assert_true(s.shapes[leaning->first_shape].hy == 9.0 / 32);
-    assert_int_equal(leaning->kind, SCENE_DYNAMIC); /* by `bodyType` */
+    assert_int_equal(leaning->kind, SCENE_DYNAMIC); /* by its property `bodyType` */
     const scene_shape *barrel = &s.shapes[body_of(&s, 16)->first_shape];
     assert_int_equal(barrel->kind, SCENE_CIRCLE);
     assert_true(barrel->hx == 24.0 / 32 && barrel->material.density == 3);
@@ -228,7 +229,7 @@ static void object_of_a_template_has_its_fields_properties_and_tileset(void **st
     assert_true(shape->material.density == 2.5);
     assert_true(s.shapes[changed->first_shape].material.density == 4);
     assert_true(fabs(changed->angle + acos(-1) / 4) < 1e-15);
-    /* A number of its own is of the map's tilesets. */
+    /* A gid on the object itself refers to the map's tilesets. */
     assert_int_equal(s.shapes[body_of(&s, 24)->first_shape].kind, SCENE_CIRCLE);
     assert_true(fabs(body_of(&s, 25)->angle + 25 * acos(-1) / 180) < 1e-15);
     scene_free(&s);
@@ -249,7 +250,7 @@ static void infinite_map_has_the_tiles_of_all_its_chunks(void **state) {
         right = fmax(right, s.bodies[i].x);
         lines += s.shapes[s.bodies[i].first_shape].kind == SCENE_TERRAIN_IRREGULAR;
     }
-    /* Eight cells to the left of the origin, and the layer is moved by 3.5 pixels. */
+    /* Eight cells to the left of the origin, and the layer has an offset of 3.5 pixels. */
     assert_true(left == -7.5 + 3.5 / 32 && right == 15.5 + 3.5 / 32);
     assert_int_equal(lines, 3);
     scene_free(&s);
@@ -262,12 +263,12 @@ static void map_that_says_nothing_of_collisions_collides_everywhere_with_a_note(
     assert_int_equal(report.count, 1);
     assert_true(says(&report, LEVEL_NOTE, "nothing in this map says what collides"));
     assert_int_equal(s.body_count, 4);
-    /* 48 by 40 pixels in the lower left corner of cell (4, 5), moved by (5, -3). */
+    /* 48 by 40 pixels in the lower left corner of cell (4, 5), with an offset of (5, -3). */
     assert_true(s.shapes[0].hx == 24.0 / 32 && s.shapes[0].hy == 20.0 / 32);
     assert_true(s.bodies[0].x == (4 * 32 + 5 + 24) / 32.0);
     assert_true(s.bodies[0].y == (480 - (6 * 32 - 3 - 20)) / 32.0);
     assert_true(s.shapes[1].hx == 20.0 / 32 && s.shapes[1].hy == 24.0 / 32);
-    assert_true(s.shapes[2].hx == 0.5); /* drawn as large as its cell */
+    assert_true(s.shapes[2].hx == 0.5); /* drawn at the size of its cell */
     scene_free(&s);
     level_report_free(&report);
 }
@@ -279,7 +280,7 @@ static void everything_that_cannot_be_modelled_is_listed(void **state) {
     assert_int_equal(body_of(&s, 1)->shape_count, 1);
     for (uint32_t id = 2; id <= 13; id++) {
         if (id == 10)
-            continue; /* is fine */
+            continue; /* is valid */
         char object[20];
         snprintf(object, sizeof object, "object %u: ", id);
         if (!says(&report, LEVEL_SKIP, object))

@@ -1,4 +1,5 @@
-/* test_level_input.c: bad levels are reported, refused or skipped; none crashes the reader. */
+/* test_level_input.c: tests that invalid levels are reported, and refused or skipped, and that none
+ * crashes the reader. */
 #include "level.h"
 
 #include <setjmp.h>
@@ -20,12 +21,12 @@ enum { LEVEL_COUNT = sizeof LEVELS / sizeof LEVELS[0] };
     "{\"type\":\"map\",\"width\":20,\"height\":10,\"tilewidth\":32,\"tileheight\":32," fields "}"
 #define OBJECTS(objects) \
     MAP("\"layers\":[{\"type\":\"objectgroup\",\"name\":\"a\",\"objects\":[" objects "]}]")
-/* An object that is fine beside the one that is not. */
+/* A valid object 1 beside the invalid one. */
 #define BESIDE(object) OBJECTS("{\"id\":1,\"x\":0,\"y\":0,\"width\":32,\"height\":32}," object)
 #define BOX "\"x\":0,\"y\":0,\"width\":32,\"height\":32"
 #define WITH(property) BESIDE("{\"id\":9," BOX ",\"properties\":[" property "]}")
 
-/* Each has one good object, 1, and one bad object, 9. */
+/* Each map has one valid object, 1, and one invalid object, 9. */
 static const struct {
     const char *text, *says;
 } BAD_OBJECTS[] = {
@@ -76,7 +77,7 @@ static void bad_object_is_refused_by_id_or_skipped_alone(void **state) {
         scene s;
         level_report report;
         bool read = level_read("bad", text, strlen(text), false, &s, &report);
-        /* A template that is missing is told before what wants it. */
+        /* A missing template is reported before the object that refers to it. */
         int first = 0;
         while (first < report.count && report.problems[first].object == 0)
             first++;
@@ -105,7 +106,7 @@ static void bad_object_is_refused_by_id_or_skipped_alone(void **state) {
 #define CELLS(size, data) \
     TILES("{\"type\":\"tilelayer\",\"name\":\"t\"," size ",\"data\":" data "}")
 
-/* Layers that are refused, or skipped with a world left that is empty. */
+/* Layers that are refused, or skipped with an empty world as the result. */
 static const struct {
     const char *text, *says;
 } BAD_LAYERS[] = {
@@ -245,7 +246,7 @@ static void report_has_every_problem_in_words_however_many(void **state) {
     free(text);
 }
 
-/* The whole file; the caller frees it. */
+/* The whole file's text, which the caller frees. */
 static char *read_text(const char *path, size_t *length) {
     FILE *file = fopen(path, "rb");
     if (!file)
@@ -282,7 +283,7 @@ static void platform_level_has_a_thousand_tiles(void **state) {
     scene_free(&s);
 }
 
-/* Each in a block of exactly its length, so that the sanitizer sees any read beyond. */
+/* Each text is in a block of exactly its length, so that the sanitizer finds reads beyond it. */
 static void level_cut_short_anywhere_is_refused(void **state) {
     (void)state;
     level_report report;
@@ -303,7 +304,7 @@ static void level_cut_short_anywhere_is_refused(void **state) {
     }
 }
 
-/* Whatever happens to single bytes, the reader either refuses or gives finite numbers. */
+/* With some bytes changed, the reader refuses the level or returns finite numbers. */
 static void level_with_bytes_changed_is_refused_or_finite(void **state) {
     (void)state;
     static const char replacements[] = "0129-.eE\"{}[],:xt\\\0\xff";

@@ -1,8 +1,9 @@
-/* test_level_joints.c: objects of a Tiled map that are joints: what of them becomes what. */
+/* test_level_joints.c: tests which joints the objects of a Tiled map become in a scene and in a
+ * world. */
 #include "build_thud.h"
 #include "joint_maps.h"
 
-/* The map must load without a word. */
+/* Reads a map and expects an empty report. */
 static scene read_objects(const char *objects) {
     scene s;
     level_report report;
@@ -12,7 +13,7 @@ static scene read_objects(const char *objects) {
     return s;
 }
 
-/* Where a side of a joint is in the world. */
+/* The place of a joint's anchor on one side, in world coordinates. */
 static scene_point place_of(const scene *s, const scene_joint *joint, int side) {
     const scene_body *body = &s->bodies[joint->body[side]];
     double c = cos(body->angle), sine = sin(body->angle);
@@ -25,7 +26,7 @@ static void assert_at(const scene *s, const scene_joint *joint, int side, double
     assert_true(fabs(place.x - x) < 1e-12 && fabs(place.y - y) < 1e-12);
 }
 
-/* Whatever the reader takes, the engine takes. */
+/* Builds a world: the engine accepts all joints that the reader returns. */
 static thud_world *build(const scene *s) {
     thud_world *world = NULL;
     assert_int_equal(scene_build_thud(s, NULL, &world, NULL, NULL), THUD_OK);
@@ -69,7 +70,7 @@ static void rectangle_is_a_joint_at_its_middle_with_its_rotation(void **state) {
     (void)state;
     scene s = read_objects(
         "{\"id\":9,\"width\":64,\"height\":32,\"rotation\":90," WITH("slider", REFERS(1, 2)) "}");
-    /* It hangs from (96, 48) to the left and down. */
+    /* The rectangle is turned about (96, 48), so that it is to the left and below. */
     assert_at(&s, &s.joints[0], 0, (96 - 16) / 32.0, (320 - 48 - 32) / 32.0);
     assert_true(fabs(s.joints[0].angle[0] + acos(-1) / 2) < 1e-15);
     scene_free(&s);

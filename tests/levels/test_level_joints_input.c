@@ -1,5 +1,5 @@
-/* test_level_joints_input.c: objects that are joints, but wrong: what is said of them, and that the
- * rest of the map stands. */
+/* test_level_joints_input.c: tests the messages for invalid joints in maps, and that the rest of
+ * the map is read. */
 #include "joint_maps.h"
 
 static void wrong_joint_is_refused_by_id_or_left_out_alone(void **state) {

@@ -1,6 +1,6 @@
-/* test_level_mutated.c: maps of every form, and the files that they refer to, with bytes changed,
- * cut out or doubled: the reader refuses them, or gives numbers that an engine takes. The
- * sanitizers watch the rest. THUD_MUTATIONS sets how many are tried. */
+/* test_level_mutated.c: reads maps of all formats, and the files that they refer to, with bytes
+ * changed, removed or doubled: the reader has to refuse them, or to return numbers that the engine
+ * accepts; sanitizers check memory accesses. THUD_MUTATIONS sets the number of attempts. */
 #include "build_thud.h"
 #include "level.h"
 
@@ -61,7 +61,7 @@ static uint32_t random_below(size_t count) {
     return (uint32_t)((random_state >> 8) % count);
 }
 
-/* A copy with something wrong in it, in a block of exactly its length. */
+/* A mutated copy, in a block of exactly its length. */
 static text_file mutate(const text_file *file) {
     static const char REPLACEMENTS[] = "0129-.eE\"{}[],:xt\\<>/=&;'!A+\0\xff";
     size_t length = file->length, at = random_below(length);
@@ -71,10 +71,10 @@ static text_file mutate(const text_file *file) {
     if (size > length - at)
         size = length - at;
     uint32_t way = random_below(4);
-    if (way == 0) { /* cut out */
+    if (way == 0) { /* removes a piece */
         memmove(text + at, text + at + size, length - at - size);
         length -= size;
-    } else if (way == 1) { /* doubled */
+    } else if (way == 1) { /* doubles a piece */
         memcpy(text + at + size, file->text + at, length - at);
         length += size;
     } else {
@@ -87,7 +87,7 @@ static text_file mutate(const text_file *file) {
     return (text_file){file->path, exact, length};
 }
 
-/* The folder of the maps, in which one file is another. */
+/* Opens a file of the maps' folder, of which one is replaced by the mutated copy. */
 static char *open_mutated(void *context, const char *path, size_t *length) {
     const text_file *mutated = context;
     const text_file *found = strcmp(path, mutated->path) == 0 ? mutated : NULL;
@@ -123,7 +123,8 @@ static void check_scene(const scene *s) {
     }
 }
 
-/* What the reader takes of joints the engine takes; bodies may stand too far out for it. */
+/* The engine accepts all joints that the reader returns; bodies may be refused because they are too
+ * far from the origin. */
 static void check_joints(const scene *s) {
     for (int i = 0; i < s->joint_count; i++) {
         const scene_joint *joint = &s->joints[i];

@@ -1,7 +1,8 @@
-/* test_level_no_map.c: what is no map, of any form that Tiled writes, is told and refused. */
+/* test_level_no_map.c: tests that files which are no maps, in all formats that Tiled writes, are
+ * refused with a message. */
 #include "level_support.h"
 
-/* ---- what is no map ---- */
+/* ---- files that are no maps ---- */
 
 #define XML(body)                                                            \
     "<?xml version=\"1.0\"?><map width=\"2\" height=\"2\" tilewidth=\"32\" " \
@@ -76,7 +77,7 @@ static void xml_nested_deeply_is_refused_without_overflow(void **state) {
     free(text);
 }
 
-/* A folder of one file: every path gives the same. */
+/* Opens a folder in which every path has the same content. */
 static char *open_always(void *context, const char *path, size_t *length) {
     (void)path;
     *length = strlen(context);

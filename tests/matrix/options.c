@@ -38,6 +38,8 @@ static bool parse_number(const char *option, const char *text, int low, int *out
     return true;
 }
 
+/* Reads an option with a value; false, with a line on stderr, if it is not one of them or invalid.
+ */
 static bool parse_valued(const char *option, const char *value, matrix_options *out) {
     const struct {
         const char *name, **file;
@@ -60,7 +62,7 @@ static bool parse_valued(const char *option, const char *value, matrix_options *
     return complain("there is no option", option);
 }
 
-/* True where the option has no value. */
+/* Reads an option without a value; false if it is not one of them. */
 static bool parse_plain(const char *option, matrix_options *out) {
     if (strcmp(option, "--baseline") == 0)
         out->baseline = true;

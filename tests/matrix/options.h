@@ -1,24 +1,28 @@
-/* options.h: the command line of thud-matrix. */
+/* options.h: reads the command line of thud-matrix. */
 #ifndef THUD_TESTS_MATRIX_OPTIONS_H
 #define THUD_TESTS_MATRIX_OPTIONS_H
 
 #include <stdbool.h>
 
 typedef struct matrix_options {
-    int steps;              /* of every run, even: a snapshot is of its middle; default 120 */
-    int bodies;             /* scenes of more are made smaller; default 10^6 */
-    bool baseline;          /* never AVX2 */
-    bool no_scenes;         /* the built-in ones are left out */
-    const char *plain;      /* a file of scenes in plain form to run as well; or null */
-    const char *keep;       /* the file for all scenes that are run, in plain form; or null */
-    const char *take;       /* the file for the snapshots; or null */
-    const char *go_on;      /* run on from this file's snapshots instead; or null */
-    const char *make_plain; /* write the levels that are named to this file instead; or null */
-    char *const *sources;   /* those levels */
+    int steps;         /* of each run; an even number, because snapshots are taken in the
+                          middle; default 120 */
+    int bodies;        /* scenes with more bodies are made smaller; default 10^6 */
+    bool baseline;     /* uses the baseline instruction set, never AVX2 */
+    bool no_scenes;    /* leaves out the built-in scenes */
+    const char *plain; /* a file of scenes in plain form (plain.h) that are run too; may be
+                          null */
+    const char *keep;  /* the file to which all scenes of the run are written in plain form;
+                          may be null */
+    const char *take;  /* the file to which snapshots are written; may be null */
+    const char *go_on; /* continues from the snapshots of this file; may be null */
+    const char
+        *make_plain;      /* writes the named levels to this file, and runs nothing; may be null */
+    char *const *sources; /* paths of these levels */
     int source_count;
 } matrix_options;
 
-/* False after a message: the command line is wrong. */
+/* False, after a message, if the command line is wrong. */
 bool matrix_options_parse(int count, char **words, matrix_options *out);
 
 #endif

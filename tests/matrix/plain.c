@@ -1,5 +1,5 @@
-/* plain.c: every value of a scene that a world is built from, in the one order in which it is
- * written and read. */
+/* plain.c: see plain.h. Each pass_ function reads or writes a value, depending on the tape, so that
+ * there is one order for both. */
 #include "plain.h"
 
 #include <inttypes.h>
@@ -11,7 +11,7 @@ typedef struct tape {
     bool writes, failed;
 } tape;
 
-/* A word of 16 hexadecimal digits. */
+/* Reads or writes a word as 16 hexadecimal digits. */
 static void pass_word(tape *t, uint64_t *word) {
     if (t->writes) {
         t->failed = t->failed || fprintf(t->file, "%016" PRIx64 "\n", *word) < 0;
@@ -23,6 +23,7 @@ static void pass_word(tape *t, uint64_t *word) {
     *word = t->failed ? 0 : strtoull(text, NULL, 16);
 }
 
+/* Each pass_ function writes its value to the tape, or reads it, by t->writes. */
 static void pass_double(tape *t, double *value) {
     uint64_t word;
     memcpy(&word, value, sizeof word);
@@ -153,7 +154,8 @@ static void pass_fields(tape *t, scene_fields *f) {
     pass_u32(t, &f->pieces);
 }
 
-/* Room for what the counts say; a file that lies about them is short of words anyway. */
+/* Allocates room for the counts that were read. Wrong counts are found later, because the file then
+ * has too few words. */
 static void make_room(tape *t, scene *s) {
     const int most = 1 << 20;
     bool fits = s->body_count >= 0 && s->body_count <= most && s->shape_count >= 0 &&
@@ -204,7 +206,7 @@ bool plain_write(FILE *file, const plain_title *title, scene *s) {
     return !t.failed;
 }
 
-/* Whether all that bodies and shapes say of places in other lists is there. */
+/* Whether all indices of bodies, shapes and joints are within their lists. */
 static bool consistent(const scene *s) {
     bool fits = true;
     for (int i = 0; i < s->body_count; i++) {

@@ -1,5 +1,5 @@
-"""thud-matrix itself: test_program.py PROGRAM. Its snapshots continue to the same hashes, its plain form
-says all of a scene, and what is wrong is refused."""
+"""Tests thud-matrix: test_program.py PROGRAM. Runs that continue from its snapshots end with the
+same hashes, its plain form contains everything of a scene, and invalid input is refused."""
 
 import subprocess
 import sys

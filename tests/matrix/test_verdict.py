@@ -1,5 +1,5 @@
-"""verdict.py tells the rows of ./run matrix that differ from those that agree, docs/platforms.md has the table
-of every row, and ./run matrix refuses what it does not know."""
+"""Tests that verdict.py distinguishes rows of ./run matrix that differ from rows that agree, that
+docs/platforms.md has the table of all rows, and that ./run matrix refuses unknown names."""
 
 import os
 import re

@@ -1,4 +1,6 @@
-/* thud_matrix.c: what every row of ./run matrix runs, so that their lines can be compared. */
+/* thud_matrix.c: the program that each row of ./run matrix runs (a row is a compiler, a processor
+ * and a system). It runs scenes and prints a line with the hash of each, so that the output of all
+ * rows can be compared. */
 #include "act_thud.h"
 #include "build_thud.h"
 #include "choices.h"
@@ -17,22 +19,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A run of this program. */
+/* The state of a run of this program. */
 typedef struct matrix {
     matrix_options options;
-    FILE *snapshots;  /* written or read; null: neither */
-    FILE *kept;       /* gets the scenes that are run; or null */
-    char reason[200]; /* why the engine refused something last */
+    FILE *snapshots;  /* file that is written or read; null: none */
+    FILE *kept;       /* file that gets the scenes that are run; may be null */
+    char reason[200]; /* message of the engine's last refusal */
 } matrix;
 
+/* The world's log: keeps the last message. */
 static void keep_reason(thud_result result, const char *message, void *context) {
     (void)result;
     matrix *m = context;
     snprintf(m->reason, sizeof m->reason, "%s", message);
 }
 
-/* Systems that a kind of run has instead of the default ones; a null detection is the quality's
- * own. */
+/* Settings of a kind of run. A null detection is that of the quality. */
 typedef struct setting {
     const char *kind;
     const thud_quality *quality;
@@ -68,8 +70,9 @@ static bool make_steps(thud_world *world, const scene *s, int count) {
     return true;
 }
 
-/* ---- a file of snapshots: for each 8 bytes that tell its size, lowest first, then its own ---- */
+/* ---- snapshot files: for each snapshot its size in 8 bytes, little-endian, then its bytes ---- */
 
+/* Appends a snapshot, preceded by its size in 8 bytes, to the file of snapshots. */
 static bool take(matrix *m, const thud_world *world) {
     size_t size;
     if (thud_world_snapshot_size(world, &size) != THUD_OK)
@@ -84,7 +87,7 @@ static bool take(matrix *m, const thud_world *world) {
     return taken;
 }
 
-/* The next snapshot, from malloc; null where there is none. */
+/* Reads the next snapshot into memory from malloc; null at the end of the file. */
 static void *next_snapshot(matrix *m, size_t *size) {
     unsigned char head[8];
     uint64_t count = 0;
@@ -100,15 +103,16 @@ static void *next_snapshot(matrix *m, size_t *size) {
     return NULL;
 }
 
-/* ---- one line ---- */
+/* ---- a line of output ---- */
 
+/* Makes all steps, and takes a snapshot in the middle if wanted. */
 static bool run_through(matrix *m, thud_world *world, const scene *s) {
     int half = m->options.steps / 2;
     return make_steps(world, s, half) && (!m->snapshots || take(m, world)) &&
            make_steps(world, s, half);
 }
 
-/* False where the snapshot is refused. */
+/* Restores the next snapshot and makes the second half of the steps. False if it is refused. */
 static bool run_on(matrix *m, thud_world *world, const scene *s) {
     size_t size;
     void *bytes = next_snapshot(m, &size);
@@ -136,13 +140,14 @@ static void print_run(matrix *m, const plain_title *title, scene *s) {
     thud_world_destroy(world);
 }
 
-/* ---- all lines ---- */
+/* ---- all lines of output ---- */
 
-/* As tests/scenes/test_golden.c has it, so that its file has the hashes. */
+/* The same as in tests/scenes/test_golden.c, so that the hashes are those of its file. */
 enum { LARGE = 1000, SIZE_OF_LARGE = 600 };
 enum { MOST_BODIES_OF_COSTLY = 120 };
 
-/* The scene at its golden size; where it has too many bodies, at half of it, and so on. */
+/* Fills the scene at the size of the golden hashes; halves it while the scene has too many bodies.
+ */
 static bool fill(const matrix *m, const scene_info *info, bool costly, scene *s) {
     int size = info->default_size > LARGE ? SIZE_OF_LARGE : info->default_size;
     int most = m->options.bodies;
@@ -172,7 +177,7 @@ static void print_scenes(matrix *m, const char *kind, bool costly) {
     }
 }
 
-/* False after a message. */
+/* Runs the scenes of the file of plain scenes. False, after a message, if it is damaged. */
 static bool print_plain(matrix *m) {
     FILE *file = m->options.plain ? fopen(m->options.plain, "rb") : NULL;
     bool damaged = m->options.plain && !file;
@@ -189,7 +194,7 @@ static bool print_plain(matrix *m) {
     return !damaged;
 }
 
-/* Writes the levels that are named in plain form. */
+/* Writes the named levels in plain form. */
 static bool make_plain(const matrix_options *options) {
 #ifdef MATRIX_READS_LEVELS
     FILE *file = fopen(options->make_plain, "wb");
@@ -213,7 +218,7 @@ static bool make_plain(const matrix_options *options) {
 #endif
 }
 
-/* True where nothing is asked for, and where it opened; else false after a message. */
+/* Opens a file if a path is given. False, after a message, if it cannot be opened. */
 static bool open_file(const char *path, const char *mode, FILE **out) {
     *out = path ? fopen(path, mode) : NULL;
     if (!path || *out)

@@ -33,7 +33,7 @@ def read_rows(root=ROOT):
 
 
 def read_runs(path):
-    """{(kind, name): hash, or why there is none}"""
+    """{(kind, name): hash, or the reason why there is none}"""
     runs = {}
     for line in path.read_text(encoding="utf-8").splitlines() if path.is_file() else []:
         kind, name, outcome = line.split(" ", 2)
@@ -42,7 +42,7 @@ def read_runs(path):
 
 
 def count(wanted, runs, kinds=KINDS):
-    """How many of the runs agree, of how many; and the names of those that do not."""
+    """[number of runs that agree, number of runs], and the names of those that do not agree."""
     keys = [key for key in wanted if key[0] in kinds]
     wrong = [key for key in keys if runs.get(key) != wanted[key]]
     return [len(keys) - len(wrong), len(keys)], [" ".join(key) for key in wrong]
@@ -54,7 +54,7 @@ def length_of(row, folder):
 
 
 def golden_faults(reference, root):
-    """Scenes of the reference, at full length, that do not end as tests/golden has them."""
+    """Scenes of the reference, at full length, whose hashes differ from those in tests/golden."""
     lines = (root / "tests/golden/hashes.txt").read_text(encoding="utf-8").split("\n")
     golden = {("scene", line.split()[0]): line.split()[1] for line in lines if line}
     runs = {key: value for key, value in reference.items() if key[0] == "scene"}
@@ -122,7 +122,7 @@ def judge(name, rows, folders, root=ROOT):
     return outcome | judge_runs(row, first, folder, folders / "reference", root)
 
 
-# ---- words ----
+# ---- texts ----
 
 def fraction(pair):
     return f"{pair[0]}/{pair[1]}" if pair else "–"
@@ -181,7 +181,7 @@ def summary_of(rows, outcomes):
 
 
 def with_table(page, table, commit):
-    """The text of the page with the table between its marks."""
+    """The page's text with the table between its marks."""
     head = f"By `./run matrix --report`, at {commit}:\n\n"
     return re.sub(f"{re.escape(BEGIN)}.*?{re.escape(END)}",
                   lambda _: f"{BEGIN}\n{head}{table}{END}", page, count=1, flags=re.DOTALL)

@@ -1,4 +1,5 @@
-/* depth.c: penetration depths from the separating axis theorem and point-to-segment distances. */
+/* depth.c: see depth.h. Boxes by the separating axis theorem, circles and terrain by the distance
+ * of points from segments. */
 #include "depth.h"
 
 #include <math.h>
@@ -15,7 +16,7 @@ static double clamp(double x, double low, double high) {
     return x < low ? low : x > high ? high : x;
 }
 
-/* The point in the box's own axes. */
+/* The point in the box's frame. */
 static scene_point into_box(const depth_shape *box, double x, double y) {
     double dx = x - box->x, dy = y - box->y;
     return (scene_point){dx * box->cosine + dy * box->sine, dy * box->cosine - dx * box->sine};
@@ -33,8 +34,9 @@ static double circle_box(const depth_shape *circle, const depth_shape *box) {
     return circle->hx + smaller(box->hx - fabs(p.x), box->hy - fabs(p.y));
 }
 
-/* Overlap of the boxes' shadows along both axes of `a`. The Minkowski sum of two boxes has only
- * face normals of the two, so that the least of the four shadows is the depth. */
+/* The overlap of the boxes' projections on the axes of `a`, the smaller of both. The Minkowski sum
+ * of two boxes has only face normals of the two, so that the penetration depth is the minimum over
+ * the four axes. */
 static double shadow_overlap(const depth_shape *a, const depth_shape *b) {
     scene_point offset = into_box(a, b->x, b->y);
     double c = fabs(a->cosine * b->cosine + a->sine * b->sine);
@@ -60,7 +62,7 @@ static double distance_to_segment(scene_point a, scene_point b, double x, double
     return hypot(x - a.x - t * ex, y - a.y - t * ey);
 }
 
-/* The last vertex at or left of x; -1 if there is none. */
+/* Index of the last vertex at or left of x; -1 if there is none. */
 static int vertex_left_of(const depth_ground *ground, double x) {
     int low = -1, high = ground->count;
     while (high - low > 1) {
@@ -73,8 +75,8 @@ static int vertex_left_of(const depth_ground *ground, double x) {
     return low;
 }
 
-/* Signed distance from the line, positive above it; HUGE_VAL beyond the ends, or when the point
- * is more than `reach` above the line. */
+/* Signed distance of the point from the line, positive above it. HUGE_VAL beyond the ends, and for
+ * a point more than `reach` above the line. */
 static double height_above(const depth_ground *ground, double x, double y, double reach) {
     const scene_point *p = ground->points;
     int here = vertex_left_of(ground, x);
@@ -84,7 +86,7 @@ static double height_above(const depth_ground *ground, double x, double y, doubl
         here--;
     double t = (x - p[here].x) / (p[here + 1].x - p[here].x);
     double gap = y - (p[here].y + t * (p[here + 1].y - p[here].y));
-    /* The line lies straight above or below at |gap|, so nothing farther aside is nearer. */
+    /* The line is |gap| above or below the point, so no segment farther aside is nearer. */
     double aside = gap < 0 ? -gap : smaller(gap, reach);
     double nearest = HUGE_VAL;
     for (int i = here; i >= 0 && p[i + 1].x >= x - aside; i--)

@@ -3,11 +3,13 @@
 
 #include <math.h>
 
-/* Where frame b is, seen from frame a. */
+/* The pose of frame b relative to frame a: along and across its axis in m, and the angle in rad. */
 typedef struct view {
     double along, across, turn;
 } view;
 
+/* The second anchor in the first anchor's frame: along and across its axis, and the relative angle.
+ */
 static view look(const scene_joint *j, const engine_body *a, const engine_body *b) {
     double ax = a->x + a->cosine * j->x[0] - a->sine * j->y[0];
     double ay = a->y + a->sine * j->x[0] + a->cosine * j->y[0];
@@ -20,6 +22,7 @@ static view look(const scene_joint *j, const engine_body *a, const engine_body *
                   atan2(sin(turn), cos(turn))};
 }
 
+/* How far the value is beyond the drive's limits; 0 within them. */
 static double past(const scene_drive *d, double value) {
     return d->limited ? fmax(0, fmax(d->lower - value, value - d->upper)) : 0;
 }
@@ -42,7 +45,7 @@ static joint_gap gap_of_weld(const scene_joint *j, view v) {
                        .angle = is_driven(&j->drive[SCENE_TURN]) ? 0 : fabs(v.turn)};
 }
 
-/* Lost bodies have a pose that is not a number, which fmax would hide. */
+/* A body is lost if its pose is not finite. Checked separately, because fmax ignores NaN. */
 static bool is_lost(const engine_body *b) {
     return !isfinite(b->x) || !isfinite(b->y) || !isfinite(b->cosine) || !isfinite(b->sine);
 }

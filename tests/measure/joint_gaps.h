@@ -1,33 +1,36 @@
-/* joint_gaps.h: by how much a scene's joints are open, by geometry in double precision on the poses
- * that an engine gives back. No engine's own measure. */
+/* joint_gaps.h: measures how far the joints of a scene are from what they lock and limit, by
+ * geometry in double precision from the poses that an engine returns. It uses no measure of an
+ * engine. */
 #ifndef THUD_MEASURE_JOINT_GAPS_H
 #define THUD_MEASURE_JOINT_GAPS_H
 
 #include "engine.h"
 
-/* Of one joint. All >= 0; not a number where a body is lost. */
+/* The errors of one joint. All are >= 0; NaN if one of its bodies is lost. */
 typedef struct joint_gap {
-    double length;       /* m, by which what the kind locks is off */
-    double angle;        /* rad, likewise */
-    double beyond;       /* m, past a limit, along the axis or of the distance */
-    double beyond_angle; /* rad, past a limit of the turn */
+    double length;       /* m, error in the directions that its kind locks */
+    double angle;        /* rad, error of the angle if its kind locks it */
+    double beyond;       /* m, beyond a limit along the axis or of the distance */
+    double beyond_angle; /* rad, beyond a limit of the angle */
 } joint_gap;
 
 joint_gap joint_gap_of(const scene *s, int joint, const engine_body *bodies);
 
-/* Over any number of samples. */
+/* Accumulated over any number of samples. */
 typedef struct joint_gaps {
     joint_gap worst;
-    double sum;  /* m, of all lengths */
-    long joints; /* in all samples */
-    int lost;    /* joints of lost bodies, in the worst sample; they count nowhere else */
+    double sum;  /* m, sum of all lengths */
+    long joints; /* number of joints in all samples */
+    int lost;    /* largest number of joints with a lost body in a sample; not counted in the other
+                    fields */
 } joint_gaps;
 
+/* The mean gap, m; 0 without joints. */
 double joint_gaps_mean(const joint_gaps *seen);
 
 void joint_gaps_sample(const scene *s, const engine_body *bodies, joint_gaps *seen);
 
-/* The sum of the lengths by which the joints are open now, in m; infinite when one is lost. */
+/* The sum of the present gaps (lengths), m; infinite if a joint has a lost body. */
 double joint_gaps_sum(const scene *s, const engine_body *bodies);
 
 #endif

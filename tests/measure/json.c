@@ -1,5 +1,5 @@
-/* json.c: see json.h. Objects that hold no other object stand on one line, which keeps a file of
- * many results readable: the indent is that of the two outermost levels only. */
+/* json.c: see json.h. The two outermost levels are indented with a line for each member; deeper
+ * objects are on one line, which keeps files with many results readable. */
 #include "json.h"
 
 #include <assert.h>
@@ -20,7 +20,7 @@ static void write_escaped(FILE *file, const char *text) {
     fputc('"', file);
 }
 
-/* What stands before a value: the comma of the one before, and its key. */
+/* Writes what precedes a value: the comma after the previous one, a line break, and the key. */
 static void lead_in(json *out, const char *key) {
     if (out->depth > 0) {
         bool first = out->empty[out->depth - 1];

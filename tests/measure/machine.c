@@ -1,4 +1,4 @@
-/* machine.c: see machine.h. What cannot be found out is "unknown", never left out. */
+/* machine.c: see machine.h. A value that cannot be determined is written as "unknown". */
 #include "machine.h"
 
 #include <stdlib.h>
@@ -13,7 +13,7 @@
 #define COMPILER "gcc " __VERSION__
 #endif
 
-/* Linux only; the first processor's, as they are alike. */
+/* Reads the first processor's name; on Linux only. */
 static void read_processor(char *out, size_t size) {
     snprintf(out, size, "unknown");
     FILE *file = fopen("/proc/cpuinfo", "r");

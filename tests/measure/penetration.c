@@ -1,7 +1,6 @@
-/* penetration.c: finds all overlapping pairs with a uniform hash grid in double precision. A shape
- * no larger than a cell lies in the cell of its centre, so that whatever it touches of its kind
- * lies in the same cell or in one of the eight around it. The few larger ones are tested against
- * everything. */
+/* penetration.c: see penetration.h. Finds all overlapping pairs with a uniform hash grid. A shape
+ * no larger than a cell is in the cell of its centre, so that all small shapes that it may overlap
+ * are in this cell or the eight around it. The few larger shapes are tested against all. */
 #include "penetration.h"
 
 #include "depth.h"
@@ -12,20 +11,20 @@
 
 typedef struct placed {
     depth_shape shape;
-    double reach; /* of the bounding circle */
+    double reach; /* radius of the bounding circle, m */
     const scene_shape *source;
     int body;
     bool dynamic;
     int64_t cell_x, cell_y;
-    int next; /* in the same bucket; -1 ends */
+    int next; /* next in the same bucket; -1 ends the list */
 } placed;
 
 struct penetration_meter {
     const scene *scene;
-    placed *placed; /* circles and boxes, the small ones first */
+    placed *placed; /* circles and boxes, sorted by reach */
     int count, small_count;
     double cell;
-    int *buckets; /* first of each chain; -1 none */
+    int *buckets; /* first of each list; -1: empty */
     size_t bucket_mask;
     depth_ground *grounds;
     const scene_shape **ground_sources;
@@ -35,7 +34,7 @@ struct penetration_meter {
     scene_point *ground_points;
 };
 
-/* What stands in for an endless line reaches this far to both sides, in metres. */
+/* m: half the length of the segment that represents an endless line */
 #define FLAT_HALF_WIDTH 1e6
 
 static bool is_ground(const scene_shape *shape) {
@@ -47,7 +46,7 @@ static int ground_vertices(const scene_shape *shape) {
     return shape->kind == SCENE_TERRAIN_FLAT ? 2 : shape->point_count;
 }
 
-/* Terrain stands still, so that its vertices are placed once. */
+/* Computes the vertices in world coordinates once, since terrain is static. */
 static void place_ground(penetration_meter *meter, int index, const scene_shape *shape,
                          scene_point *points) {
     const scene_body *body = &meter->scene->bodies[index];
@@ -124,7 +123,8 @@ penetration_meter *penetration_meter_create(const scene *s) {
     }
     collect_shapes(meter);
     qsort(meter->placed, (size_t)meter->count, sizeof *meter->placed, by_reach);
-    /* Four times the median keeps nearly all of them small, and a cell's crowd small too. */
+    /* Cells of four times the median diameter: nearly all shapes are small, and a cell contains few
+     * of them. Chosen. */
     meter->cell = meter->count > 0 ? 4 * 2 * meter->placed[meter->count / 2].reach : 1;
     while (meter->small_count < meter->count &&
            2 * meter->placed[meter->small_count].reach <= meter->cell)
@@ -145,7 +145,7 @@ void penetration_meter_destroy(penetration_meter *meter) {
     free(meter);
 }
 
-/* Puts every shape where its body is; false for one whose body has no finite pose. */
+/* Moves a shape to its body's pose; false if that is not finite. */
 static bool place(placed *p, const engine_body *body) {
     double c = body->cosine, s = body->sine;
     const scene_shape *source = p->source;
@@ -156,11 +156,11 @@ static bool place(placed *p, const engine_body *body) {
         turn_c = cos(source->angle);
         turn_s = sin(source->angle);
     }
-    /* Single-precision rotations are unit vectors only to seven digits. */
+    /* Rotations in single precision are unit vectors to seven digits only. */
     double length = hypot(c, s);
     p->shape.cosine = (c * turn_c - s * turn_s) / length;
     p->shape.sine = (s * turn_c + c * turn_s) / length;
-    /* Far beyond 10^15 cells, where a cell number would overflow, nothing is left to measure. */
+    /* m: farther away, the number of a cell could overflow, and the shape counts as lost. */
     return length > 0 && fabs(p->shape.x) < 1e12 && fabs(p->shape.y) < 1e12;
 }
 
@@ -170,6 +170,7 @@ static size_t bucket_of(const penetration_meter *meter, int64_t cell_x, int64_t 
     return (size_t)(mixed ^ mixed >> 29) & meter->bucket_mask;
 }
 
+/* Whether filters and joints let a placed shape collide with a shape of `body`. */
 static bool may_collide(const penetration_meter *meter, const placed *p, const scene_shape *b,
                         int body) {
     const scene_shape *a = p->source;
@@ -180,6 +181,7 @@ static bool may_collide(const penetration_meter *meter, const placed *p, const s
     return (a->category & b->mask) != 0 && (b->category & a->mask) != 0;
 }
 
+/* Adds a pair's depth to the worst and the sum, if the pair overlaps. */
 static void count_depth(penetration *seen, double depth) {
     if (depth <= 0)
         return;
@@ -217,11 +219,11 @@ void penetration_sample(penetration_meter *meter, const engine_body *bodies, pen
     int lost = 0;
     for (size_t i = 0; i <= meter->bucket_mask; i++)
         meter->buckets[i] = -1;
-    /* Shapes go in one by one and meet only those that went in before: every pair once. */
+    /* Shapes are inserted one by one and tested against those inserted before: each pair once. */
     for (int i = 0; i < meter->count; i++) {
         if (!place(&p[i], &bodies[p[i].body])) {
             lost++;
-            p[i].shape.x = p[i].shape.y = NAN; /* no pair is near it */
+            p[i].shape.x = p[i].shape.y = NAN; /* NaN: overlaps no shape */
             continue;
         }
         test_grounds(meter, &p[i], seen);

@@ -1,4 +1,4 @@
-/* progress.c: see progress.h. The line goes to stderr, so that stdout holds results only. */
+/* progress.c: see progress.h. The line is written to stderr, so that stdout has results only. */
 #include "progress.h"
 
 #include <stdio.h>

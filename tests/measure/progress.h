@@ -1,9 +1,9 @@
-/* progress.h: one line on a terminal that says how far a long measurement is; nothing where nobody
- * looks. */
+/* progress.h: shows the progress of a long measurement in one line of the terminal. Does nothing if
+ * stderr is not a terminal. */
 #ifndef THUD_BENCH_PROGRESS_H
 #define THUD_BENCH_PROGRESS_H
 
-void progress_show(const char *what, double fraction); /* in [0, 1] */
-void progress_clear(void);                             /* before anything else is printed */
+void progress_show(const char *what, double fraction); /* fraction in [0, 1] */
+void progress_clear(void);                             /* call before anything else is printed */
 
 #endif

@@ -1,4 +1,4 @@
-/* series.c: order statistics of step times. */
+/* series.c: see series.h. */
 #include "series.h"
 
 #include <math.h>
@@ -10,7 +10,7 @@ static int ascending(const void *left, const void *right) {
 }
 
 bool series_init(series *s, int steps, int repetitions) {
-    /* One row more, to sort in. */
+    /* One more row, as scratch space for sorting. */
     double *ms = calloc((size_t)steps * (size_t)(repetitions + 1), sizeof *ms);
     *s = (series){steps, repetitions, ms};
     return ms != NULL;

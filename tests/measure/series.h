@@ -1,4 +1,5 @@
-/* series.h: the times of one scene's steps over several repetitions, and what they amount to. */
+/* series.h: the times of a scene's steps over several repetitions, and their median, percentile and
+ * maximum. */
 #ifndef THUD_BENCH_SERIES_H
 #define THUD_BENCH_SERIES_H
 
@@ -13,23 +14,24 @@ typedef struct series_summary {
     double median, p99, max;
 } series_summary;
 
-bool series_init(series *s, int steps, int repetitions); /* false without memory */
+bool series_init(series *s, int steps, int repetitions); /* false if memory runs out */
 void series_free(series *s);
 
-/* Of the steps' least times over the repetitions. Engines are deterministic, so that a step is
- * the same work in every repetition; what differs is what else the machine did meanwhile. */
+/* Statistics of each step's minimum over the repetitions. Engines are deterministic, so that a step
+ * is the same work in each repetition, and differences are load of other processes. */
 series_summary series_summarize(const series *s);
 
-/* Median of one repetition's times as they were. */
+/* The median of one repetition's times. */
 double series_median_of(const series *s, int repetition);
 
-/* The middle value, or the mean of the two in the middle. Sorts the values. */
+/* The median (the mean of the two middle values of an even count). Sorts the values. */
 double series_median(double *values, int count);
 
-/* The smallest value that at least the given part of the values do not exceed. Of sorted values. */
+/* The smallest value such that at least the share `part` of the values are not above it. The values
+ * must be sorted. */
 double series_quantile(const double *sorted, int count, double part);
 
-/* The largest over the smallest of positive values. */
+/* The largest of positive values over the smallest. */
 double series_span(const double *values, int count);
 
 #endif

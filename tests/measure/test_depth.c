@@ -1,5 +1,5 @@
-/* test_depth.c: the geometry that judges the engines, against cases with a known answer and
- * against a search over directions. */
+/* test_depth.c: tests the penetration depths that engines are judged by, on cases with known
+ * results and against a search over directions. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -54,8 +54,8 @@ static void depth_box_on_box_is_shadow_overlap(void **state) {
     assert_near(depth_of_pair(&a, &b), 0.05, 1e-12);
 }
 
-/* The least distance, over 3,600 directions, by which b must be moved to part the two; parting is
- * searched by bisection on the depth's sign alone. */
+/* The smallest distance, over 3,600 directions, by which b must be moved so that the shapes
+ * separate. Found by bisection on the sign of the depth alone. */
 static double depth_by_search(const depth_shape *a, const depth_shape *b) {
     double least = HUGE_VAL;
     for (int i = 0; i < 3600; i++) {
@@ -82,8 +82,8 @@ static depth_shape random_shape(scene_random *random) {
     return scene_random_range(random, 0, 1) < 0.4 ? circle(x, y, hx) : box(x, y, hx, hy, angle);
 }
 
-/* Directions 0.1 degrees apart miss the best one by at most 0.05 degrees, which costs a factor of
- * 1 / cos(0.05 degrees) for faces; a corner against a circle is flat at its best as well. */
+/* Directions at 0.1 degrees miss the best one by at most 0.05 degrees, which is a factor of 1 /
+ * cos(0.05 degrees) for faces; for a corner against a circle the error is of second order too. */
 static void depth_random_pairs_equal_least_way_out(void **state) {
     (void)state;
     scene_random random = {7};

@@ -1,4 +1,5 @@
-/* test_joint_gaps.c: gaps of joints that were opened by hand. */
+/* test_joint_gaps.c: tests the measured gaps of joints whose bodies are displaced by known amounts.
+ */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,7 +17,8 @@ static void assert_near(double actual, double expected) {
         fail_msg("%.12g is not %.12g", actual, expected);
 }
 
-/* A static box and one beside it, both at angle 0, tied at a place between them. */
+/* A static box, and a dynamic one beside it, both at angle 0, with a joint at a point between them.
+ */
 typedef struct pair {
     scene scene;
     engine_body bodies[2];
@@ -36,7 +38,7 @@ static joint_gap gap(pair *p) {
     return joint_gap_of(&p->scene, 0, p->bodies);
 }
 
-/* About the body's own place. */
+/* Sets the body's angle about its own position. */
 static void turn(engine_body *b, double angle) {
     b->cosine = cos(angle), b->sine = sin(angle);
 }
@@ -61,7 +63,7 @@ static void hinge_is_open_by_the_distance_of_its_points(void **state) {
 static void slider_is_open_across_its_axis_and_by_its_turn(void **state) {
     (void)state;
     pair p;
-    tie(&p, SCENE_SLIDER, PI_2); /* upwards */
+    tie(&p, SCENE_SLIDER, PI_2); /* pointing up */
     p.joint->drive[SCENE_ALONG] = (scene_drive){.limited = true, .lower = 0, .upper = 0.5};
     p.bodies[1].y += 0.75;
     assert_near(gap(&p).length, 0);

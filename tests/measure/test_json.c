@@ -1,4 +1,4 @@
-/* test_json.c: what the JSON writer writes, to the letter. */
+/* test_json.c: compares what the JSON writer writes with expected texts. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -9,7 +9,7 @@
 
 #include <math.h>
 
-/* Ends the writing and compares all that came of it. */
+/* Closes the file and compares its whole text. */
 static void assert_written(json *out, const char *expected) {
     long length = ftell(out->file);
     assert_true(length >= 0 && length < 1000);

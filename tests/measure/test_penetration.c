@@ -1,4 +1,5 @@
-/* test_penetration.c: the meter's grid against all pairs, and what it must leave out. */
+/* test_penetration.c: compares the meter with a test of all pairs, and tests that it leaves out
+ * pairs that cannot collide. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,7 +13,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Poses as the scene gives them. */
+/* The poses of the scene's start. */
 static engine_body *poses_of(const scene *s) {
     engine_body *bodies = calloc((size_t)s->body_count, sizeof *bodies);
     assert_non_null(bodies);
@@ -54,7 +55,7 @@ static depth_shape placed(const scene *s, int body) {
                          shape->hy};
 }
 
-/* Sizes over a factor of 1,000, so that there are large ones outside of the grid as well. */
+/* Sizes differ by a factor of 1,000, so that some shapes are larger than a cell. */
 static void meter_random_sizes_agrees_with_all_pairs(void **state) {
     (void)state;
     scene s;
@@ -111,7 +112,8 @@ static void meter_pairs_that_cannot_collide_do_not_count(void **state) {
     tie->collide_connected = true;
     assert_int_equal(measure_at_start(&s).pairs, 1);
     tie->collide_connected = false;
-    s.bodies[1].kind = SCENE_DYNAMIC; /* and the meter is not simply blind */
+    s.bodies[1].kind =
+        SCENE_DYNAMIC; /* counter-check: the same pair counts once a body is dynamic */
     assert_int_equal(measure_at_start(&s).pairs, 1);
     scene_free(&s);
 }

@@ -1,4 +1,4 @@
-/* test_series.c: order statistics against values counted by hand. */
+/* test_series.c: compares median, percentile and summary with values computed by hand. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -39,7 +39,7 @@ static void span_is_the_largest_over_the_smallest_in_any_order(void **state) {
     assert_equal(series_span(values, 1), 1);
 }
 
-/* A disturbance that hits another step in each repetition leaves no trace in the summary. */
+/* A disturbance of a different step in each repetition does not change the summary. */
 static void summary_takes_each_step_from_its_quietest_repetition(void **state) {
     (void)state;
     enum { STEPS = 101, REPETITIONS = 3 };

@@ -1,4 +1,5 @@
-/* test_tied_scenes.c: that scenes with joints start closed, and are what they say. */
+/* test_tied_scenes.c: tests that scenes with joints begin with closed joints, and that bridges
+ * begin in their exact equilibrium. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -69,7 +70,8 @@ static void all_start_with_closed_joints(void **state) {
     assert_closed(&s);
 }
 
-/* A thousand planks are nearly a chain: 2 a sinh(w / 2 a) long, a (cosh(w / 2 a) - 1) deep. */
+/* A bridge of a thousand planks is nearly a catenary of length 2 a sinh(w / 2 a) and depth a
+ * (cosh(w / 2 a) - 1), where w is the span. */
 static void bridge_of_many_planks_is_a_catenary(void **state) {
     (void)state;
     const double span = 960, length = 1000;
@@ -83,7 +85,7 @@ static void bridge_of_many_planks_is_a_catenary(void **state) {
     assert_near(bridge_sag(&b) / sag, 1, 1e-5);
 }
 
-/* Two planks with a weight each: a triangle, whatever they weigh. */
+/* Two planks with equal weights form a triangle that does not depend on the weight. */
 static void bridge_of_two_planks_is_a_triangle(void **state) {
     (void)state;
     bridge_scene b = {.planks = 2, .span = 1.6, .weights = 2, .kg = 30};

@@ -1,9 +1,10 @@
-/* tied_crowds.c: many joints at once. See tied_scenes.h. */
+/* tied_crowds.c: scenes with many joints: ragdolls and a grid. See tied_scenes.h. */
 #include "tied_scenes.h"
 
 #include "random.h"
 
-/* Places are those of a figure that stands at (0, 0); ties name the part that each hangs on. */
+/* The parts of a figure that stands at (0, 0): place, half extents, the part that it is hinged to,
+ * the hinge's place and its limits in rad. */
 static const struct part {
     double x, y, hx, hy; /* hy 0: a circle */
     int on;
@@ -31,7 +32,7 @@ static void add_ragdoll(scene *s, int index, double x, double y, double spin) {
         const struct part *p = &PARTS[i];
         scene_body *body = p->hy > 0 ? scene_dynamic_box(s, x + p->x, y + p->y, p->hx, p->hy)
                                      : scene_dynamic_circle(s, x + p->x, y + p->y, p->hx);
-        /* All turn about the pelvis. */
+        /* The whole figure rotates about its pelvis. */
         body->angular_velocity = spin;
         body->vx = -spin * (p->y - PARTS[0].y);
         body->vy = spin * p->x;

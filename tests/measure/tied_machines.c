@@ -1,16 +1,18 @@
-/* tied_machines.c: doors, sliders, linkages, springs, cars. See tied_scenes.h. */
+/* tied_machines.c: scenes of doors, sliders, linkages, springs and cars. See tied_scenes.h. */
 #include "tied_scenes.h"
 
 #include <math.h>
 
 static const double PI = 3.14159265358979323846;
 
+/* The shape that was added last gets the group of shapes that do not collide with each other. */
 static void belong(scene *s) {
     if (s->shape_count > 0)
         s->shapes[s->shape_count - 1].group = -1;
 }
 
-/* A bar of `kg` from one place to another: a body at angle 0 with a turned shape. Its index. */
+/* Adds a bar of `kg` between two points, a body at angle 0 with a turned shape. Returns its index.
+ */
 static int add_bar(scene *s, double ax, double ay, double bx, double by, double kg) {
     double half = 0.5 * hypot(bx - ax, by - ay);
     s->material.density = kg / (4 * half * 0.05);
@@ -21,12 +23,12 @@ static int add_bar(scene *s, double ax, double ay, double bx, double by, double 
 }
 
 void fill_scissor(scene *s, int stages, double kg) {
-    static const double WIDE = 0.75; /* half of it */
+    static const double WIDE = 0.75; /* half the width of a stage, m */
     scene_static_box(s, 0, -0.5, 2, 0.5);
     belong(s);
-    int falling = 0, rising = 0; /* bars of the stage below, by the way they go to the right */
+    int falling = 0, rising = 0; /* bars of the stage below that descend or ascend to the right */
     for (int i = 0; i < stages; i++) {
-        int left = falling, right = rising; /* what holds the feet */
+        int left = falling, right = rising; /* bodies that the feet are hinged to */
         rising = add_bar(s, -WIDE, i, WIDE, i + 1, 1);
         falling = add_bar(s, -WIDE, i + 1, WIDE, i, 1);
         scene_tie(s, SCENE_HINGE, left, rising, -WIDE, i, 0);
@@ -102,7 +104,7 @@ void fill_spring(scene *s, scene_joint_kind kind, double frequency, double dampi
     d->target = 0.25 + (kind == SCENE_DISTANCE ? 2 : 0);
 }
 
-/* Heights every half metre, of waves that get higher. */
+/* A line with a height each half metre, with bumps that become higher. */
 static void add_bumps(scene *s, double length) {
     enum { MOST = 1000 };
     double heights[MOST];

@@ -1,11 +1,12 @@
-/* tied_rows.c: what is tied in a row: chains, beams, bridges, pendulums. See tied_scenes.h. */
+/* tied_rows.c: scenes of bodies connected in a row: chains, beams, bridges, pendulums. See
+ * tied_scenes.h. */
 #include "tied_scenes.h"
 
 #include <math.h>
 
 static const double PI = 3.14159265358979323846;
 
-/* The shape that was last added meets no other part of its thing. */
+/* The shape that was added last does not collide with others of the same `thing`. */
 static void belong(scene *s, int thing) {
     if (s->shape_count > 0)
         s->shapes[s->shape_count - 1].group = -1 - thing;
@@ -25,7 +26,7 @@ static scene_body *add_part(scene *s, int thing, int shape, double x, double y, 
 
 static const double LINK = 0.5, BALL = 0.5;
 
-/* From (x, y) on, tied to body `from`. */
+/* Adds a chain that begins at (x, y) and is hinged to body `from`. */
 static void add_chain(scene *s, int thing, const chain_scene *c, int from, double x, double y) {
     double right = c->level ? 1 : 0, down = c->level ? 0 : 1;
     for (int i = 0; i < c->links; i++) {
@@ -78,11 +79,12 @@ static bool has_weight(const bridge_scene *b, int plank) {
     return (plank + 1) * b->weights / b->planks > plank * b->weights / b->planks;
 }
 
-/* Planks that hang from a post by forces (across, up), in weights of a plank. */
+/* A row of planks that hangs from a post, which pulls with the forces (across, up), in weights of a
+ * plank. */
 typedef struct hanging {
-    double x, y, lowest; /* where they end, from the post on, and how low they come */
-    double up;           /* what is left of the force there */
-    double angle;        /* of the last plank */
+    double x, y, lowest; /* end of the planks relative to the post, and lowest point, m */
+    double up;           /* vertical force at the end */
+    double angle;        /* of the last plank, rad */
 } hanging;
 
 static void hang_next(const bridge_scene *b, int plank, double across, hanging *h) {
@@ -102,7 +104,8 @@ static hanging hang_all(const bridge_scene *b, double across, double up) {
     return h;
 }
 
-/* Newton, with differences as derivatives by the logarithms of both forces. */
+/* Finds the forces at the left post with which the planks end at the right post, by Newton's method
+ * in the logarithms of both forces, with numerical derivatives. */
 static void find_forces(const bridge_scene *b, double *across, double *up) {
     static const double STEP = 1e-6;
     *across = b->planks + b->weights * b->kg / PLANK_KG;
@@ -116,7 +119,7 @@ static void find_forces(const bridge_scene *b, double *across, double *up) {
         double det = xa * yu - ya * xu;
         double by_across = (yu * off.x - xu * off.y) / det;
         double by_up = (xa * off.y - ya * off.x) / det;
-        /* Never by more than a half: forces stay positive. */
+        /* Each force changes by at most a half, so that both stay positive. */
         double part = fmin(1, 0.5 / fmax(fabs(by_across), fabs(by_up)));
         *across *= 1 - part * by_across;
         *up *= 1 - part * by_up;
@@ -129,7 +132,7 @@ double bridge_sag(const bridge_scene *b) {
     return -hang_all(b, across, up).lowest;
 }
 
-/* The first plank's index. */
+/* Adds posts and planks; returns the index of the first plank. */
 static int add_planks(scene *s, int thing, const bridge_scene *b, double x, double y) {
     scene_static_box(s, x - 0.25, y, 0.25, 0.25);
     belong(s, thing);

@@ -12,12 +12,14 @@ static const double PI = 3.14159265358979323846;
 
 enum { MOST_ROWS = 3, ROUNDS = 3 };
 
-/* A scalar that a joint keeps at 0. Bodies have three numbers each: the place of the centre of mass
- * and the angle. */
+/* A constraint of a joint: a scalar that must be 0. Each body has three coordinates: x and y of the
+ * centre of mass, and the angle. */
 typedef struct row {
     int joint;
-    double a[3], b[3]; /* its derivatives */
-    double gap, bend;  /* bend: what its second derivative has without any acceleration */
+    double a[3],
+        b[3]; /* its derivatives by the coordinates of both bodies (row of the Jacobian J) */
+    double gap, bend; /* value, and -J' v: the part of its second time derivative that velocities
+                         cause */
 } row;
 
 struct linkage {
@@ -25,10 +27,10 @@ struct linkage {
     const scene *scene;
     double step;
     int numbers, row_count;
-    double *state;              /* `numbers` of places, and as many rates */
-    double *slope[4], *between; /* of the Runge-Kutta rule, likewise */
+    double *state;              /* `numbers` coordinates, followed by as many velocities */
+    double *slope[4], *between; /* slopes and intermediate state of the Runge-Kutta rule */
     row *rows;
-    double *force; /* of each row, as it was last found */
+    double *force; /* Lagrange multiplier of each row */
     skyline matrix;
 };
 
@@ -39,7 +41,7 @@ static bool is_driven(const scene_joint *j) {
     return false;
 }
 
-/* Of a kind that is known here, and -1 for others. */
+/* Number of constraints of a joint; -1 for kinds and drives that are not supported. */
 static int rows_of(const scene_joint *j) {
     static const int COUNTS[] = {
         [SCENE_DISTANCE] = 1, [SCENE_HINGE] = 2,   [SCENE_SLIDER] = 2, [SCENE_WELD] = 3,
@@ -58,6 +60,7 @@ void linkage_destroy(linkage *l) {
     free(l);
 }
 
+/* Whether two joints have a dynamic body in common. */
 static bool shares_a_body(const linkage *l, int one, int other) {
     const scene_joint *j = &l->scene->joints[one], *k = &l->scene->joints[other];
     for (int i = 0; i < 4; i++)
@@ -66,7 +69,8 @@ static bool shares_a_body(const linkage *l, int one, int other) {
     return false;
 }
 
-/* Each row couples with those of joints that share a body with its own. */
+/* Computes the matrix's profile: a row is coupled with the rows of joints that share a dynamic
+ * body. */
 static void find_profile(linkage *l) {
     int count = 0;
     l->matrix.size = l->row_count;
@@ -128,11 +132,13 @@ linkage *linkage_create(const scene *s, double step) {
     return l;
 }
 
-/* One side of a joint: its arm from the centre of mass, its anchor's place and speed. */
+/* One side of a joint: the arm from the centre of mass to the anchor, the anchor's position and
+ * velocity, the angular velocity, and the angle of the frame. */
 typedef struct side {
     double rx, ry, x, y, vx, vy, spin, tilt;
 } side;
 
+/* Position, velocity and angle of a joint's anchor on one of its bodies. */
 static side side_of(const linkage *l, const scene_joint *j, int which, const double *state) {
     int body = j->body[which];
     const model_body *m = &l->model.bodies[body];
@@ -148,7 +154,7 @@ static side side_of(const linkage *l, const scene_joint *j, int which, const dou
     return e;
 }
 
-/* n . (b - a), where n stands still in the world, or turns with a. */
+/* The constraint n . (b - a) = 0, where n is fixed in the world, or rotates with body a. */
 static row row_along(const side *a, const side *b, double nx, double ny, bool turns) {
     double dx = b->x - a->x, dy = b->y - a->y, vx = b->vx - a->vx, vy = b->vy - a->vy;
     double w = turns ? a->spin : 0, lever = turns ? dx * ny - dy * nx : 0;
@@ -162,6 +168,7 @@ static row row_along(const side *a, const side *b, double nx, double ny, bool tu
                      nx * inwards_x + ny * inwards_y + 2 * w * (nx * vy - ny * vx) - w * w * gap};
 }
 
+/* The constraint of a rod: the anchors' distance is `length`. */
 static row row_of_rod(const side *a, const side *b, double length) {
     double dx = b->x - a->x, dy = b->y - a->y, far = hypot(dx, dy);
     row r = row_along(a, b, dx / far, dy / far, false);
@@ -171,10 +178,12 @@ static row row_of_rod(const side *a, const side *b, double length) {
     return r;
 }
 
+/* The constraint that the frames have the same angle. */
 static row row_of_turn(const side *a, const side *b) {
     return (row){.a = {0, 0, -1}, .b = {0, 0, 1}, .gap = remainder(b->tilt - a->tilt, 2 * PI)};
 }
 
+/* Writes the constraints of a joint and returns their number. */
 static int make_rows(const linkage *l, int joint, const double *state, row *rows) {
     const scene_joint *j = &l->scene->joints[joint];
     side a = side_of(l, j, 0, state), b = side_of(l, j, 1, state);
@@ -199,11 +208,12 @@ static double inverse_mass(const linkage *l, int body, int number) {
     return number < 2 ? m->inverse_mass : m->inverse_inertia;
 }
 
-/* The derivatives of a row by the numbers of one of its joint's bodies. */
+/* The derivatives of a row by the coordinates of body a or b of its joint. */
 static const double *part(const row *r, int which) {
     return which == 0 ? r->a : r->b;
 }
 
+/* An element of J M^-1 J^T. */
 static double coupling(const linkage *l, const row *r, const row *q) {
     const int *bodies = l->scene->joints[r->joint].body, *others = l->scene->joints[q->joint].body;
     double sum = 0;
@@ -214,7 +224,7 @@ static double coupling(const linkage *l, const row *r, const row *q) {
     return sum;
 }
 
-/* Rows and the factors of J M^-1 J^T at a state. */
+/* Computes the rows and the factors of J M^-1 J^T at a state. False if the matrix is singular. */
 static bool look_at(linkage *l, const double *state) {
     skyline *w = &l->matrix;
     int count = 0;
@@ -232,7 +242,7 @@ static bool look_at(linkage *l, const double *state) {
     return skyline_factor(w);
 }
 
-/* J x of a row. */
+/* The product J x of a row. */
 static double along_row(const linkage *l, const row *r, const double *x) {
     const int *bodies = l->scene->joints[r->joint].body;
     double sum = 0;
@@ -253,6 +263,7 @@ static void push(const linkage *l, double *x) {
     }
 }
 
+/* The time derivative of the state: velocities and accelerations. */
 static bool find_slope(linkage *l, const double *state, double *slope) {
     const scene *s = l->scene;
     int n = l->numbers;
@@ -275,7 +286,8 @@ static bool find_slope(linkage *l, const double *state, double *slope) {
     return true;
 }
 
-/* Places a little, and rates once, onto what the joints allow. */
+/* Projects the coordinates onto the constraints with ROUNDS Newton steps, and the velocities once.
+ */
 static bool project(linkage *l) {
     for (int round = 0; round < ROUNDS; round++) {
         if (!look_at(l, l->state))
@@ -292,6 +304,7 @@ static bool project(linkage *l) {
     return true;
 }
 
+/* A step of h seconds by the Runge-Kutta rule. */
 static bool take_step(linkage *l, double h) {
     static const double REACH[] = {0.5, 0.5, 1}, SHARE[] = {1, 2, 2, 1};
     int n = 2 * l->numbers;

@@ -1,4 +1,5 @@
-/* model.c: masses by the textbook (disc r^2/2, box (a^2 + b^2)/12, parallel axes), and placing. */
+/* model.c: see model.h. Masses and moments of inertia by formula (disc r^2/2, box (a^2 + b^2)/12,
+ * parallel axis theorem), and placing of shapes. */
 #include "model.h"
 
 #include <math.h>
@@ -6,7 +7,7 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* What stands in for an endless line reaches this far to both sides, in metres. */
+/* m: half the length of the segment that represents an endless line. */
 static const double FLAT_HALF_WIDTH = 1e6;
 
 static bool is_ground(const scene_shape *shape) {
@@ -22,13 +23,13 @@ static double area_of(const scene_shape *shape) {
     return shape->kind == SCENE_CIRCLE ? PI * shape->hx * shape->hx : 4 * shape->hx * shape->hy;
 }
 
-/* Of inertia over mass, about the shape's own centre. */
+/* Moment of inertia over mass, about the shape's own centre, m^2. */
 static double gyration_squared(const scene_shape *shape) {
     double squares = shape->hx * shape->hx + shape->hy * shape->hy;
     return shape->kind == SCENE_CIRCLE ? squares / 2 : squares / 3;
 }
 
-/* Sensors have mass as well: they only push nothing. */
+/* Mass, centre and moment of inertia of a body. Sensors have mass too. */
 static model_body weigh(const scene *s, const scene_body *source) {
     model_body body = {.dynamic = source->kind == SCENE_DYNAMIC};
     if (!body.dynamic)
@@ -40,7 +41,7 @@ static model_body weigh(const scene *s, const scene_body *source) {
         body.center_x += mass * shapes[i].x;
         body.center_y += mass * shapes[i].y;
     }
-    /* As in the engines: a dynamic body without any mass gets a kilogram. */
+    /* As in the engines, a dynamic body without mass gets 1 kg. */
     if (!(body.mass > 0)) {
         body.mass = body.inverse_mass = 1;
         return body;
@@ -139,7 +140,7 @@ static void place_shape(model_shape *shape, model_pose pose) {
         turn_c = cos(source->angle);
         turn_s = sin(source->angle);
     }
-    /* Single-precision rotations are unit vectors only to seven digits. */
+    /* Rotations in single precision are unit vectors to seven digits only. */
     double length = hypot(c, s);
     shape->solid.cosine = (c * turn_c - s * turn_s) / length;
     shape->solid.sine = (s * turn_c + c * turn_s) / length;
@@ -148,7 +149,7 @@ static void place_shape(model_shape *shape, model_pose pose) {
 }
 
 void model_place(model *m, int body, model_pose pose) {
-    /* Shapes lie in the order of their bodies: the first one of this body, by bisection. */
+    /* Shapes are in the order of their bodies: binary search for the body's first one. */
     int low = 0, high = m->shape_count;
     while (low < high) {
         int middle = low + (high - low) / 2;

@@ -1,8 +1,9 @@
-/* oracle.c: the reference simulation. A step goes to the next impact, or as far as is allowed, by
- * Moreau's midpoint rule: half of the way at the old velocities, contact laws there on the new
- * ones, the other half at the new ones (J. J. Moreau, Unilateral contact and dry friction in finite
- * freedom dynamics, 1988). Under constant forces that is exact; else it is of second order, and of
- * first where a body turns about a corner. */
+/* oracle.c: the reference simulation, see oracle.h. A step ends at the next impact, or at its
+ * maximum length, and uses Moreau's midpoint rule: half of the motion with the old velocities, the
+ * contact laws for the new velocities at the midpoint, and the other half with the new velocities
+ * (J. J. Moreau, Unilateral contact and dry friction in finite freedom dynamics, 1988). Under
+ * constant forces the rule is exact; otherwise it is of second order, and of first order if a body
+ * turns about a corner. */
 #include "oracle.h"
 
 #include "sim/sim.h"
@@ -13,7 +14,8 @@
 
 enum { PARTINGS = 8, MOST_EVENTS = 2000 };
 
-/* An approach that gravity makes within this many steps is no impact, unless it bounces. */
+/* An approach that gravity causes within this number of steps is not treated as an impact, unless
+ * it bounces. */
 static const double SLOW_STEPS = 4;
 
 oracle_settings oracle_default_settings(void) {
@@ -85,6 +87,7 @@ void oracle_destroy(oracle *o) {
     free(o);
 }
 
+/* Moves all bodies by their velocities. */
 static void drift(oracle *o, double time) {
     for (int i = 0; i < o->model.scene->body_count; i++) {
         o->places[i].x += time * o->velocities[i].x;
@@ -93,11 +96,12 @@ static void drift(oracle *o, double time) {
     }
 }
 
-/* Mean of exp(-rate t) over the time: what an acceleration leaves under damping. */
+/* The mean of exp(-rate t) over the time: the factor of an acceleration under linear damping. */
 static double damped_share(double rate, double time) {
     return rate > 0 ? -expm1(-rate * time) / (rate * time) : 1;
 }
 
+/* Applies gravity and damping to the velocities, with the exact solution for constant forces. */
 static void apply_forces(oracle *o, double time) {
     const scene *s = o->model.scene;
     for (int i = 0; i < s->body_count; i++) {
@@ -113,8 +117,8 @@ static void apply_forces(oracle *o, double time) {
     }
 }
 
-/* From `found` at the midpoint to `active`: the laws hold there for what the step can close. What
- * comes fast but does not arrive is left to the impact that ends this step or a later one. */
+/* Copies contacts from `found` at the midpoint to `active`: those that can close within the step. A
+ * fast contact that does not arrive is left to the impact that ends this step or a later one. */
 static bool activate(oracle *o, double time) {
     o->active.count = 0;
     for (int i = 0; i < o->found.count; i++) {
@@ -129,7 +133,7 @@ static bool activate(oracle *o, double time) {
     return true;
 }
 
-/* Looks, and looks again until nothing overlaps. */
+/* Finds the contacts, and corrects overlaps, until there are none; at most PARTINGS times. */
 static bool look(oracle *o, double time) {
     bool moved = true;
     for (int i = 0; moved && i < PARTINGS; i++)
@@ -138,12 +142,12 @@ static bool look(oracle *o, double time) {
     return !moved || sim_find_contacts(o, time);
 }
 
-/* One step, of `limit` seconds at most; *taken is how long it was. */
+/* Makes one step of at most `limit` seconds; *taken is its length. */
 static bool step(oracle *o, double limit, bool heed_impacts, double *taken) {
     long before = o->report.impacts;
     if (!look(o, limit) || !sim_impacts(o))
         return false;
-    /* What has bounced goes elsewhere, and may be faster than before. */
+    /* Bodies that have bounced have new velocities, so contacts are found anew. */
     if (o->report.impacts > before && !sim_find_contacts(o, limit))
         return false;
     double time = heed_impacts ? sim_time_to_impact(o, limit) : limit;
@@ -164,7 +168,8 @@ static bool step(oracle *o, double limit, bool heed_impacts, double *taken) {
     return true;
 }
 
-/* One step or, where impacts cut it, many. */
+/* Advances by `duration` in one step, or in several that end at impacts. After MOST_EVENTS steps
+ * impacts are no longer looked for. */
 static bool steps(oracle *o, double duration) {
     double left = duration, shortest = 1e-15 * (1 + o->report.time);
     for (int event = 0; left > shortest; event++) {

@@ -1,4 +1,4 @@
-/* oracle_support.h: what the oracle's tests share. Include after cmocka.h. */
+/* oracle_support.h: helpers for the tests of the oracle. Include it after cmocka.h. */
 #ifndef THUD_ORACLE_SUPPORT_H
 #define THUD_ORACLE_SUPPORT_H
 
@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-/* False for what is not a number, too. */
+/* Fails also for NaN. */
 #define assert_near(actual, expected, tolerance)                                            \
     do {                                                                                    \
         double actual_ = (actual), expected_ = (expected), tolerance_ = (tolerance);        \
@@ -15,7 +15,7 @@
                      expected_);                                                            \
     } while (0)
 
-/* A body as the scene has it at the start. */
+/* A body in its state at the scene's start. */
 static inline engine_body body_at_start(const scene *s, int index) {
     const scene_body *b = &s->bodies[index];
     return (engine_body){.x = b->x,

@@ -1,4 +1,5 @@
-/* pairs.c: sort and sweep, anew every time: the oracle has no need of speed, nor of a memory. */
+/* pairs.c: see pairs.h. The spans are sorted anew in each call, since the oracle need not be fast.
+ */
 #include "pairs.h"
 
 #include <math.h>
@@ -29,6 +30,7 @@ static bool add(near_pairs *near, const model *m, int a, int b) {
     return true;
 }
 
+/* The bounds of a shape with a margin; ground is unbounded in y. */
 static near_span span_of(const model_shape *shape, int index, double margin) {
     const depth_shape *s = &shape->solid;
     if (shape->ground) {

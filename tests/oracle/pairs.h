@@ -1,10 +1,10 @@
-/* pairs.h: which shapes are near each other, by sort and sweep along x. */
+/* pairs.h: finds pairs of shapes that are near each other, by sort and sweep along x. */
 #ifndef THUD_ORACLE_PAIRS_H
 #define THUD_ORACLE_PAIRS_H
 
 #include "model.h"
 
-/* Indices of shapes; `a` is the ground where one of them is, else the lower index. */
+/* Indices of shapes. If one of them is ground it is `a`; otherwise `a` is the lower index. */
 typedef struct near_pair {
     int a, b;
 } near_pair;
@@ -15,16 +15,16 @@ typedef struct near_span {
 } near_span;
 
 typedef struct near_pairs {
-    near_pair *pairs; /* by a, then by b */
+    near_pair *pairs; /* sorted by a, then by b */
     int count, capacity;
-    near_span *spans; /* room for the sweep */
+    near_span *spans; /* scratch space for the sweep */
 } near_pairs;
 
-bool near_pairs_init(near_pairs *near, const model *m); /* false without memory */
+bool near_pairs_init(near_pairs *near, const model *m); /* false if memory runs out */
 void near_pairs_free(near_pairs *near);
 
-/* All pairs that may collide and whose bounding boxes, grown by margins[shape] (m) on every side,
- * overlap; shapes without a finite place are left out. False if memory runs out. */
+/* Finds all pairs that may collide and whose bounding boxes overlap, enlarged by margins[shape] (m)
+ * on each side; shapes without a finite place are left out. False if memory runs out. */
 bool near_pairs_find(near_pairs *near, const model *m, const double *margins);
 
 #endif

@@ -1,5 +1,6 @@
-/* score.c: judges a state by geometry and masses alone. Depths and gaps come from ../measure, with
- * which the reference simulation shares nothing, so that it can be judged as well. */
+/* score.c: the meter of oracle.h: it scores a state by geometry and masses alone. Depths and gaps
+ * are computed by ../measure, which the reference simulation does not use, so that it can be scored
+ * too. */
 #include "oracle.h"
 
 #include "joint_gaps.h"
@@ -13,7 +14,7 @@
 struct oracle_meter {
     model model;
     near_pairs near;
-    double *margins; /* of touch, a shape */
+    double *margins; /* m, distance below which a shape touches others */
 };
 
 oracle_meter *oracle_meter_create(const scene *s) {
@@ -55,7 +56,7 @@ static scene_point center_of(const model_body *body, const engine_body *at) {
                          at->y + body->center_x * at->sine + body->center_y * at->cosine};
 }
 
-/* Sums that a single body adds to. */
+/* Adds a body's energy and momentum to the sums. */
 static void weigh_body(const scene *s, int index, const model_body *body, const engine_body *at,
                        oracle_score *score) {
     scene_point center = center_of(body, at);
@@ -74,14 +75,14 @@ static void weigh_body(const scene *s, int index, const model_body *body, const 
     score->height = fmax(score->height, height);
 }
 
-/* Of the point (x, y) as a part of the body. */
+/* The velocity of the body's point at (x, y). */
 static scene_point velocity_at(const model_body *body, const engine_body *at, double x, double y) {
     scene_point center = center_of(body, at);
     return (scene_point){at->vx - at->angular_velocity * (y - center.y),
                          at->vy + at->angular_velocity * (x - center.x)};
 }
 
-/* Running sums behind the means. */
+/* Sums from which the means are computed. */
 typedef struct tally {
     double depths, relative_depths, squares;
     long points;

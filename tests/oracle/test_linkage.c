@@ -1,5 +1,5 @@
-/* test_linkage.c: bodies that joints hold, against formulas and against the Euler-Lagrange
- * equations of a double pendulum. */
+/* test_linkage.c: compares linkage.h with formulas, and with the Euler-Lagrange equations of a
+ * double pendulum. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -23,7 +23,7 @@ static void run(const scene *s, double seconds, engine_body *bodies) {
     linkage_destroy(l);
 }
 
-/* Of the first kind, by the arithmetic-geometric mean. */
+/* The complete elliptic integral of the first kind, by the arithmetic-geometric mean. */
 static double elliptic_integral(double k) {
     double a = 1, b = sqrt(1 - k * k);
     for (int i = 0; i < 10; i++) {
@@ -34,7 +34,7 @@ static double elliptic_integral(double k) {
     return PI / (2 * a);
 }
 
-/* T = 4 sqrt(I / (m g d)) K(sin(a / 2)) from the angle a; level is a quarter turn. */
+/* T = 4 sqrt(I / (m g d)) K(sin(a / 2)) for a start at the angle a, here 90 degrees. */
 static void pendulum_from_level_is_down_after_a_quarter_of_its_period(void **state) {
     (void)state;
     scene s;
@@ -51,12 +51,12 @@ static void pendulum_from_level_is_down_after_a_quarter_of_its_period(void **sta
     scene_free(&s);
 }
 
-/* Angles of both bars of a double pendulum, and their rates, from level. */
+/* The angles of both bars of a double pendulum from the horizontal, and their rates. */
 typedef struct angles {
     double at[2], rate[2];
 } angles;
 
-/* Bars of 1 kg and 1 m, from T and V by hand. */
+/* Their derivatives for bars of 1 kg and 1 m, from the Lagrangian. */
 static angles angles_slope(const angles *now) {
     const double inertia = (1 + 0.125 * 0.125) / 12, a = 0.25 + inertia + 1, b = 0.25 + inertia;
     double c = 0.5 * cos(now->at[0] - now->at[1]), s = 0.5 * sin(now->at[0] - now->at[1]);
@@ -67,11 +67,13 @@ static angles angles_slope(const angles *now) {
                     {(one * b - two * c) / det, (a * two - c * one) / det}};
 }
 
+/* from + h slope. */
 static angles beyond(const angles *from, const angles *slope, double h) {
     return (angles){{from->at[0] + h * slope->at[0], from->at[1] + h * slope->at[1]},
                     {from->rate[0] + h * slope->rate[0], from->rate[1] + h * slope->rate[1]}};
 }
 
+/* Integrates the equations by the classical Runge-Kutta method. */
 static angles euler_lagrange(double seconds, int steps) {
     angles now = {{0, 0}, {0, 0}};
     double h = seconds / steps;
@@ -130,7 +132,7 @@ static void swinging_chain_keeps_its_energy_and_its_joints(void **state) {
     scene_free(&s);
 }
 
-/* But for what rounding its places to 2^-16 has left. */
+/* Up to the rounding of its positions to 2^-16. */
 static void bridge_in_equilibrium_stays(void **state) {
     (void)state;
     scene s;
@@ -141,7 +143,7 @@ static void bridge_in_equilibrium_stays(void **state) {
     run(&s, 1, end);
     for (int i = 0; i < s.body_count; i++)
         assert_near(hypot(end[i].x - s.bodies[i].x, end[i].y - s.bodies[i].y), 0, 1e-4);
-    /* The posts bear all. */
+    /* The posts carry the whole weight. */
     linkage *l = linkage_create(&s, 0);
     double left_x, left_y, right_x, right_y;
     assert_true(linkage_force(l, 0, &left_x, &left_y));
@@ -152,8 +154,9 @@ static void bridge_in_equilibrium_stays(void **state) {
     scene_free(&s);
 }
 
-/* At g sin, with a second box welded on. On the wheel's slot both could turn about their centre of
- * mass, which is where it holds them, and have no reason to. */
+/* The acceleration along the slot is g sin, also with a second box welded on. A wheel's slot does
+ * not lock the rotation; its anchor is at the common centre of mass, so that nothing rotates them.
+ */
 static void boxes_on_slots_slide_as_their_formula_says(void **state) {
     (void)state;
     static const scene_joint_kind KINDS[] = {SCENE_SLIDER, SCENE_WHEEL};
@@ -175,7 +178,8 @@ static void boxes_on_slots_slide_as_their_formula_says(void **state) {
     }
 }
 
-/* Two balls on a rod in free fall turn about their centre of mass, which follows its parabola. */
+/* Two balls connected by a rod in free fall rotate about their centre of mass, which follows a
+ * parabola. */
 static void balls_on_a_rod_turn_about_their_middle(void **state) {
     (void)state;
     scene s;

@@ -1,5 +1,5 @@
-/* test_oracle_contacts.c: the reference simulation's contacts against depths that are found another
- * way (bench/depth.c), and its linear solver against the product. */
+/* test_oracle_contacts.c: compares the contacts of the reference simulation with depths that are
+ * computed independently (tests/measure/depth.c), and tests its linear solver. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -34,7 +34,8 @@ static double deepest(const touch_point *points, int count) {
     return -gap;
 }
 
-/* The clipped edge may miss a corner that reaches deepest beside the face, but never shows more. */
+/* Clipping may miss the deepest corner if it is beside the reference face, but never reports more
+ * than the depth. */
 static void touch_random_pair_is_as_deep_as_its_depth(void **state) {
     (void)state;
     scene_random random = {21};
@@ -53,7 +54,7 @@ static void touch_random_pair_is_as_deep_as_its_depth(void **state) {
         exact += fabs(deepest(points, count) - depth) < 1e-8;
         assert_true(deepest(points, count) < depth + 1e-8);
         assert_near(hypot(points[0].normal_x, points[0].normal_y), 1, 1e-12);
-        /* From a to b: b moved by the depth along the normal just touches. */
+        /* The normal points from a to b: b moved by the depth along it just touches. */
         b.x += depth * axis.normal_x;
         b.y += depth * axis.normal_y;
         assert_near(depth_of_pair(&a, &b), 0, 1e-8);
@@ -82,7 +83,7 @@ static void touch_exchanged_pair_gives_same_points_and_opposite_normals(void **s
 
 enum { POINTS = 60 };
 
-/* Up to 60 degrees steep. */
+/* A line with slopes of up to 60 degrees. */
 static depth_ground random_ground(scene_random *random, scene_point line[POINTS]) {
     for (int i = 0; i < POINTS; i++)
         line[i] = (scene_point){0.5 * i + scene_random_range(random, 0, 0.2),
@@ -106,7 +107,7 @@ static void touch_ball_on_random_ground_is_as_deep_as_its_depth(void **state) {
         int count = touch_ground(&ground, &ball, 0, points);
         double depth = depth_in_ground(&ground, &ball);
         if (depth >= ball.hx)
-            continue; /* the centre is under ground */
+            continue; /* the centre is below the ground */
         assert_int_equal(count > 0, depth > 0);
         touching += count > 0;
         if (count > 0)
@@ -115,8 +116,8 @@ static void touch_ball_on_random_ground_is_as_deep_as_its_depth(void **state) {
     assert_true(touching > SHAPES / 10);
 }
 
-/* Nothing enters unseen. How deep it is differs a little with the way it is measured, and much only
- * for the rare box that has a peak near a corner, whose ways out are several. */
+/* Each overlap is found. The depth depends on how it is measured, by much only for boxes with a
+ * vertex near a corner, which can be separated in several directions. */
 static void touch_box_on_random_ground_is_found_where_it_has_entered(void **state) {
     (void)state;
     scene_random random = {25};
@@ -147,7 +148,8 @@ static void touch_box_on_random_ground_is_found_where_it_has_entered(void **stat
     assert_true(deeper < touching / 100);
 }
 
-/* Straight line cut into segments: as many contacts as on one segment, all upright. */
+/* On a straight line cut into segments a box has as many contacts as on one segment, all with
+ * vertical normals. */
 static void touch_along_straight_line_has_no_contact_with_hidden_ends(void **state) {
     (void)state;
     scene_point line[11];
@@ -169,7 +171,7 @@ static void touch_along_straight_line_has_no_contact_with_hidden_ends(void **sta
     }
 }
 
-/* Ridge of two slopes of 45 degrees under the middle of a level box. */
+/* A ridge of two slopes of 45 degrees under the middle of an upright box. */
 static void touch_box_on_ridge_is_touched_by_the_vertex(void **state) {
     (void)state;
     const scene_point line[] = {{-2, -2}, {0, 0}, {2, -2}};
@@ -182,7 +184,7 @@ static void touch_box_on_ridge_is_touched_by_the_vertex(void **state) {
     assert_near(points[0].gap, -0.01, 1e-12);
 }
 
-/* A corner right below a valley of two slopes of one half is neither's by its foot. */
+/* A corner below the vertex of a valley with two slopes of 1/2: its foot is on neither segment. */
 static void touch_corner_below_a_valley_is_pushed_by_both_slopes(void **state) {
     (void)state;
     const scene_point line[] = {{-2, 1}, {0, 0}, {2, 1}};
@@ -196,13 +198,13 @@ static void touch_corner_below_a_valley_is_pushed_by_both_slopes(void **state) {
     }
 }
 
-/* A peak of 53 degrees, and a box beside it that its tip has entered: out through the nearest face,
- * which looks along the far slope's normal nearly. */
+/* A peak of 53 degrees whose tip is inside a box beside it: the contact is with the box's nearest
+ * face, whose normal is close to that of the far slope. */
 static void touch_sharp_peak_inside_a_box_is_pushed_out_of_its_nearest_face(void **state) {
     (void)state;
     const scene_point line[] = {{-2, -4}, {0, 0}, {2, -4}};
     depth_ground ground = {line, 3};
-    const double c = cos(0.3), s = sin(0.3); /* the slope's normal is at 0.46 */
+    const double c = cos(0.3), s = sin(0.3); /* the normal of the slope is at 0.46 rad */
     depth_shape box = {false, 0.49 * c, 0.49 * s, c, s, 0.5, 0.1};
     touch_point points[TOUCH_GROUND_POINTS];
     int count = touch_ground(&ground, &box, 0, points), tips = 0;
@@ -216,7 +218,7 @@ static void touch_sharp_peak_inside_a_box_is_pushed_out_of_its_nearest_face(void
     assert_int_equal(tips, 1);
 }
 
-/* Row i of a random matrix that is diagonal enough, in a ragged profile. */
+/* A random diagonally dominant matrix with a random profile. */
 static void skyline_solution_of_ragged_matrix_gives_right_side_back(void **state) {
     (void)state;
     enum { N = 40 };

@@ -1,6 +1,6 @@
-/* test_oracle_convergence.c: the error of the reference simulation against its step, where it is
- * not exact: each halving of the step must halve the error about a corner, and quarter it
- * elsewhere. */
+/* test_oracle_convergence.c: measures the error of the reference simulation over its step where it
+ * is not exact: halving the step must halve the error of rotation about a corner (first order), and
+ * quarter it otherwise (second order). */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -13,7 +13,8 @@ static const double G = 10;
 
 enum { HALVINGS = 5 };
 
-/* angle'' = rate sin(angle), from rest, by Runge and Kutta with steps of 10 us: the truth. */
+/* Solves angle'' = rate sin(angle) from rest by the Runge-Kutta rule with steps of 10 us, as the
+ * exact solution. */
 static double fallen_angle(double start, double rate, double time) {
     const int steps = (int)(time * 1e5 + 0.5);
     const double h = time / steps;
@@ -49,8 +50,8 @@ static void assert_order(const double *errors, double order) {
     }
 }
 
-/* A box 1 by 2 that stands on its lower right corner, the centre a little right of it, topples
- * about that corner; friction holds the corner. */
+/* A box of 1 by 2 m that stands on its lower right corner, with its centre a little to the right of
+ * it, topples about this corner, which friction holds. */
 static void oracle_toppling_box_converges_at_first_order(void **state) {
     (void)state;
     const double arm = hypot(0.5, 1), start = 0.1, time = 0.6;
@@ -74,8 +75,8 @@ static void oracle_toppling_box_converges_at_first_order(void **state) {
     scene_free(&s);
 }
 
-/* A disc of radius r rolls off the top of a fixed one of radius R: two thirds of what would fall at
- * R + r. */
+/* A disc of radius r rolls off the top of a fixed disc of radius R: its angular acceleration is two
+ * thirds of that of a point mass on a massless arm of length R + r. */
 static void oracle_disc_rolling_on_disc_converges_at_second_order(void **state) {
     (void)state;
     const double big = 2, small = 0.5, start = 0.2, time = 0.5;
@@ -98,7 +99,7 @@ static void oracle_disc_rolling_on_disc_converges_at_second_order(void **state) 
     scene_free(&s);
 }
 
-/* Linear damping: the speed is exact, the way is that of the midpoint rule. */
+/* Linear damping: the speed is exact, and the position has the error of the midpoint rule. */
 static void oracle_damped_way_converges_at_second_order(void **state) {
     (void)state;
     scene s;
@@ -116,8 +117,8 @@ static void oracle_damped_way_converges_at_second_order(void **state) {
     scene_free(&s);
 }
 
-/* A disc thrown without spin slips for v / (3 mu g) and rolls on at two thirds of its speed; only
- * the one step in which it begins to roll is wrong. */
+/* A disc thrown without spin slips for v / (3 mu g) seconds and then rolls at two thirds of its
+ * speed; only the step in which it begins to roll has an error. */
 static void oracle_disc_that_begins_to_roll_is_wrong_by_less_than_a_step_allows(void **state) {
     (void)state;
     const double speed = 6, friction = 0.2, time = 2;

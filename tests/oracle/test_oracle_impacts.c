@@ -1,4 +1,5 @@
-/* test_oracle_impacts.c: collisions of the reference simulation against Newton's and Coulomb's. */
+/* test_oracle_impacts.c: compares impacts of the reference simulation with the laws of Newton and
+ * Coulomb and with conservation of momentum and energy. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,7 +13,7 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* Without gravity, so that only impacts matter. */
+/* Initialises a scene without gravity. */
 static void begin(scene *s, double restitution, double friction) {
     scene_init(s);
     s->gravity_y = 0;
@@ -26,7 +27,7 @@ static void run(const scene *s, double time, engine_body *bodies) {
     assert_true(report.residual_max < 1e-9);
 }
 
-/* Masses 1 : 4, speeds 3 and -1, e = 0.5: Newton's law and momentum give both speeds after. */
+/* Masses 1 : 4, speeds 3 and -1 m/s, e = 0.5: Newton's law and the momentum give both speeds. */
 static void oracle_head_on_impact_obeys_newton_and_momentum(void **state) {
     (void)state;
     scene s;
@@ -37,13 +38,13 @@ static void oracle_head_on_impact_obeys_newton_and_momentum(void **state) {
     run(&s, 2, end);
     assert_near(end[0].vx, 3 - 4.0 / 5 * 1.5 * 4, 1e-12);
     assert_near(end[1].vx, -1 + 1.0 / 5 * 1.5 * 4, 1e-12);
-    double met = 4.5 / 4; /* seconds until the gap of 4.5 is closed */
+    double met = 4.5 / 4; /* s until the gap of 4.5 m is closed */
     assert_near(end[0].x, -3 + 3 * met + end[0].vx * (2 - met), 1e-8);
     scene_free(&s);
 }
 
-/* Equal elastic discs, off centre by sin = 0.6 of the distance at impact: the part of the speed
- * along the line of centres goes over, the part across stays. */
+/* Equal elastic discs whose line of centres at the impact has sin = 0.6: the velocity along this
+ * line is exchanged, the velocity across it stays. */
 static void oracle_oblique_elastic_impact_exchanges_the_normal_part(void **state) {
     (void)state;
     scene s;
@@ -60,8 +61,8 @@ static void oracle_oblique_elastic_impact_exchanges_the_normal_part(void **state
     scene_free(&s);
 }
 
-/* A disc hits a wall with the tangent speed u. Its surface stops (a third of u goes) if friction
- * can: mu (1 + e) v >= u / 3. Else it loses mu (1 + e) v, and keeps slipping. */
+/* A disc hits a wall with the tangential speed u. Its surface stops, and it loses u / 3, if
+ * friction suffices: mu (1 + e) v >= u / 3. Otherwise it loses mu (1 + e) v and keeps slipping. */
 static void oracle_disc_against_rough_wall_gains_the_spin_of_coulomb(void **state) {
     (void)state;
     const double e = 0.5, normal = 4, tangent = 3;
@@ -78,13 +79,14 @@ static void oracle_disc_against_rough_wall_gains_the_spin_of_coulomb(void **stat
         double lost = fmin(tangent / 3, friction * (1 + e) * normal);
         assert_near(end[1].vy, e * normal, 1e-12);
         assert_near(end[1].vx, tangent - lost, 1e-12);
-        /* Impulse m lost at arm r against I = m r^2 / 2. */
+        /* The lost impulse m at the arm r, with I = m r^2 / 2. */
         assert_near(end[1].angular_velocity, -2 * lost / 0.5, 1e-12);
         scene_free(&s);
     }
 }
 
-/* A rod falls flat with one end on a post: e and inertia decide its speed and spin. */
+/* A horizontal rod falls with one end on a post: e and the inertia determine its velocity and
+ * angular velocity. */
 static void oracle_rod_hit_at_its_end_turns_as_rigid_bodies_do(void **state) {
     (void)state;
     scene s;
@@ -101,7 +103,7 @@ static void oracle_rod_hit_at_its_end_turns_as_rigid_bodies_do(void **state) {
     scene_free(&s);
 }
 
-/* One, two and three in: as many out at the same speed, the others at rest. */
+/* One, two and three balls fly in: as many leave at the same speed, and the others are at rest. */
 static void oracle_cradle_hands_on_all_of_its_momentum(void **state) {
     (void)state;
     scene s;
@@ -116,7 +118,7 @@ static void oracle_cradle_hands_on_all_of_its_momentum(void **state) {
     scene_free(&s);
 }
 
-/* The same on a floor, under gravity: four balls at rest, one slides in. */
+/* The same on a floor under gravity: four balls at rest, and one slides in. */
 static void oracle_cradle_on_a_floor_hands_on_all_of_its_momentum(void **state) {
     (void)state;
     scene s;
@@ -135,7 +137,7 @@ static void oracle_cradle_on_a_floor_hands_on_all_of_its_momentum(void **state) 
     scene_free(&s);
 }
 
-/* Of balls that halve in mass from one to the next, each goes on at 4/3 of the speed it got. */
+/* Each ball has half the mass of the one before, and gets 4/3 of its speed. */
 static void oracle_row_of_lighter_balls_multiplies_the_speed(void **state) {
     (void)state;
     scene s;
@@ -152,7 +154,7 @@ static void oracle_row_of_lighter_balls_multiplies_the_speed(void **state) {
     scene_free(&s);
 }
 
-/* A hundred elastic balls, with and without gravity, over three seconds and hundreds of impacts. */
+/* A hundred elastic balls, with and without gravity, for three seconds and hundreds of impacts. */
 static void oracle_elastic_gas_keeps_its_energy(void **state) {
     (void)state;
     for (int gravity = 0; gravity < 2; gravity++) {
@@ -181,8 +183,8 @@ static void oracle_elastic_gas_keeps_its_energy(void **state) {
     }
 }
 
-/* To 10^5 m/s, against walls of 2 cm, ten times through the room: nothing leaves, and each stays
- * as fast as restitution 0.9 allows. */
+/* Up to 10^5 m/s against walls of 2 cm, ten times through the room: no bullet leaves, and each has
+ * the speed that restitution 0.9 gives. */
 static void oracle_bullets_stay_in_their_rooms(void **state) {
     (void)state;
     scene s;
@@ -202,7 +204,7 @@ static void oracle_bullets_stay_in_their_rooms(void **state) {
     scene_free(&s);
 }
 
-/* A bullet box through whose path a turned wall stands: where it is at impact is known. */
+/* A fast circle hits a wall turned by 45 degrees; the place of the impact is known. */
 static void oracle_fast_circle_meets_slanted_wall_at_the_exact_place(void **state) {
     (void)state;
     const double speed = 1e4;
@@ -213,7 +215,7 @@ static void oracle_fast_circle_meets_slanted_wall_at_the_exact_place(void **stat
     scene_dynamic_circle(&s, -10, 0, 0.1)->vx = speed;
     engine_body end[2];
     run(&s, 2e-3, end);
-    /* It turns down at x = -(0.1 + 0.01) sqrt(2), by the law of reflection. */
+    /* It is reflected downwards at x = -(0.1 + 0.01) sqrt(2). */
     double x = -0.11 * sqrt(2), met = (10 + x) / speed;
     assert_near(end[1].vx, 0, 1e-7);
     assert_near(end[1].x, x, 1e-7);
@@ -222,7 +224,7 @@ static void oracle_fast_circle_meets_slanted_wall_at_the_exact_place(void **stat
     scene_free(&s);
 }
 
-/* Dropped flat on a column at rest without restitution: it stays there, and nothing moves. */
+/* A box without restitution falls flat on a column at rest, and everything stays in place. */
 static void oracle_box_dropped_on_column_comes_to_rest_at_once(void **state) {
     (void)state;
     scene s;

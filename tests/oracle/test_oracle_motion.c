@@ -1,4 +1,5 @@
-/* test_oracle_motion.c: the reference simulation against formulas: flight, bounces, slopes. */
+/* test_oracle_motion.c: compares the reference simulation with formulas for flight, bounces and
+ * motion on slopes. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -9,7 +10,7 @@
 
 static const double G = 10;
 
-/* Under constant acceleration the midpoint rule is exact. */
+/* The midpoint rule is exact for constant acceleration. */
 static void oracle_body_in_flight_follows_the_parabola(void **state) {
     (void)state;
     scene s;
@@ -28,7 +29,7 @@ static void oracle_body_in_flight_follows_the_parabola(void **state) {
     scene_free(&s);
 }
 
-/* x(t) = v/c (1 - exp(-c t)): damping is exact in the speed, and of second order in the place. */
+/* x(t) = v/c (1 - exp(-c t)): the speed is exact, and the position is of second order. */
 static void oracle_damped_body_slows_exponentially(void **state) {
     (void)state;
     scene s;
@@ -45,8 +46,8 @@ static void oracle_damped_body_slows_exponentially(void **state) {
     scene_free(&s);
 }
 
-/* Dropped by h at restitution e: down in T = sqrt(2h/g), then bounces of 2 e^k T to e^2k h. At the
- * middle of each it stands still at that height. */
+/* Dropped from h with restitution e: the fall takes T = sqrt(2h/g), then bounces take 2 e^k T and
+ * reach e^2k h. In the middle of each the ball is at rest at that height. */
 static void oracle_ball_bounces_to_the_heights_of_newton(void **state) {
     (void)state;
     const double e = 0.8, h = 2, fall = sqrt(2 * h / G);
@@ -72,8 +73,8 @@ static void oracle_ball_bounces_to_the_heights_of_newton(void **state) {
     scene_free(&s);
 }
 
-/* A line of slope -1/2, on which a body starts touching; gravity along it is g / sqrt(5), across it
- * 2 g / sqrt(5). How far it got along the line after two seconds, in a. */
+/* A line of slope -1/2, on which a body begins in contact; gravity along it is g / sqrt(5), across
+ * it 2 g / sqrt(5). Returns the mean acceleration along the line over two seconds. */
 static double acceleration_on_slope(bool disc, double friction) {
     const double c = 2 / sqrt(5), sine = 1 / sqrt(5);
     scene s;
@@ -107,14 +108,15 @@ static void oracle_box_on_slope_slides_at_coulombs_rate(void **state) {
                     G * (1 - 2 * frictions[i]) / sqrt(5), 1e-8);
 }
 
-/* tan(26.57 degrees) is one half. */
+/* The angle is 26.57 degrees, whose tangent is 1/2. */
 static void oracle_box_on_slope_slides_above_the_friction_angle_only(void **state) {
     (void)state;
     assert_near(acceleration_on_slope(false, 0.501), 0, 1e-9);
     assert_near(acceleration_on_slope(false, 0.499), G * 0.002 / sqrt(5), 1e-8);
 }
 
-/* A disc rolls at 2/3 g sin while friction > tan / 3; below it slips, at g (sin - friction cos). */
+/* A disc rolls with 2/3 g sin if friction > tan / 3; otherwise it slips, with g (sin - friction
+ * cos). */
 static void oracle_disc_on_slope_rolls_or_slips(void **state) {
     (void)state;
     assert_near(acceleration_on_slope(true, 0.9), G * 2 / 3 / sqrt(5), 1e-8);
@@ -122,7 +124,7 @@ static void oracle_disc_on_slope_rolls_or_slips(void **state) {
     assert_near(acceleration_on_slope(true, 0.1), G * (1 - 2 * 0.1) / sqrt(5), 1e-8);
 }
 
-/* v^2 / (2 mu g), then it stays. The last step brakes too long by up to itself. */
+/* It slides v^2 / (2 mu g), then it stays. The last step brakes too long by at most its length. */
 static void oracle_sliding_box_stops_after_the_known_way(void **state) {
     (void)state;
     scene s;
@@ -138,7 +140,7 @@ static void oracle_sliding_box_stops_after_the_known_way(void **state) {
     scene_free(&s);
 }
 
-/* The oracle is asked by programs that people configure. */
+/* Programs pass settings from their users to the oracle. */
 static void oracle_bad_settings_and_times_are_refused(void **state) {
     (void)state;
     const oracle_settings bad[] = {{0, 0}, {-1, 0}, {NAN, 0}, {1.0 / 60, -1}, {1.0 / 60, INFINITY}};

@@ -1,4 +1,5 @@
-/* test_oracle_rest.c: statics. The forces of the reference simulation against the lever law. */
+/* test_oracle_rest.c: compares forces of the reference simulation at rest with statics, and tests
+ * toppling, braking and a pile. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -20,7 +21,7 @@ static oracle *run_on(const scene *s, double seconds) {
     return o;
 }
 
-/* What body a presses on body b with. */
+/* The normal force of body a on body b, N. */
 static double normal_force(oracle *o, int body_a, int body_b) {
     int count;
     const oracle_force *forces = oracle_forces(o, &count);
@@ -55,7 +56,7 @@ static void oracle_column_of_thirty_bears_what_is_above(void **state) {
     scene_free(&s);
 }
 
-/* One and ten light boxes under one of ten to 10^5 times the weight. */
+/* One and ten light boxes under a box of ten to 10^5 times the weight. */
 static void oracle_heavy_on_light_does_not_sink(void **state) {
     (void)state;
     scene s;
@@ -69,8 +70,8 @@ static void oracle_heavy_on_light_does_not_sink(void **state) {
     scene_free(&s);
 }
 
-/* A plank of 4 kg from -2 to 2 on balls at -1 and 1.5, and 3 kg on it at 0.75: by moments about
- * one ball after the other. */
+/* A plank of 4 kg from -2 to 2 m on balls at -1 and 1.5, with 3 kg on it at 0.75: the forces follow
+ * from the moments about each ball. */
 static void oracle_plank_shares_its_load_by_the_lever_law(void **state) {
     (void)state;
     scene s;
@@ -92,7 +93,7 @@ static void oracle_plank_shares_its_load_by_the_lever_law(void **state) {
     scene_free(&s);
 }
 
-/* A ball in a groove of 90 degrees: both walls bear its weight over sqrt(2). */
+/* A ball in a groove of 90 degrees: each wall carries its weight over sqrt(2). */
 static void oracle_ball_in_groove_presses_on_both_walls(void **state) {
     (void)state;
     scene s;
@@ -116,8 +117,9 @@ static void oracle_ball_in_groove_presses_on_both_walls(void **state) {
     scene_free(&s);
 }
 
-/* A plank whose centre is d beyond the edge of a table begins to turn about the edge at
- * m g d / (I + m d^2); for a short time its angle is half of that times t^2. */
+/* A plank whose centre is d beyond the edge of a table starts to turn about the edge with the
+ * angular acceleration m g d / (I + m d^2); for a short time its angle is half of this times t^2.
+ */
 static void oracle_plank_beyond_the_edge_tips_at_the_known_rate(void **state) {
     (void)state;
     const double d = 0.5, time = 0.05;
@@ -138,8 +140,8 @@ static void oracle_plank_beyond_the_edge_tips_at_the_known_rate(void **state) {
     scene_free(&s);
 }
 
-/* On a slope of 45 degrees with friction enough, a box half as high as it is wide stays, and one
- * twice as high as wide topples. */
+/* On a slope of 45 degrees with sufficient friction, a box of half its width in height stays, and
+ * one of twice its width topples. */
 static void oracle_box_on_steep_slope_topples_only_if_tall(void **state) {
     (void)state;
     for (int tall = 0; tall < 2; tall++) {
@@ -159,8 +161,8 @@ static void oracle_box_on_steep_slope_topples_only_if_tall(void **state) {
     }
 }
 
-/* A box of 1 kg thrown onto a plank of 3 kg that slides freely: friction makes them one at a
- * quarter of the speed. */
+/* A box of 1 kg is thrown onto a plank of 3 kg that slides without friction: both end at a quarter
+ * of its speed. */
 static void oracle_box_and_plank_reach_their_common_speed(void **state) {
     (void)state;
     scene s;
@@ -175,13 +177,15 @@ static void oracle_box_and_plank_reach_their_common_speed(void **state) {
     oracle_read(o, bodies);
     assert_near(bodies[1].vx, 1, 1e-9);
     assert_near(bodies[2].vx, 1, 1e-9);
-    /* The box loses 5 m/s^2, the plank gains 5/3: one speed after 0.6 s, and 1.2 m of slipping. */
+    /* The box decelerates by 5 m/s^2 and the plank accelerates by 5/3: the same speed after 0.6 s,
+     * and 1.2 m of sliding. */
     assert_near(bodies[2].x - bodies[1].x, -2 + 1.2, 1e-4);
     oracle_destroy(o);
     scene_free(&s);
 }
 
-/* Nothing elastic: circles and boxes fall on hills and come to rest, ever lower in energy. */
+/* Circles and boxes without restitution fall on hills and come to rest; their energy never grows.
+ */
 static void oracle_pile_on_terrain_loses_energy_and_does_not_overlap(void **state) {
     (void)state;
     scene s;

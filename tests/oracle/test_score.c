@@ -1,4 +1,4 @@
-/* test_score.c: the meter against states whose overlap, approach, energy and momentum are known. */
+/* test_score.c: tests the meter on states with known overlap, approach, energy and momentum. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -62,8 +62,8 @@ static void score_body_above_ground_touches_only_within_tolerance(void **state) 
     }
 }
 
-/* The lower right corner of a box that spins at 2 rad/s moves up, the lower left one down at
- * 2 * 0.5 m/s; falling at 3 m/s adds to it. Two points: rms of 4 and 2. */
+/* The lower right corner of a box that rotates at 2 rad/s moves up, the lower left one down, at 2 *
+ * 0.5 m/s; the box falls at 3 m/s. Two points that approach at 4 and 2 m/s. */
 static void score_approach_of_turning_box_is_that_of_its_corners(void **state) {
     (void)state;
     scene s;
@@ -75,13 +75,13 @@ static void score_approach_of_turning_box_is_that_of_its_corners(void **state) {
     oracle_score score = score_at_start(&s);
     assert_near(score.approach_max, 4, 1e-12);
     assert_near(score.approach_rms, sqrt((16 + 4) / 2.0), 1e-12);
-    s.bodies[1].vy = 3; /* parting is no approach */
+    s.bodies[1].vy = 3; /* separating is no approach */
     s.bodies[1].angular_velocity = 0;
     assert_near(score_at_start(&s).approach_max, 0, 0);
     scene_free(&s);
 }
 
-/* A disc of density 2 and radius 0.5: m = pi / 2, I = m / 8. A box 2 by 1: m = 4, I = 5/3. */
+/* A disc of density 2 and radius 0.5: m = pi / 2, I = m / 8. A box of 2 by 1: m = 4, I = 5/3. */
 static void score_energy_and_momentum_are_the_textbooks(void **state) {
     (void)state;
     scene s;
@@ -110,7 +110,7 @@ static void score_energy_and_momentum_are_the_textbooks(void **state) {
     scene_free(&s);
 }
 
-/* Two equal squares side by side: the centre of mass is between them, and the whole is a box. */
+/* Two equal squares side by side on one body have the mass, centre and inertia of one box. */
 static void score_body_of_two_shapes_weighs_as_the_box_they_make(void **state) {
     (void)state;
     double energy[2];
@@ -168,7 +168,8 @@ static void score_pairs_that_cannot_collide_do_not_count(void **state) {
     assert_int_equal(score_at_start(&s).touching, 0);
     tie->x[1] += 0.125;
     assert_near(score_at_start(&s).gap_max, 0.125, 1e-12);
-    s.bodies[1].kind = SCENE_DYNAMIC; /* and the meter is not simply blind */
+    s.bodies[1].kind =
+        SCENE_DYNAMIC; /* counter-check: the same pair counts once a body is dynamic */
     assert_int_equal(score_at_start(&s).touching, 1);
     scene_free(&s);
 }

@@ -1,11 +1,12 @@
-/* touch.c: circles by distance, boxes by the separating axis theorem and one clipped edge. */
+/* touch.c: see touch.h. Circles by distance; boxes by the separating axis theorem and clipping of
+ * one edge. */
 #include "touch.h"
 
 #include <math.h>
 #include <stdbool.h>
 
-/* Axes that are equal but for rounding must not take turns: the first wins unless a later one
- * separates by this much more, in metres per metre of box. */
+/* Of axes that are equal up to rounding the first is chosen, so that the choice does not alternate:
+ * a later one must separate by this much more, in m per m of box. */
 static const double AXIS_PREFERENCE = 1e-9;
 
 static touch_point flipped(touch_point p) {
@@ -14,7 +15,8 @@ static touch_point flipped(touch_point p) {
     return p;
 }
 
-/* The point on the surface of a, `from`, and the gap behind it along the normal. */
+/* The contact point, half way across the gap from the point `from` on the surface of a, along the
+ * normal. */
 static touch_point point_at(scene_point from, double normal_x, double normal_y, double gap,
                             int feature) {
     return (touch_point){from.x + 0.5 * gap * normal_x,
@@ -72,7 +74,7 @@ static touch_point box_circle(const depth_shape *box, const depth_shape *circle)
     return point_at(out_of_box(box, near.x, near.y), normal.x, normal.y, distance - circle->hx, 0);
 }
 
-/* A face of a box: outward normal and half extents along and across it. */
+/* A face of a box: its outward normal, its distance from the centre, and its half length. */
 typedef struct face {
     double normal_x, normal_y, half_height, half_width;
     int index; /* 0 right, 1 top, 2 left, 3 bottom, in the box's frame */
@@ -85,7 +87,8 @@ static face face_of(const depth_shape *box, int index) {
     return (face){n.x, n.y, upright ? box->hy : box->hx, upright ? box->hx : box->hy, index};
 }
 
-/* How far `other` is in front of the face. */
+/* The separation of `other` from the box along the face's normal; negative if they overlap along
+ * it. */
 static double separation_of(const depth_shape *box, const face *f, const depth_shape *other) {
     double distance = (other->x - box->x) * f->normal_x + (other->y - box->y) * f->normal_y;
     double along_x = other->cosine * f->normal_x + other->sine * f->normal_y;
@@ -93,7 +96,7 @@ static double separation_of(const depth_shape *box, const face *f, const depth_s
     return distance - f->half_height - other->hx * fabs(along_x) - other->hy * fabs(along_y);
 }
 
-/* The one of the box's four faces that separates most. */
+/* The face of the box with the largest separation. */
 static face best_face(const depth_shape *box, const depth_shape *other, double *separation) {
     face best = face_of(box, 0);
     *separation = separation_of(box, &best, other);
@@ -108,7 +111,7 @@ static face best_face(const depth_shape *box, const depth_shape *other, double *
     return best;
 }
 
-/* The face of `box` that looks most against (nx, ny). */
+/* The face of `box` whose normal is most opposed to (nx, ny). */
 static face facing(const depth_shape *box, double nx, double ny) {
     face best = face_of(box, 0);
     for (int i = 1; i < 4; i++) {
@@ -119,12 +122,12 @@ static face facing(const depth_shape *box, double nx, double ny) {
     return best;
 }
 
-/* Both ends of the incident face, clipped to the sides of the reference face; normals point from
- * the reference box to the incident one. */
+/* Clips the incident face to the sides of the reference face; normals point from the reference box
+ * to the incident one. Returns the number of points. */
 static int clip(const depth_shape *reference, const face *f, const depth_shape *incident,
                 double separation, double margin, touch_point points[2]) {
     face g = facing(incident, f->normal_x, f->normal_y);
-    double along[2], gap[2]; /* of the two ends, as seen from the reference face */
+    double along[2], gap[2]; /* coordinates of the two ends in the frame of the reference face */
     for (int end = 0; end < 2; end++) {
         double side = end == 0 ? -g.half_width : g.half_width;
         double x = incident->x + g.half_height * g.normal_x + side * g.normal_y;
@@ -137,7 +140,8 @@ static int clip(const depth_shape *reference, const face *f, const depth_shape *
     int deepest = gap[1] < gap[0];
     double low = fmax(fmin(along[0], along[1]), -f->half_width);
     double high = fmin(fmax(along[0], along[1]), f->half_width);
-    if (low > high) { /* a corner beside the face: only if it is inside does it touch */
+    if (low >
+        high) { /* the face is beside the reference face: it touches only if the boxes overlap */
         if (separation > 0)
             return 0;
         low = high = along[deepest];

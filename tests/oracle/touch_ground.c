@@ -1,13 +1,14 @@
-/* touch_ground.c: a shape on a line with solid below. A circle touches segments at the foot of its
- * centre, and convex vertices where the foot is on neither segment; a box touches segments with its
- * corners, and convex vertices with its faces. So nothing catches on the joint of two segments. */
+/* touch_ground.c: contact points of a shape and a terrain line with solid below. A circle touches a
+ * segment at the foot of its centre, and a convex vertex if the foot is on neither of its segments;
+ * a box touches segments with its corners and convex vertices with its faces. In this way nothing
+ * catches on the vertex between two segments. */
 #include "touch.h"
 
 #include <math.h>
 #include <stdbool.h>
 
 typedef struct segment {
-    scene_point start, along; /* along: unit, to the right */
+    scene_point start, along; /* unit vector, pointing to the right */
     double length;
 } segment;
 
@@ -17,7 +18,7 @@ static segment segment_at(const depth_ground *ground, int index) {
     return (segment){a, {(b.x - a.x) / length, (b.y - a.y) / length}, length};
 }
 
-/* The first segment whose right end is right of x. */
+/* Index of the first segment whose right end is right of x. */
 static int first_segment(const depth_ground *ground, double x) {
     int low = 0, high = ground->count - 2;
     while (low < high) {
@@ -30,12 +31,13 @@ static int first_segment(const depth_ground *ground, double x) {
     return low;
 }
 
-/* Found points, the deepest if there are too many. */
+/* The points found so far, the deepest ones if there are too many. */
 typedef struct found {
     touch_point *points;
     int count;
 } found;
 
+/* Adds a point; if the list is full, it replaces the shallowest point that it is deeper than. */
 static void keep(found *f, touch_point p) {
     if (f->count < TOUCH_GROUND_POINTS) {
         f->points[f->count++] = p;
@@ -49,13 +51,13 @@ static void keep(found *f, touch_point p) {
         f->points[shallowest] = p;
 }
 
-/* (x, y) carries a ball of the radius; a corner is one without any. */
+/* A circle; a box's corner is one of radius 0. */
 typedef struct ball {
     double x, y, radius;
     int feature; /* of its first contact */
 } ball;
 
-/* Whether the line turns up at a vertex, so that what is under it is under both segments. */
+/* Whether the line bends upwards at a vertex, so that a point below it is below both segments. */
 static bool is_valley(const depth_ground *ground, int index) {
     if (index <= 0 || index >= ground->count - 1)
         return false;
@@ -63,15 +65,15 @@ static bool is_valley(const depth_ground *ground, int index) {
     return left.along.x * right.along.y - left.along.y * right.along.x > 0;
 }
 
-/* How far the ball's centre is over a segment's line, and where; false if that is no place of the
- * segment. Half-open, so that in line with each other two segments share no place. */
+/* Computes the foot of the ball's centre on a segment and its height above it; false if the foot is
+ * not on the segment. The interval is half-open, so that each place belongs to one segment. */
 static bool foot_on(const depth_ground *ground, const ball *b, int index, double *foot,
                     double *height) {
     segment s = segment_at(ground, index);
     double dx = b->x - s.start.x, dy = b->y - s.start.y;
     *foot = dx * s.along.x + dy * s.along.y;
     *height = dy * s.along.x - dx * s.along.y;
-    /* Just below a valley's ground neither segment has the foot, but both push. */
+    /* Just below the vertex of a valley the foot is on neither segment, but both have a contact. */
     double beyond = *height < 0 ? -2 * *height : 0;
     double before = is_valley(ground, index) ? beyond : 0;
     double after = is_valley(ground, index + 1) ? beyond : 0;
@@ -83,7 +85,8 @@ static bool is_below(const depth_ground *ground, const ball *b) {
     return (b->y - s.start.y) * s.along.x < (b->x - s.start.x) * s.along.y;
 }
 
-/* Under ground every segment has the centre behind it, and those count that are near. */
+/* A centre below the ground is behind several segments; those within this multiple of the nearest
+ * distance make contacts. */
 static const double NEAR = 3;
 
 static void ball_on_segments(const depth_ground *ground, const ball *b, double reach, double margin,
@@ -110,7 +113,7 @@ static void ball_on_segments(const depth_ground *ground, const ball *b, double r
     }
 }
 
-/* Vertex `index` is between segments index - 1 and index. */
+/* Vertex `index` is between the segments index - 1 and index. */
 static void ball_on_vertex(const depth_ground *ground, const ball *b, int index, double margin,
                            found *f) {
     segment left = segment_at(ground, index - 1), right = segment_at(ground, index);
@@ -125,12 +128,13 @@ static void ball_on_vertex(const depth_ground *ground, const ball *b, int index,
                           gap, b->feature + 8 * index + 1});
 }
 
-/* How far, as a sine, a face may look aside of the two slopes of a vertex that is in the box. */
+/* Sine of the largest angle by which a face's normal may be outside of the normals of a vertex's
+ * two slopes if the vertex is inside the box. Chosen. */
 static const double ASIDE = 0.5;
 
-/* A convex vertex and the face of the box that it is nearest to. From outside it can meet a face
- * only that looks between the normals of its two slopes, else a corner is there first; but once it
- * is inside it must get out, also through a face that looks a little beyond. */
+/* The contact of a convex vertex with the face of the box that is nearest to it. From outside, the
+ * vertex can touch only a face whose normal is between those of its two slopes, otherwise a corner
+ * touches first; from inside it may leave through a face a little beyond. */
 static void vertex_in_box(const depth_ground *ground, const depth_shape *box, int index,
                           double margin, found *f) {
     segment left = segment_at(ground, index - 1), right = segment_at(ground, index);
@@ -141,7 +145,7 @@ static void vertex_in_box(const depth_ground *ground, const depth_shape *box, in
     for (int face = 0; face < 4; face++) {
         double sign = face < 2 ? 1 : -1;
         bool upright = face % 2 == 1;
-        /* Into the box, and the vertex's place along it and across. */
+        /* Normal into the box, and the vertex's distances from the face and along it. */
         double nx = sign * (upright ? box->sine : -box->cosine);
         double ny = sign * (upright ? -box->cosine : -box->sine);
         double gap = -dx * nx - dy * ny - (upright ? box->hy : box->hx);
@@ -176,7 +180,7 @@ static void touch_box(const depth_ground *ground, const depth_shape *box, double
         double hx = corner & 1 ? box->hx : -box->hx, hy = corner & 2 ? box->hy : -box->hy;
         ball b = {box->x + hx * box->cosine - hy * box->sine,
                   box->y + hx * box->sine + hy * box->cosine, 0, corner};
-        /* So far aside the segment may be that has a corner's foot, once it is under ground. */
+        /* m: how far aside a segment with the foot of a corner below the ground may be. */
         ball_on_segments(ground, &b, margin + 0.1 * (box->hx + box->hy), margin, f);
     }
     double half = fabs(box->hx * box->cosine) + fabs(box->hy * box->sine) + margin;

@@ -1,5 +1,5 @@
-// test_cplusplus.cpp: every public header on its own terms in C++, and a world built, stepped and
-// asked from there: names are linked as C's.
+// test_cplusplus.cpp: includes every public header in C++, and builds, steps and queries a world,
+// to test that functions are linked with C names.
 #include <thud/thud.h>
 #include <thud/thud_all.h>
 #include <thud/thud_casts.h>

@@ -1,5 +1,7 @@
-"""The engine as others take it: headers alone, installed and found from C++, as part of a parent
-project, shared and static. usage: test_package.py SOURCE BUILD CC [CXX]"""
+"""Tests the engine as other projects use it: single headers, installed and found from C++, as a
+subdirectory of another project, as shared and as static library.
+
+usage: test_package.py SOURCE BUILD CC [CXX]"""
 
 import re
 import shutil
@@ -127,7 +129,7 @@ class PackageTest(unittest.TestCase):
         project(folder, ADDS.format(SOURCE))
         compilers = (f"-DCMAKE_CXX_COMPILER={CXX}", f"-DCMAKE_C_COMPILER={CC}")
         run("cmake", "-B", folder / "build", "-S", folder, *compilers)
-        # Of thud nothing is installed, which is not even built.
+        # Nothing of thud is installed; it is not even built.
         run("cmake", "--install", folder / "build", "--prefix", folder / "prefix")
         installed = [path.name for path in (folder / "prefix").rglob("*") if path.is_file()]
         self.assertEqual(installed, ["game.cpp"])
@@ -150,7 +152,7 @@ class PackageTest(unittest.TestCase):
             "-Wl,--no-whole-archive", "-lm", "-Wl,-z,defs")
         shown = names_shown(whole)
         self.assertEqual([name for name in shown if not name.startswith("thud_")], [])
-        # Whatever the headers declare, with THUD_API or without.
+        # All functions that the headers declare, with THUD_API or without.
         headers = SOURCE / "engine/include/thud"
         functions = declared(headers)
         constants = set()

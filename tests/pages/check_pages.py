@@ -1,13 +1,13 @@
-"""Holds the generated pages to what they are made of, and to the engine.
+"""Checks the generated pages against their JSON and notes, and against the engine.
 
 usage: check_pages.py made
-       check_pages.py fresh [--long] [--docs FOLDER] PAGE=PROGRAM... [times=THUD_BENCH]
+  check_pages.py fresh [--long] [--docs FOLDER] PAGE=PROGRAM... [times=THUD_BENCH]
 
-made   each page in docs/ and the README are what their JSON and their notes make, name the commit that
-       was measured, and have no number that is not in the JSON, given, or dated
-fresh  names the engine's commits since, and measures anew what can be in seconds, with --long in minutes:
-       figures that do not depend on the machine; with `times` ratios of times to Box2D's, by a thud-bench
-       that has Box2D
+  made   each page in docs/ and the README are what their JSON and notes make, name the commit
+         that was measured, and contain no number that is not in the JSON, given, or dated
+  fresh  lists the engine's commits since then, and measures again what takes seconds, or with
+         --long minutes: figures that do not depend on the machine; with `times` ratios of times
+         to Box2D's, by a thud-bench with Box2D
 """
 
 import sys

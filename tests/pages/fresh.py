@@ -1,6 +1,7 @@
-"""Measures anew what does not depend on the machine, and holds the pages to it: two values of a figure
-agree that are at most FACTOR apart, or both no more than its floor. Times are told by ratios to Box2D's,
-which machines and moods change less than times: TIMES apart."""
+"""Measures again the figures that do not depend on the machine, and compares them with the pages.
+Two values of a figure agree if they differ by at most the factor FACTOR, or if both are at most
+the figure's floor. Times are compared as ratios to Box2D's, which vary less between machines and
+runs, with the factor TIMES."""
 
 import json
 import os
@@ -12,15 +13,15 @@ import page_figures
 FACTOR = 1.25
 TIMES = 1.5
 
-# What the short form measures, in seconds; the long form measures all.
+# The parts that the short form measures, which take seconds; the long form measures all of LONG.
 SHORT = {
     "tradeoff": ["column_30", "heavy_on_light", "slope", "rolling", "gas", "cradle", "bullets"],
     "stability": ["mass-ratio", "sizes", "time-step"],
     "catalogue": ["walls", "throws", "levels"],
     "performance": ["pyramid", "tumbler", "platformer", "gas:1000"],
 }
-# What the long form measures, in some five minutes: all but what takes as long by itself (the dense pit,
-# the crowding), and of the catalogue all that is no time.
+# The parts that the long form measures, in about five minutes: all except those that take as long
+# on their own (the dense pit, the crowding), and of the catalogue all that is not a time.
 LONG = {
     "tradeoff": ["column_30", "column_100", "pyramid", "heavy_on_light", "rubble", "slope", "rolling",
                  "gas", "cradle", "bullets"],
@@ -49,7 +50,7 @@ def measure(page, program, parts, more=()):
             words += ["--json", path]
             code = subprocess.run(words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
                                   check=False).returncode
-        # thud-envelope ends with 1 where a known miss is none: that has a test of its own.
+        # thud-envelope exits with 1 if a known miss is wrong, for which there is another test.
         if code not in ((0, 1) if page == "stability" else (0,)):
             raise ValueError(f"{os.path.basename(program)} ended with {code}")
         with open(path, encoding="utf-8") as file:
@@ -115,7 +116,7 @@ def agree(a, b, floor, factor=FACTOR):
 
 
 def off(page, kept, anew):
-    """Figures of the page that are not as they were, or that it does not have."""
+    """The figures that differ from those of the page, or that the page does not have."""
     page_has = {name: value for name, value, _ in FIGURES[page](kept)}
     wrong = []
     for name, value, floor in FIGURES[page](anew):
@@ -134,7 +135,7 @@ def median_ratios(results):
 
 
 def slow(kept, anew):
-    """Scenes whose median over Box2D's is no longer what the page says."""
+    """The scenes whose ratio of medians to Box2D's differs from that of the page."""
     page_has = dict(median_ratios(kept))
     return [f"{name}: Box2D's median step is {page_has[name]:.2f} times thud's on the page, "
             f"{ratio:.2f} now" for name, ratio in median_ratios(anew)

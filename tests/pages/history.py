@@ -1,5 +1,5 @@
-"""What git says of the commit that a page was measured at. Where there is no repository, or one without
-its history, nobody can tell, and no page is wrong for that."""
+"""What git knows about the commit that a page was measured at. Without a repository, or with an
+incomplete history, nothing can be said, and no page counts as wrong for that."""
 
 import subprocess
 
@@ -9,7 +9,7 @@ ENGINE = ["engine", "demo/scenes"]
 
 
 def git(*words):
-    """What it prints, or None where it fails or is missing."""
+    """The output of a git command; None if it fails or git is missing."""
     try:
         done = subprocess.run(["git", "-C", measured.ROOT, *words], capture_output=True, text=True,
                               check=False)
@@ -23,13 +23,14 @@ def is_whole():
 
 
 def why_not(commit):
-    """Why it can be no commit that a page was measured at; None where it can, or nobody can tell."""
+    """Why a page cannot have been measured at this commit; None if it can, or if the history is
+    incomplete."""
     if git("merge-base", "--is-ancestor", commit, "HEAD") is not None or not is_whole():
         return None
     return "no commit of this history"
 
 
 def since(commit):
-    """The lines of the engine's commits since; None where nobody can tell."""
+    """The lines of the engine's commits since this commit; None if the history is incomplete."""
     found = git("log", "--format=%h %s", f"{commit}..HEAD", "--", *ENGINE)
     return None if found is None else found.splitlines()

@@ -1,4 +1,5 @@
-"""Whether each generated page is what its JSON and its notes make, and names the commit of both."""
+"""Checks that each generated page is what its JSON and notes make, and names the commit of the
+measurement."""
 
 import filecmp
 import json
@@ -17,7 +18,8 @@ import readme
 import sources
 
 TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-# Of each page: what writes it from its JSON, its notes, and the command that measures it anew.
+# For each page: the program that writes it from its JSON, its notes, and the command that measures
+# it.
 WRITERS = {"performance": "bench/pages/performance.py", "catalogue": "bench/pages/catalogue.py",
            "stability": "stability/envelope.py", "tradeoff": "tradeoff/tradeoff.py"}
 NOTES = {"performance": "bench/pages/performance-notes.md", "catalogue": "bench/pages/catalogue-notes.md",
@@ -32,7 +34,7 @@ def read(path):
 
 
 def written_anew(page, docs, folder):
-    """The paths, below both folders, of all that the page's writer makes of its JSON."""
+    """The paths, relative to both folders, of all files that the page's writer makes from its JSON."""
     kept = page_figures.page_path(page, folder)
     os.makedirs(os.path.dirname(kept), exist_ok=True)
     shutil.copy(page_figures.page_path(page, docs), kept)
@@ -84,7 +86,7 @@ def loose_notes(page):
 
 
 def loose_document(name, docs):
-    """What README.md or docs/features.md says otherwise than its notes make it."""
+    """The differences between README.md or docs/features.md and what its notes make."""
     text, notes = read(readme.path_of(name)), read(readme.DOCUMENTS[name])
     notes_name = os.path.relpath(readme.DOCUMENTS[name], measured.ROOT)
     own = readme.GIVEN_THERE.sub("", notes)
@@ -106,7 +108,7 @@ def loose_documents(docs):
 
 
 def uncovered(docs):
-    """Pages that say that they were measured, of which nothing here knows."""
+    """Pages that say that they were measured, and are not in WRITERS."""
     return [f"docs/{name} was measured, and tests/pages knows nothing of it"
             for name in sorted(os.listdir(docs)) if name.endswith(".md")
             and re.search(r"^Measured at commit", read(os.path.join(docs, name)), re.MULTILINE)
@@ -114,7 +116,7 @@ def uncovered(docs):
 
 
 def pictures_without_commit(docs):
-    """Pictures of the page, taken by web/tools/screenshots.mjs."""
+    """Checks the pictures that web/tools/screenshots.mjs takes of the page, with their commits."""
     folder = os.path.join(docs, "pictures")
     listed = json.loads(read(os.path.join(folder, "pictures.json")))
     taken = {name[:-4] for name in os.listdir(folder) if name.endswith(".png")}

@@ -1,5 +1,5 @@
-"""What figures belong to: the commit, the day and the processor, which every generated page names in one
-form; and whether a run may write to docs/."""
+"""The commit, day and processor that figures belong to, which every generated page names in the
+same form; and whether a run may write to docs/."""
 
 import os
 import re
@@ -19,12 +19,13 @@ def is_docs(folder):
 
 
 def commit_of_run():
-    """What ./run found out about the tree that the programs were built of; tools/commit.sh."""
+    """The commit that the programs were built from, as ./run found it (tools/commit.sh)."""
     return os.environ.get("THUD_COMMIT") or "unknown"
 
 
 def refuse_unnamed(folder, commit=None):
-    """A page in docs/ tells what a commit does, so that anybody can measure it again."""
+    """Refuses to write to docs/ unless the build is that of a commit, so that each page can be
+    measured again."""
     commit = commit_of_run() if commit is None else commit
     if is_docs(folder) and not COMMIT.fullmatch(commit):
         raise ValueError(f"what was built is no commit ({commit}): a run on such a tree does not "

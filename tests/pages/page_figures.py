@@ -21,7 +21,7 @@ import textwrap
 import measured
 import prose
 
-# Each page's JSON, below docs/.
+# The JSON of each page, below docs/.
 PAGES = {"performance": "performance.json", "catalogue": "catalogue.json",
          "stability": "stability.json", "tradeoff": os.path.join("tradeoff", "tradeoff.json")}
 PLACEHOLDER = re.compile(r"\{\{([^{}]*\|[^{}]*)\}\}", re.DOTALL)
@@ -31,7 +31,7 @@ NOT_MEASURED = "(not measured)"
 
 
 class Missing(KeyError):
-    """A path that leads nowhere, or to more than one figure."""
+    """A path that leads to no figure, or to more than one."""
 
     def __str__(self):
         return self.args[0]
@@ -58,7 +58,7 @@ def is_named(element, word):
 
 
 def children(value):
-    """What a word may name in a value: pairs of a name, or None, and what it names."""
+    """The elements that a word may refer to: pairs of a name, or None, and an element."""
     if isinstance(value, dict):
         return list(value.items())
     return [(None, element) for element in value] if isinstance(value, list) else []
@@ -75,7 +75,7 @@ def step(value, word):
 
 
 def follow(value, words, taken, path):
-    """[(elements that `*` took, figure)]; `taken`: what they have to be, where that is settled."""
+    """[(elements that `*` stood for, figure)]; `taken`: the elements that they must be, if known."""
     if not words:
         if isinstance(value, bool) or not isinstance(value, (int, float)):
             raise Missing(f"'{path}' is no number")
@@ -99,7 +99,7 @@ def follow(value, words, taken, path):
 
 
 class Figures:
-    """The figures of one page, and of the others where a path names them."""
+    """The figures of one page, and of other pages that paths refer to."""
 
     def __init__(self, results, docs=measured.DOCS):
         self.results, self.docs, self.others = results, docs, {}
@@ -142,7 +142,7 @@ class Figures:
 
 
 def rewrap(text, change):
-    """The text with its paragraphs changed that have placeholders, and their lines made even again."""
+    """The text with those paragraphs changed that have placeholders, and their lines filled again."""
     lines, shift = text.split("\n"), 0
     for first, block in list(prose.blocks(text)):
         if not PLACEHOLDER.search(block):
@@ -150,7 +150,7 @@ def rewrap(text, change):
         count, new = block.count("\n") + 1, change(block)
         if not block.startswith(("|", "#")):
             indent = "  " if prose.ITEM.match(block) else ""
-            # What is code stays on one line.
+            # Code stays on one line.
             new = CODE.sub(lambda code: code.group().replace(" ", "\0"), " ".join(new.split()))
             new = textwrap.fill(new, WIDTH, subsequent_indent=indent, break_long_words=False,
                                 break_on_hyphens=False).replace("\0", " ")
@@ -161,7 +161,7 @@ def rewrap(text, change):
 
 
 def fill(text, results, whole=True, docs=measured.DOCS):
-    """The text with its figures. Where a run was not whole, what it lacks is said to be missing."""
+    """The text with its figures. If a run was not complete, missing figures become NOT_MEASURED."""
     figures = Figures(results, docs)
 
     def one(match):

@@ -21,7 +21,7 @@ ITEM = re.compile(r"^\s*(?:- |\|)")
 
 
 def blank(match):
-    """Takes up as many lines, so that those that follow keep their numbers."""
+    """Replaces a match by as many lines, so that the following lines keep their numbers."""
     return " " * len(match.group()) if "\n" not in match.group() else \
         re.sub(r"[^\n]", " ", match.group())
 
@@ -36,7 +36,7 @@ def given(notes):
 
 
 def blocks(text):
-    """(first line, text) of every paragraph, item of a list, row of a table and heading."""
+    """(first line, text) of every paragraph, list item, table row and heading."""
     start, lines = 1, []
     for at, line in enumerate(text.split("\n") + [""], 1):
         is_item = ITEM.match(line)
@@ -54,7 +54,7 @@ def blocks(text):
 
 
 def covered(block, phrases):
-    """The block with what is given taken out; a phrase may run over the end of a line."""
+    """The block without the given phrases; a phrase may be broken over two lines."""
     for phrase in sorted(phrases, key=len, reverse=True):
         words = r"\s+".join(re.escape(word) for word in phrase.split())
         block = re.sub(rf"(?<!\w){words}(?!\w)", blank, block)
@@ -62,10 +62,10 @@ def covered(block, phrases):
 
 
 def stray_numbers(notes, numbers=NUMBER):
-    """[(line, the line's text, number)] of all that stand in none of the three ways."""
+    """[(line, the line's text, number)] of all numbers that belong to none of the three kinds."""
     phrases, found = given(notes), []
     text = NOT_PROSE.sub(blank, PLACEHOLDER.sub(blank, GIVEN.sub(blank, notes)))
-    dated_from = 0  # the level of the heading that is dated, 0: none
+    dated_from = 0  # level of the dated heading; 0: none
     lines = notes.split("\n")
     for first, block in blocks(text):
         heading = HEADING.match(block)
@@ -79,7 +79,7 @@ def stray_numbers(notes, numbers=NUMBER):
 
 
 def stray_phrases(notes):
-    """What is given and no longer written."""
+    """Phrases that are listed as given and do not occur in the text."""
     text = " ".join(GIVEN.sub("", notes).split())
     return [phrase for phrase in given(notes) if phrase not in text]
 

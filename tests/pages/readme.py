@@ -14,13 +14,13 @@ import page_figures
 import prose
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-# Of each document that quotes figures: where its notes are.
+# The notes of each document that quotes figures.
 DOCUMENTS = {"README.md": os.path.join(HERE, "readme-notes.md"),
              "docs/features.md": os.path.join(HERE, "features-notes.md")}
-# The section whose notes are the last cells of rows, by their first ones.
+# The section whose notes are the last cells of table rows, found by their first cells.
 TABLE = "What works today"
 GIVEN_THERE = re.compile(r"<!-- given in (?:README|docs/features)\.md:(.*?)-->", re.DOTALL)
-# What follows a number that may have been measured.
+# A unit after a number means that it may have been measured.
 UNIT = re.compile(r"\s+(?:to [\d.,]+ )?(?:ns|µs|ms|s|%|times|kB|MB)(?!\w)")
 
 
@@ -34,7 +34,7 @@ def path_of(name):
 
 
 def parts_of(notes):
-    """The texts of the sections, and the last cells of rows by their first."""
+    """The texts of the sections, and the last cells of table rows by their first cells."""
     sections = re.split(r"^## (.+)\n", notes, flags=re.MULTILINE)[1:]
     texts = {name: text.strip("\n") for name, text in zip(sections[::2], sections[1::2])}
     rows = dict(re.findall(r"^\| (.+?) \| (.+) \|$", texts.pop(TABLE, ""), re.MULTILINE))
@@ -57,7 +57,7 @@ def put_section(document, name, text):
 
 
 def apply(document, notes, fill):
-    """The document with what its notes make, where `fill` makes text of a template."""
+    """The document with the texts of its notes, where `fill` replaces a template's placeholders."""
     texts, rows = parts_of(prose.strip_given(GIVEN_THERE.sub("", notes)))
     for name, cell in rows.items():
         document = put_row(document, name, fill(cell))
@@ -71,7 +71,7 @@ def filled(document, notes, docs=measured.DOCS):
 
 
 def stray_numbers(document, notes):
-    """As of prose.py, of the numbers with a unit that the document has and its notes do not make."""
+    """As in prose.py: the numbers with a unit in the document that its notes do not make."""
     bare = apply(document, notes, lambda text: "")
     listed = "".join(f"<!-- given:{found}-->" for found in GIVEN_THERE.findall(notes))
     numbers = re.compile(prose.NUMBER.pattern + UNIT.pattern)

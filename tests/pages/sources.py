@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Holds measured figures in headers and typings to the pages' JSON: each stands in a phrase of
-source-notes.md, below the name of its file, with {{...}} in the place of the figure.
+"""Checks measured figures in headers and typings against the pages' JSON: each is in a phrase of
+source-notes.md, below the name of its file, with {{...}} in place of the figure.
 
 usage: sources.py
 
-Writes them anew, in place: a phrase is found by its words, over the ends of lines and the signs at the
-beginning of a line of a comment.
+Writes the figures again, in place. A phrase is found by its words, also across line ends and
+comment signs at the beginning of lines.
 """
 
 import glob
@@ -32,7 +32,7 @@ def read(path):
 
 
 def names():
-    """The files in which measured figures may stand, from the root of the tree."""
+    """The files that may contain measured figures, relative to the root."""
     found = [path for pattern in SOURCES
              for path in glob.glob(os.path.join(measured.ROOT, pattern), recursive=True)]
     return sorted(os.path.relpath(path, measured.ROOT) for path in found)
@@ -46,7 +46,7 @@ def phrases_of(notes):
 
 
 def given_in(notes, name):
-    """What is no measurement of this file, such as a default or a bound."""
+    """Phrases of this file with numbers that are not measured, such as defaults and bounds."""
     sections = SECTION.split(notes)[1:]
     return prose.given(dict(zip(sections[::2], sections[1::2])).get(name, ""))
 
@@ -56,7 +56,7 @@ def spaced(text):
 
 
 def place_of(phrase):
-    """Finds the phrase in its file, whatever its figures are there; a group for each figure."""
+    """A regular expression that finds the phrase with any figures; it has a group for each figure."""
     texts = page_figures.PLACEHOLDER.split(phrase)[::2]
     parts = []
     for at, text in enumerate(texts):
@@ -67,7 +67,7 @@ def place_of(phrase):
 
 
 def with_figures(source, phrase, figures):
-    """The source with the phrase's figures as they are in the JSON."""
+    """The source with the phrase's figures replaced by those of the JSON."""
     found = list(place_of(phrase).finditer(source))
     if len(found) != 1:
         raise ValueError(f"'{phrase[:60]}...' stands there {len(found)} times")
@@ -79,7 +79,7 @@ def with_figures(source, phrase, figures):
 
 
 def stray_numbers(source, phrases, given):
-    """Numbers with a unit that are neither made of the notes nor given."""
+    """Numbers with a unit that are neither made from the notes nor given."""
     for phrase in phrases:
         source = place_of(phrase).sub(prose.blank, source)
     for phrase in given:
@@ -128,7 +128,8 @@ def write():
 
 
 def refresh(folder):
-    """After a page was written: README, headers and typings quote those of docs/."""
+    """After a page was written to docs/: updates the figures that README, headers and typings
+    quote."""
     if measured.is_docs(folder):
         readme.write()
         write()

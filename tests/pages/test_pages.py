@@ -1,5 +1,5 @@
-"""The checks of generated pages, each seen to fail by a fault: a figure changed in a page, in its JSON, in
-prose, or in what the engine does."""
+"""Tests the checks of generated pages: each has to report a figure that is changed in a page, in
+its JSON, in prose, or in the engine's results."""
 
 import json
 import os
@@ -112,14 +112,14 @@ class Sources(unittest.TestCase):
 
 
 class Pages(unittest.TestCase):
-    """The pages of docs/, in a copy that is spoilt."""
+    """Tests with a copy of the pages of docs/ that is changed."""
 
     def setUp(self):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
         self.docs = os.path.join(scratch.name, "docs")
         shutil.copytree(measured.DOCS, self.docs)
-        # As where there is all history; the tests run where there is none, too.
+        # As if the whole history were there; the tests also run without it.
         known = mock.patch.object(history, "why_not", lambda commit: "none" if commit in NONE else None)
         known.start()
         self.addCleanup(known.stop)

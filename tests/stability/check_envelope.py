@@ -1,5 +1,5 @@
-"""Checks thud-envelope, and what makes a page of it, from outside: check_envelope.py PROGRAM. Run in the
-project's root."""
+"""Runs thud-envelope and the program that makes its page, and checks what they print and write:
+check_envelope.py PROGRAM. Run it in the project's root."""
 
 import json
 import re
@@ -23,7 +23,7 @@ def page(*options):
 
 
 def names():
-    """Of all extremes, as --help lists them."""
+    """The names of all extremes, as --help lists them."""
     listed = run("--help").stdout.split("Extremes:\n")[1]
     return [line.split()[0] for line in listed.splitlines()]
 

@@ -37,7 +37,7 @@ def parse(arguments):
     parser.add_argument("--again", action="store_true",
                         help="measures nothing: writes the page anew from stability.json in FOLDER, "
                         "after a change of notes.md, say")
-    # For ./run, before it builds.
+    # For ./run, which checks the options before it builds.
     parser.add_argument("--check", action="store_true", help=argparse.SUPPRESS)
     found = parser.parse_args(arguments)
     found.tables = bool(found.only) and not found.out
@@ -46,7 +46,7 @@ def parse(arguments):
 
 
 def run(arguments):
-    """The results, and how thud-envelope ended: 1 is for misses that are not as known."""
+    """The results, and the exit code of thud-envelope: 1 if a known miss is wrong."""
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "stability.json")
         words = [arguments.program, "--json", path]
@@ -75,7 +75,7 @@ def read_notes():
 
 
 def write_page(out, results):
-    # One figure a line: a change of it is a change of that line.
+    # One figure per line, so that a diff shows which figures changed.
     write(os.path.join(out, "stability.json"), as_json(results))
     write(os.path.join(out, "stability.md"), stability_page.fill(read_notes(), results))
     sources.refresh(out)

@@ -1,5 +1,6 @@
-/* known_misses.c: the bounds that thud does not keep yet, one line for each quality.
- * docs/stability.md tells how far each is missed. */
+/* known_misses.c: the list of bounds that thud misses at present, with a line for each figure and
+ * quality. The tests fail if a value gets worse than in the list, and if a bound that is listed
+ * holds. docs/stability.md shows the values that are reached. */
 #include "extremes/extreme.h"
 
 #include <stdio.h>
@@ -15,9 +16,10 @@
     "joints that were soft for some steps are closed at once by the direct solver, and fly on"
 
 typedef struct miss {
-    const char *extreme, *what; /* a figure's text, as in the ledger */
+    const char *extreme, *what; /* the figure's text in the ledger */
     entrant by;
-    double quick, full; /* the worst known in either form; KEPT: this form keeps the bound */
+    double quick, full; /* worst known values, quick and full length; KEPT: the bound holds at this
+                           length */
     const char *reason;
 } miss;
 
@@ -25,7 +27,7 @@ typedef struct miss {
 #define RISE "energy above its lowest before, %"
 #define START "energy above its start, %"
 
-/* What is reached does not depend on the machine: worst values are what was reached, rounded up to
+/* Results do not depend on the machine: the worst values are those that were reached, rounded up to
  * three digits. */
 static const miss MISSES[] = {
     {"energy", "pyramid: " RISE, ENTRANT_DRAFT, 0.207, 0.207, SETTLES},
@@ -71,11 +73,13 @@ static const miss *find(const extreme *x, const figure *f, entrant by) {
     return NULL;
 }
 
+/* Whether `reached` is worse than `worst`, in the direction of the figure's bound. */
 static bool is_beyond(const figure *f, double reached, double worst) {
-    /* Written so that what is not a number is beyond. */
+    /* Negated comparisons, so that NaN is beyond. */
     return f->bound.kind == BOUND_AT_MOST ? !(reached <= worst) : !(reached >= worst);
 }
 
+/* Writes which figure is wrong, and what it is compared with, to `why`. */
 static void blame(char *why, size_t size, const extreme *x, const figure *f, entrant e,
                   const char *what, double value) {
     snprintf(why, size, "%s: %s: %s reached %g: %s %g", x->name, f->what, entrant_name(e),

@@ -1,4 +1,4 @@
-/* ledger.c: the figures of an extreme and their bounds. */
+/* ledger.c: rows of an extreme's table and their bounds, see extreme.h. */
 #include "extremes/extreme.h"
 
 #include <math.h>
@@ -15,7 +15,7 @@ figure *ledger_add(ledger *l, bound b, const char *format, ...) {
     if (l->count == LEDGER_FIGURES) {
         fprintf(stderr, "stability: more than %d figures in one extreme\n", LEDGER_FIGURES);
         l->failed = true;
-        l->count--; /* the last line is written over: the run counts as failed */
+        l->count--; /* the last row is overwritten; the run counts as failed */
     }
     figure *f = &l->figures[l->count++];
     *f = (figure){.bound = b};
@@ -55,7 +55,7 @@ bound bound_at_least(double value, unsigned on) {
 bool figure_holds(const figure *f, entrant e) {
     if (f->bound.kind == BOUND_NONE || !(f->bound.on & f->measured & 1u << e))
         return true;
-    /* Written so that what is not a number does not hold. */
+    /* These comparisons are false for NaN, which does not hold. */
     return f->bound.kind == BOUND_AT_MOST
                ? f->reached[e] <= f->bound.value
                : isfinite(f->reached[e]) && f->reached[e] >= f->bound.value;

@@ -1,4 +1,4 @@
-"""docs/stability.md, in Markdown, from the JSON of thud-envelope."""
+"""Makes docs/stability.md, in Markdown, from the JSON of thud-envelope."""
 
 import re
 
@@ -13,12 +13,13 @@ HEADING = re.compile(r"^## (.+)\n", re.MULTILINE)
 
 
 def number(value):
-    """Four digits; null is what fell or was lost."""
+    """The number with four digits; null means that the structure fell or a body was lost."""
     return "fails" if value is None else value if isinstance(value, str) else f"{value:.4g}"
 
 
 def holds(figure, entrant, binds=None):
-    """Whether the entrant keeps the bound, or is not bound; `binds`: as if it bound those."""
+    """Whether the entrant keeps the bound, or is not bound. `binds`: entrants to apply it to
+    instead."""
     bound = figure.get("bound")
     if not bound or entrant not in (binds or bound["on"]) or entrant not in figure["reached"]:
         return True
@@ -45,7 +46,7 @@ def verdict(figure):
 
 
 def entrants_of(extreme):
-    """The columns: the usual ones, and whoever else was measured."""
+    """The columns of the table: USUAL, and further entrants that were measured."""
     return [e for e in ENTRANTS
             if e in USUAL or any(e in figure["reached"] for figure in extreme["figures"])]
 
@@ -62,7 +63,7 @@ def table(extreme):
 
 
 def kept(extreme):
-    """'so many of so many', of thud's bounds, and of those that Box2D was measured at."""
+    """"n of m" bounds that thud keeps, and the same for those at which Box2D was measured."""
     bounds = [f for f in extreme["figures"] if "bound" in f]
     own = sum(all(holds(f, e) for e in ENTRANTS) for f in bounds)
     rival = [f for f in bounds if "Box2D" in f["reached"]]
@@ -79,7 +80,7 @@ def summary(results):
 
 
 def notes_of(notes):
-    """The opening, and the text below each heading by its name."""
+    """The notes' introduction, and the text below each heading by its name."""
     opening, *rest = HEADING.split(notes)
     return opening, {name: text.strip("\n") for name, text in zip(rest[::2], rest[1::2])}
 
@@ -89,7 +90,7 @@ def stray_headings(notes, names):
 
 
 def fill(notes, results):
-    """The page. What stands in the notes below an extreme's name goes below its table."""
+    """The page. The text below an extreme's name in the notes goes below its table."""
     opening, below = notes_of(prose.strip_given(notes))
     opening = opening.replace("{{measured}}", measured.line(results["about"]))
     parts = [opening.rstrip("\n") + "\n\n" + summary(results) + "\n"]

@@ -1,4 +1,5 @@
-/* test_ledger.c: whether bounds are kept, and what is recorded of figures. */
+/* test_ledger.c: tests whether bounds hold or fail as they should (also for NaN and infinite
+ * values), and the JSON that is recorded of figures. */
 #include "record.h"
 
 #include <math.h>
@@ -55,9 +56,9 @@ static void bound_not_a_number_is_never_kept(void **state) {
     figure_tell(&least, ENTRANT_HIGH, NAN);
     assert_false(figure_holds(&most, ENTRANT_HIGH));
     assert_false(figure_holds(&least, ENTRANT_HIGH));
-    figure_tell(&least, ENTRANT_HIGH, INFINITY); /* how a loss is told */
+    figure_tell(&least, ENTRANT_HIGH, INFINITY); /* the value of a lost body */
     assert_false(figure_holds(&least, ENTRANT_HIGH));
-    assert_true(figure_holds(&least, ENTRANT_DRAFT)); /* was not measured */
+    assert_true(figure_holds(&least, ENTRANT_DRAFT)); /* it was not measured */
 }
 
 static void ledger_with_too_many_figures_has_failed(void **state) {

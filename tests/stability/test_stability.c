@@ -1,7 +1,7 @@
-/* test_stability.c: every extreme in its quick form. What is asserted: that all of it can be run,
- * that every figure of thud is a number and equal to the bit with and without AVX2, and every bound
- * but those known to be missed, which must be missed as far as known and no further. Where tests
- * run a share of their cases, the widest SIMD stands for both. */
+/* test_stability.c: runs every extreme in its quick form. It asserts that all scenes can be run,
+ * that each figure of thud is a number and has the same bits with and without AVX2, and that each
+ * bound holds, except those in known_misses.c, which must be missed, but by no more than listed.
+ * Where a test run executes a share of its cases, the second run without AVX2 is left out. */
 #include "extremes/extreme.h"
 #include "share.h"
 
@@ -39,7 +39,7 @@ static ledger *run_quickly(const extreme *x, bool baseline_simd) {
     return l;
 }
 
-/* Every width must compute the same bits, so that every figure is equal, and not only nearly. */
+/* All SIMD widths must compute the same bits, so the figures are compared for equality. */
 static void check_equal(const extreme *x, const figure *f, const figure *baseline) {
     assert_string_equal(f->what, baseline->what);
     assert_int_equal(f->measured, baseline->measured);

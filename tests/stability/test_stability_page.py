@@ -1,4 +1,4 @@
-"""What docs/stability.md says of figures and bounds, on made-up ones."""
+"""Tests what docs/stability.md says about figures and bounds, with invented ones."""
 
 import os
 import sys

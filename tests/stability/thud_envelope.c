@@ -1,5 +1,6 @@
-/* thud_envelope.c: thud-envelope, drives thud and Box2D to every extreme at full length and writes
- * what they reached. ./run envelope is what people call: it makes a page of this. */
+/* thud_envelope.c: the program thud-envelope, which runs thud and Box2D in every extreme at full
+ * length and writes the results as JSON. People call ./run envelope, which makes docs/stability.md
+ * from them. */
 #include "engine.h"
 #include "machine.h"
 #include "progress.h"
@@ -14,7 +15,7 @@ typedef struct settings {
     bool wanted[MOST_EXTREMES];
     bool quick;
     unsigned entrants;
-    const char *json; /* null: standard output */
+    const char *json; /* path; null: standard output */
 } settings;
 
 static void print_help(void) {
@@ -36,6 +37,7 @@ static bool refuse(const char *what, const char *value) {
     return false;
 }
 
+/* Selects an extreme by its name. */
 static bool want(settings *s, const char *name) {
     for (int i = 0; i < EXTREME_COUNT; i++)
         if (strcmp(EXTREMES[i]->name, name) == 0) {
@@ -73,16 +75,17 @@ static bool read_settings(settings *s, int argc, char **argv) {
     return true;
 }
 
-/* The bar is of the whole run, as if every extreme took as long. */
+/* The progress of the whole run; all extremes count the same. */
 static struct {
     int done, all;
 } bar;
 
+/* Shows the progress of all extremes; `share` of the present one is done. */
 static void show(const char *what, double share) {
     progress_show(what, (bar.done + share) / bar.all);
 }
 
-/* Whether the list of known misses is true; says where it is not. */
+/* Whether the figures agree with the list of known misses; prints each difference. */
 static bool check_known_misses(const extreme *x, const ledger *l) {
     bool ok = true;
     for (int i = 0; i < l->count; i++)

@@ -1,4 +1,4 @@
-/* trial.c: runs a scene by one entrant, and measures it alike for all. */
+/* trial.c: see trial.h. */
 #include "trial.h"
 
 #include <math.h>
@@ -28,7 +28,7 @@ static const char *engine_of(entrant e) {
     return e >= ENTRANT_CHIPMUNK ? "chipmunk" : e >= ENTRANT_BOX2D ? "box2d" : "thud";
 }
 
-/* Box2D lowers it to what its substeps allow. */
+/* Hz: above any stiffness; Box2D lowers it to the maximum for its substeps. */
 static const double MOST_HERTZ = 1000;
 
 bool trial_is_possible(entrant e, const scene *s) {
@@ -126,7 +126,8 @@ void trial_penetration(trial *t, penetration *seen) {
         seen->worst = INFINITY;
         return;
     }
-    t->engine->read(t->world, t->bodies); /* not relative: the meter knows where the ground is */
+    t->engine->read(t->world,
+                    t->bodies); /* absolute positions: the meter knows where the ground is */
     penetration_sample(t->meter, t->bodies, seen);
     if (seen->lost > 0)
         seen->worst = INFINITY;
@@ -150,7 +151,7 @@ double trial_kinetic_energy(trial *t) {
     return energy;
 }
 
-/* In its body's frame. */
+/* The centre of mass in the body's frame. */
 static scene_point center_of(const scene *s, const scene_body *body) {
     scene_point sum = {0, 0};
     double mass = 0;

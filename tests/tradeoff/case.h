@@ -1,6 +1,6 @@
-/* case.h: a scene together with the error that matters in it.
+/* case.h: a case of the trade-off: a scene together with the error that is measured in it.
  *
- * A new case is one `const tradeoff_case` in a file cases_*.c and a line in cases.c. */
+ * To add a case, define a `const tradeoff_case` in a file cases_*.c and add a line in cases.c. */
 #ifndef THUD_TRADEOFF_CASE_H
 #define THUD_TRADEOFF_CASE_H
 
@@ -8,43 +8,45 @@
 #include "oracle.h"
 #include "scenes.h"
 
-/* What can be seen of a world after a step, by no engine's own measure. Nothing is lost. */
+/* The state of a world after a step, measured independently of the engine. No body is lost. */
 typedef struct sighting {
-    const scene *scene;          /* as it began */
-    const engine_body *bodies;   /* as of now, in the scene's order */
-    double time;                 /* s since the start */
-    oracle_score score;          /* of this step */
-    const oracle_score *start;   /* ... and of the scene as it began */
-    const engine_body *expected; /* as the oracle's linkage has them now; null without one */
+    const scene *scene;        /* at the start */
+    const engine_body *bodies; /* at present, in the scene's order */
+    double time;               /* s since the start */
+    oracle_score score;        /* score of the present state */
+    const oracle_score *start; /* ... and of the scene at the start */
+    const engine_body
+        *expected; /* the bodies of the oracle's linkage at present; null without one */
 } sighting;
 
-/* How the errors of the single steps make the one of the whole run. */
+/* How the error of a run follows from the errors of its steps. */
 typedef enum case_fold { CASE_WORST = 0, CASE_MEAN, CASE_LAST } case_fold;
 
 typedef struct tradeoff_case {
     const char *name, *title;
-    const char *about;      /* a sentence: what happens */
-    const char *error;      /* what is measured, in words that fit an axis */
+    const char *about;      /* one sentence about the scene */
+    const char *error;      /* what is measured; the label of an axis */
     const char *unit;       /* "m", or "" where the error is a ratio */
-    int size, quick_size;   /* handed to fill */
-    int steps, quick_steps; /* of 1/60 s */
-    /* Errors up to here are as good as none: what rounding, a tolerance that is documented, or the
-     * yardstick itself makes of a perfect run. */
+    int size, quick_size;   /* passed to fill */
+    int steps, quick_steps; /* number of steps of 1/60 s */
+    /* Errors up to this count as none: the result of rounding, of a documented tolerance, or of the
+     * reference's own error in a perfect run. */
     double floor;
-    /* How much worse a finer quality may seem and count as no worse: 1 where nothing is chaotic. */
+    /* The factor by which a finer quality may have a larger error and count as equal; 1 where the
+     * motion is not chaotic. */
     double chance;
     case_fold fold;
-    const scene_info *built_in;       /* the scene; null: it is made by ... */
-    bool (*fill)(scene *s, int size); /* ... which has an empty one, and gives false, and a line on
-                                         stderr, when something is missing */
+    const scene_info *built_in;       /* the scene; null: made by fill */
+    bool (*fill)(scene *s, int size); /* fills an empty scene; false, with a line on stderr, if
+                                         something is missing */
     double (*error_of)(const sighting *now);
-    bool has_linkage; /* the oracle's linkage runs beside it */
+    bool has_linkage; /* the oracle's linkage is run as the reference */
 } tradeoff_case;
 
-/* An error that more than one case has: of what overlaps now, the deepest. */
+/* An error function of several cases: the deepest overlap of the present state. */
 double case_deepest_overlap(const sighting *now);
 
-/* Makes the case's scene. False, *s is empty, and a line on stderr says why, when it cannot. */
+/* Creates the case's scene. False, with *s empty and a line on stderr, if it cannot. */
 bool case_fill(const tradeoff_case *c, bool quick, scene *s);
 
 int cases_count(void);

@@ -1,4 +1,5 @@
-/* cases_bullets.c: fast small bodies at thin walls. */
+/* cases_bullets.c: the case "bullets": fast small bodies shot at thin walls; the error is the share
+ * that passes through. */
 #include "case.h"
 #include "random.h"
 
@@ -6,10 +7,10 @@
 
 static const double WALL_HALF = 2, BULLET = 0.1;
 
-/* In every lane a wall, 0.02 m thick, and a bullet that flies at it: bodies 2 i and 2 i + 1. Speeds
- * go from 10 to 10^5 m/s, kinds from circle over upright box to turning box; every other fifteen
- * walls give way, ten times as heavy as a bullet. Bullets are told to be such, as both engines
- * advise: they are swept in thud, and flagged as bullets in Box2D. */
+/* Lane i has a wall, 0.02 m thick, and a bullet that flies at it, bodies 2 i and 2 i + 1. Speeds
+ * are 10 to 10^5 m/s; bullets are circles, AABBs and OBBs; every second fifteen walls are dynamic,
+ * with ten times a bullet's mass. Bullets are marked as such, as both engines advise: swept in
+ * thud, isBullet in Box2D. */
 static bool fill_bullets(scene *s, int size) {
     static const double SPEEDS[] = {1e1, 1e2, 1e3, 1e4, 1e5};
     scene_random random = {6};

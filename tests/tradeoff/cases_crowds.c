@@ -1,17 +1,18 @@
-/* cases_crowds.c: many bodies in motion. No path can be foretold; what counts is how much they
- * overlap, and whether their energy stays. */
+/* cases_crowds.c: cases with many moving bodies. Their paths are chaotic, so the errors are overlap
+ * and the drift of energy. */
 #include "case.h"
 #include "random.h"
 
 #include <math.h>
 #include <stdio.h>
 
-/* Metres of a profile for one of the scene, both ways: hills stay as steep as they are. */
+/* Scale: metres of the measured profile for a metre of the scene, in both directions, so that
+ * slopes are kept. */
 static const double SHRINK = 50;
 enum { PROFILE_MAX = 96 };
 
-/* The first samples of a real profile, see assets/terrain/README.md; 0 and a line on stderr when
- * it cannot be read. */
+/* Reads the first samples of a measured profile, see assets/terrain/README.md. Returns their
+ * number; 0, with a line on stderr, if the file cannot be read. */
 static int read_profile(scene_point *points) {
     FILE *file = fopen(THUD_TERRAIN_PROFILE, "r");
     double east, elevation;

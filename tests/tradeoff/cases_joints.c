@@ -1,4 +1,5 @@
-/* cases_joints.c: what joints hold. Errors are ways off the oracle's, or what opens. */
+/* cases_joints.c: cases with joints. The errors are distances from the oracle's linkage or from the
+ * equilibrium, and joint gaps. */
 #include "case.h"
 
 #include "tied_scenes.h"
@@ -25,12 +26,12 @@ static bool fill_driving_cars(scene *s, int size) {
     return !s->failed;
 }
 
-/* From where the oracle's linkage has them. */
+/* The largest distance of a body from its place in the oracle's linkage, m. */
 static double off_the_linkage(const sighting *now) {
     return oracle_compare(now->scene, now->expected, now->bodies).position_max;
 }
 
-/* What is in equilibrium at the start stays there. */
+/* The largest distance of a body from its place at the start, where it is in equilibrium, m. */
 static double off_equilibrium(const sighting *now) {
     double furthest = 0;
     for (int i = 0; i < now->scene->body_count; i++) {

@@ -1,11 +1,12 @@
-/* cases_paths.c: motions that mechanics gives in closed form; the error is the way off the path. */
+/* cases_paths.c: cases whose exact motion is known in closed form (sliding, rolling, elastic
+ * impacts); the error is the distance from it. */
 #include "case.h"
 
 #include <math.h>
 
-static const double GRAVITY = 10; /* m/s^2: a scene's own */
+static const double GRAVITY = 10; /* m/s^2: the default of scenes */
 
-/* Unit vectors downhill (run, -rise), and their angles. */
+/* The unit vector downhill is (run, -rise); the angle is in rad. */
 typedef struct incline {
     double run, rise, angle;
 } incline;
@@ -19,8 +20,8 @@ static const incline INCLINES[] = {
 
 static const double HALF = 0.5, FRICTION = 0.5;
 
-/* An incline straight enough to stay on, and on it a place for something of half size HALF. Incline
- * and thing are bodies 2 i and 2 i + 1. */
+/* Adds an incline, a straight terrain line, and returns the centre of a body of half extent HALF
+ * that stands on it at rest. Incline and body are bodies 2 i and 2 i + 1. */
 static scene_point add_incline(scene *s, int i, const incline *d) {
     const scene_point line[] = {{-10 * d->run, 10 * d->rise}, {60 * d->run, -60 * d->rise}};
     double x = 100.0 * i;
@@ -46,8 +47,8 @@ static bool fill_rolling(scene *s, int size) {
     return !s->failed;
 }
 
-/* The largest distance from where the things should be, which went down their inclines from rest at
- * a constant acceleration. */
+/* The largest distance of a body from its exact place, m: it starts at rest and moves down its
+ * incline with constant acceleration. */
 static double off_path(const sighting *now, double (*acceleration)(const incline *)) {
     double worst = 0;
     for (int i = 0; 2 * i < now->scene->body_count; i++) {
@@ -60,13 +61,13 @@ static double off_path(const sighting *now, double (*acceleration)(const incline
     return worst;
 }
 
-/* Coulomb: it stays where friction can hold it. */
+/* Coulomb friction: the box stays if friction can hold it. */
 static double sliding(const incline *d) {
     return fmax(0, GRAVITY * (d->rise - FRICTION * d->run));
 }
 
-/* A disc, inertia m r^2 / 2, that rolls without slipping: wherever tan(angle) is below three times
- * the friction, which is so on all of them. */
+/* A disc (inertia m r^2 / 2) that rolls without slipping, since tan(angle) is below three times the
+ * friction on all inclines. */
 static double rolling(const incline *d) {
     return 2.0 / 3.0 * GRAVITY * d->rise;
 }
@@ -79,8 +80,9 @@ static double off_rolling_path(const sighting *now) {
     return off_path(now, rolling);
 }
 
-/* The scene has rows of 1, 2 and 3 balls that fly in; bodies 0 and 1 are walls. By the last step as
- * many have left on the other side at their speed, and have not reached the wall. */
+/* The scene has rows in which 1, 2 and 3 balls fly in; bodies 0 and 1 are walls. At the last step
+ * as many balls must have left at the other side with the same speed, and not have reached the
+ * wall. Returns the largest velocity error over that speed. */
 static double speed_off(const sighting *now) {
     const double speed = 5;
     int length = (now->scene->body_count - 2) / 3;

@@ -1,9 +1,9 @@
-/* cases_stacks.c: what should stand as it was put down: every movement is an error. */
+/* cases_stacks.c: cases with stacks that should stand still; each movement is an error. */
 #include "case.h"
 
 #include <math.h>
 
-/* The topmost box is the last one. Higher than it was is as wrong as lower. */
+/* The change in height of the topmost box, the last body, m; higher is as wrong as lower. */
 static double height_lost(const sighting *now) {
     int top = now->scene->body_count - 1;
     return fabs(now->bodies[top].y - now->scene->bodies[top].y);

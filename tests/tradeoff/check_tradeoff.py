@@ -1,5 +1,5 @@
-"""Runs every case of thud-tradeoff small and short, through ./run tradeoff's own Python, and checks
-what must hold on any machine: nothing of how long it takes.
+"""Runs every case of thud-tradeoff in its quick form through ./run tradeoff's Python program, and
+checks what must hold on any machine; times are not checked.
 
 usage: check_tradeoff.py THUD_TRADEOFF
 """
@@ -26,10 +26,10 @@ ITERATIONS = ["10", "40", "160"]
 JOINTS = ["chain", "bridge", "ragdolls", "cars"]
 MEASURES = ["ms_median", "ms_mean", "ms_total", "penetration_worst", "penetration_mean",
             "energy_gained"]
-# Where a finer quality still errs more than a coarser one: case, coarser and finer, the worst error of
-# the finer that is known of the small and short run, rounded up, and the reason.
+# Where a finer quality has a larger error than a coarser one: case, coarser and finer, the largest
+# error of the finer in the quick run, rounded up, and the reason.
 KNOWN_MISSES = {}
-# Energy that thud gains beyond a hundredth: case and setting, the most that is known, and the reason.
+# Energy that thud gains beyond 1 %: case and setting, the largest known value, and the reason.
 KNOWN_GAINS = {}
 DRIVEN = ["cars"]  # motors put energy in
 LINE = 43  # characters that one picture of the overview has room for
@@ -76,7 +76,8 @@ def check_monotone(cases):
         assert reached <= worst and reason, (pair, reached, "worse than the worst known", worst)
     kept = set(KNOWN_MISSES) - set(worse)
     assert not kept, ("kept again; they leave the list of known misses", kept)
-    # Settings must matter at all, or there is nothing to trade; flagged bullets are stopped by all.
+    # Settings must make a difference, otherwise there is nothing to trade; bullets are stopped at
+    # all settings.
     for case in cases:
         if case["case"] != "bullets":
             assert len({p["error"] for p in figures.curve(case, "thud")}) > 1, case["case"]
@@ -142,7 +143,7 @@ def finished_in(folder):
 
 
 def waiting_at(case, program, folder):
-    """A program like thud-tradeoff that waits in a case for a file: (program, file)."""
+    """A program like thud-tradeoff that waits in a case until a file exists: (program, file)."""
     waiting, there = os.path.join(folder, "waiting-tradeoff"), os.path.join(folder, "go-on")
     with open(waiting, "w", encoding="utf-8") as file:
         file.write('#!/bin/sh\n'
@@ -155,7 +156,7 @@ def waiting_at(case, program, folder):
 
 
 def check_interrupted_run_goes_on(program, folder):
-    """Ctrl-C reaches the whole group of processes, as from a terminal."""
+    """Ctrl-C is sent to the whole process group, as by a terminal."""
     os.mkdir(folder)
     few = ["slope", "rolling", "cradle"]
     waiting, there = waiting_at(few[2], program, folder)
@@ -164,7 +165,7 @@ def check_interrupted_run_goes_on(program, folder):
     words = [sys.executable, os.path.join(HERE, "tradeoff.py"), waiting, *options]
     with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                           start_new_session=True) as child:
-        # Once there are two, the first one's page is complete.
+        # Once there are two results, the page of the first is complete.
         while len(finished_in(folder)) < 2 and child.poll() is None:
             time.sleep(0.01)
         os.killpg(child.pid, signal.SIGINT)

@@ -1,8 +1,7 @@
-/* measure.c: see measure.h. Each setting runs once to be looked at after every step, and then all
- * of them together to be timed: their worlds take turns, a few steps each, so that whatever else
- * the machine does hits all alike, and nothing is looked at meanwhile. Engines are deterministic,
- * so that a step is the same work in every repetition, and the least of its times is the best
- * estimate. */
+/* measure.c: see measure.h. Each setting runs once with its errors measured after every step. Then
+ * all settings run together and are timed, without measuring errors: their worlds take turns of a
+ * few steps, so that load of other processes affects all alike. Engines are deterministic, so that
+ * a step is the same work in each repetition, and the minimum of its times is the best estimate. */
 #include "measure.h"
 
 #include "series.h"
@@ -21,8 +20,8 @@ typedef struct run {
     engine_body *bodies;
     void *worlds[SETTINGS_MAX];
     series times[SETTINGS_MAX];
-    int used[SETTINGS_MAX], count; /* settings that go through the case */
-    double done, all;              /* steps of any world, for the progress */
+    int used[SETTINGS_MAX], count; /* indices of the settings that run the case, and their number */
+    double done, all;              /* steps of all worlds, for the progress */
 } run;
 
 static double now_ms(void) {
@@ -31,6 +30,7 @@ static double now_ms(void) {
     return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
 }
 
+/* Reports progress by `steps` further steps. */
 static void tell(run *r, int steps) {
     r->done += steps;
     if (r->plan->progress)
@@ -57,6 +57,7 @@ static void close_worlds(run *r) {
     }
 }
 
+/* Runs a setting once, and measures its errors after each step. */
 static bool look_at(run *r, int which, yardstick *y) {
     const physics_engine *engine = SETTINGS[which].engine;
     if (!open_world(r, which))
@@ -76,6 +77,7 @@ static bool look_at(run *r, int which, yardstick *y) {
     return true;
 }
 
+/* The errors of one setting. */
 static bool take_errors(run *r, int which, errors *out) {
     yardstick *y = yardstick_create(r->c, &r->scene);
     bool ok = y ? look_at(r, which, y) : fail(r, which, "out of memory");
@@ -86,6 +88,7 @@ static bool take_errors(run *r, int which, errors *out) {
     return ok;
 }
 
+/* Times `count` steps of a setting. */
 static bool take_turn(run *r, int which, double *ms, int count) {
     const physics_engine *engine = SETTINGS[which].engine;
     for (int i = 0; i < count; i++) {
@@ -105,7 +108,7 @@ static bool repeat_once(run *r, int repetition) {
         ok = open_world(r, r->used[i]);
     for (int first = 0; ok && first < r->steps; first += TURN) {
         int count = r->steps - first < TURN ? r->steps - first : TURN;
-        /* Going first goes round. */
+        /* The setting that goes first changes each time. */
         for (int i = 0; ok && i < r->count; i++) {
             int which = r->used[(first / TURN + repetition + i) % r->count];
             ok = take_turn(r, which, r->times[which].ms + repetition * r->steps + first, count);
@@ -115,6 +118,8 @@ static bool repeat_once(run *r, int repetition) {
     return ok;
 }
 
+/* Median, mean and sum of the step times, ms; mean and sum use each step's minimum over
+ * repetitions. */
 static cost cost_of(const series *times) {
     cost c = {.median = series_summarize(times).median};
     for (int step = 0; step < times->steps; step++) {

@@ -1,4 +1,4 @@
-/* measure.h: runs one case at every setting, for its errors and for its cost. */
+/* measure.h: runs one case at every setting, and measures its errors and its cost. */
 #ifndef THUD_TRADEOFF_MEASURE_H
 #define THUD_TRADEOFF_MEASURE_H
 
@@ -6,15 +6,15 @@
 #include "yardstick.h"
 
 typedef struct measure_plan {
-    int repetitions; /* of the timed runs */
+    int repetitions; /* of the timed run */
     bool quick;
-    /* Told now and then how far it is, in [0, 1]; null: nobody looks. */
+    /* Called with the progress in [0, 1]; may be null. */
     void (*progress)(const char *case_name, double fraction);
 } measure_plan;
 
 typedef struct cost {
-    double median, mean; /* ms a step */
-    double total;        /* ms, all steps */
+    double median, mean; /* ms per step */
+    double total;        /* ms for all steps */
 } cost;
 
 typedef struct point {
@@ -29,7 +29,7 @@ typedef struct measurement {
     point points[SETTINGS_MAX];
 } measurement;
 
-/* False, and a line on stderr, when an engine or memory fails. */
+/* False, with a line on stderr, if an engine fails or memory runs out. */
 bool measure_case(const tradeoff_case *c, const measure_plan *plan, measurement *out);
 
 #endif

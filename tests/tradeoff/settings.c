@@ -1,24 +1,24 @@
-/* settings.c: thud at each of its qualities, everything else at its defaults; with the soft solver
- * alone at more substeps; and at the default quality with swept detection, which is what to choose
- * where all that matters is impacts.
+/* settings.c: the settings that are compared. thud runs at each of its qualities with everything
+ * else at its default; with the soft solver alone at several numbers of substeps; and at quality
+ * default with swept detection, the setting for worlds in which impacts alone matter.
  *
- * Chipmunk 7 at its default of 10 iterations, and more.
+ * Chipmunk 7 runs with its default of 10 iterations and with more.
  *
- * Box2D v3.2 at 1 to 16 substeps, with its default contact stiffness and with one that is scaled
- * with the substeps. Its step lowers b2WorldDef.contactHertz to an eighth of the substep rate
- * (b2World_Step), and takes twice that against static bodies. The default is 30 Hz: at 60 steps a
- * second it is lowered to 7.5 and 15 Hz at one and two substeps, just allowed at four, and keeps
- * contacts from getting stiffer beyond. Scaled means the most that it allows, 7.5 Hz a substep: the
- * same settings as the default's up to four substeps, so that these three are run once and belong
- * to both curves. Its joints are then as stiff as it allows, too, at a quarter of the substep rate
- * and a damping ratio of 10; 60 Hz and 2 are their defaults. Bodies for which a scene wants swept
- * detection are its bullets, which it stops at moving shapes too. Its highest speed, 400 m/s by
- * default, is lifted: what is cut to it errs in speed, and would be compared at something else than
- * the trial asks. */
+ * Box2D v3.2 runs with 1 to 16 substeps, with its default contact stiffness and with one that is
+ * scaled with the substeps. Its step (b2World_Step) limits b2WorldDef.contactHertz to an eighth of
+ * the substep rate, and uses twice that against static bodies. The default is 30 Hz: at 60 steps
+ * per second it is lowered to 7.5 and 15 Hz at one and two substeps, is equal to the limit at four,
+ * and is below it at more. Scaled means the limit, 7.5 Hz per substep: up to four substeps this is
+ * the same as the default, so that these three settings are run once and belong to both curves.
+ * Scaled joints are as stiff as Box2D allows too, a quarter of the substep rate with a damping
+ * ratio of 10; the defaults are 60 Hz and 2. Bodies for which a scene asks for swept detection are
+ * bullets in Box2D, which it stops at moving shapes too. Its maximum speed, 400 m/s by default, is
+ * raised: a body that is limited to it would have an error of speed that the case does not ask
+ * about. */
 #include "settings.h"
 
-/* The soft solver alone, as it would be at more substeps: beside Box2D's, which is soft at all of
- * its. */
+/* thud with the soft solver alone (island_limit 1), for comparison with Box2D's, which is soft at
+ * all settings. */
 #define SOFT(n)                                                                                  \
     {                                                                                            \
         .engine = &engine_thud, .name = "soft " #n, .curve = "thud soft",                        \

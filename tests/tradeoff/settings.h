@@ -1,4 +1,5 @@
-/* settings.h: an engine at one of its settings, which is one point of the trade-off. */
+/* settings.h: an engine with one of its settings, which is one point in the plots of the trade-off.
+ */
 #ifndef THUD_TRADEOFF_SETTINGS_H
 #define THUD_TRADEOFF_SETTINGS_H
 
@@ -6,18 +7,18 @@
 
 typedef struct setting {
     const physics_engine *engine;
-    const char *name;  /* unique among those of its engine */
-    const char *curve; /* settings of one curve go from cheap to dear in their order */
+    const char *name;  /* unique within its engine */
+    const char *curve; /* settings of a curve are listed from the cheapest to the most expensive */
     engine_settings with;
 } setting;
 
 enum { SETTINGS_MAX = 24 };
 
-/* Those of thud, and then those of Box2D and Chipmunk where the build has them. */
+/* The settings of thud, followed by those of Box2D and Chipmunk if the build has them. */
 extern const setting SETTINGS[];
 extern const int SETTING_COUNT;
 
-/* Chipmunk is asked of joints alone. */
+/* Whether the setting runs this scene: Chipmunk runs scenes with joints only. */
 bool setting_goes_through(const setting *how, const scene *s);
 
 #endif

@@ -1,5 +1,5 @@
-/* test_cases.c: what the cases call an error, on states made by hand: right ones, and ones that are
- * wrong by a known amount. */
+/* test_cases.c: tests the error functions of the cases on states made by hand: exact ones, which
+ * have no error, and ones that are wrong by a known amount. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -13,11 +13,11 @@
 
 typedef struct made {
     scene scene;
-    engine_body *bodies; /* as the scene has them, until a test moves them */
+    engine_body *bodies; /* bodies as in the scene, until a test moves them */
     yardstick *yardstick;
 } made;
 
-/* In place: the yardstick keeps the scene's address. */
+/* Fills *m in place, because the yardstick keeps the scene's address. */
 static void make(made *m, const tradeoff_case *c) {
     assert_true(case_fill(c, true, &m->scene));
     m->bodies = calloc((size_t)m->scene.body_count, sizeof *m->bodies);
@@ -105,7 +105,7 @@ static void sliding_box_on_its_analytic_path_has_no_error_and_off_it_that_distan
     const double time = 2;
     made m;
     make(&m, &case_slope);
-    /* At 30 and 40 degrees: s = g (sin a - 0.5 cos a) t^2 / 2; the others stay. */
+    /* At 30 and 40 degrees the boxes slide: s = g (sin a - 0.5 cos a) t^2 / 2; the others stay. */
     for (int i = 2; i < 4; i++) {
         double a = (i + 1) * 3.14159265358979323846 / 18;
         double way = 0.5 * 10 * (sin(a) - 0.5 * cos(a)) * time * time;

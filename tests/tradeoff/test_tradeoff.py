@@ -1,4 +1,4 @@
-"""What is computed, written and drawn of the figures of thud-tradeoff, on made-up ones."""
+"""Tests what is computed, written and drawn from the figures of thud-tradeoff, with invented ones."""
 
 import math
 import sys
@@ -18,7 +18,7 @@ def point(engine, setting, ms, error, **more):
 
 
 def made(thud, box2d, floor=1e-6, chance=1):
-    """A case of (ms, error) points."""
+    """A case with points (ms, error)."""
     points = [point("thud", f"quality {i}", *p) for i, p in enumerate(thud)]
     points += [point("box2d", f"{2 ** i}", *p, substeps=2 ** i) for i, p in enumerate(box2d)]
     return {"case": "made", "title": "Made up", "about": "Nothing moves.", "error": "way off",

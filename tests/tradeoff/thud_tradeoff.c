@@ -1,5 +1,6 @@
-/* thud_tradeoff.c: measures cases and writes them as JSON to stdout. ./run tradeoff is what people
- * call: it runs this case by case, and draws and writes what docs/tradeoff.md shows. */
+/* thud_tradeoff.c: the program thud-tradeoff, which measures cases and writes them as JSON to
+ * stdout. People call ./run tradeoff, which runs it case by case and writes docs/tradeoff.md and
+ * its pictures. */
 #include "json.h"
 #include "machine.h"
 #include "measure.h"

@@ -43,7 +43,7 @@ def parse(arguments):
                         help="only this case; may be given several times")
     parser.add_argument("--repeat", type=int, metavar="N",
                         help="timed repetitions (default 9, with --quick 1)")
-    # For ./run, before it builds.
+    # For ./run, which checks the options before it builds.
     parser.add_argument("--check", action="store_true", help=argparse.SUPPRESS)
     how = parser.add_mutually_exclusive_group()
     how.add_argument("--again", action="store_true",
@@ -60,7 +60,7 @@ def parse(arguments):
 
 
 def write(path, words):
-    """All of it or nothing, whenever it is interrupted."""
+    """Writes the file atomically: an interruption leaves the old or the new text."""
     with open(path + ".new", "w", encoding="utf-8") as file:
         file.write(words)
     os.replace(path + ".new", path)
@@ -84,15 +84,16 @@ def read_results(out):
 
 
 def build_of(program):
+    """A digest of the program, which tells builds apart."""
     with open(program, "rb") as file:
         return hashlib.sha256(file.read()).hexdigest()[:16]
 
 
 def list_cases(arguments):
-    """[(name, its share of the work)], of those that are wanted."""
+    """[(name, its share of the work)] of the wanted cases."""
     words = [arguments.program, "--list"] + (["--quick"] if arguments.quick else [])
     done = subprocess.run(words, capture_output=True, text=True, check=True)
-    # What a step costs beside its bodies is about that of twenty.
+    # The fixed cost of a step is about that of twenty bodies.
     all_cases = {name: (int(bodies) + 20) * int(steps)
                  for name, bodies, steps, *_ in map(str.split, done.stdout.splitlines())}
     unknown = [name for name in arguments.cases or [] if name not in all_cases]
@@ -103,7 +104,7 @@ def list_cases(arguments):
 
 
 class Progress:
-    """A bar with the time that is left, where somebody looks."""
+    """Shows a bar with the remaining time, if stderr is a terminal."""
 
     def __init__(self, work):
         self.work, self.done, self.begun = max(work, 1), 0, time.monotonic()
@@ -150,7 +151,7 @@ def measure_case(arguments, name, work, progress):
 
 
 def left_over(arguments, wanted):
-    """The results of an interrupted run of the same, or new ones."""
+    """The results of an interrupted run with the same options and build, or empty ones."""
     terms = {"build": build_of(arguments.program), "quick": arguments.quick,
              "repeat": arguments.repeat, "wanted": wanted}
     fresh = {"about": {}, **terms, "missing": wanted, "cases": []}
@@ -165,7 +166,7 @@ def left_over(arguments, wanted):
 
 
 def measure(arguments):
-    """Case by case; each is written as soon as it is there."""
+    """Measures case by case, and writes each result when it is done."""
     cases = list_cases(arguments)
     wanted = [name for name, _ in cases]
     results = left_over(arguments, wanted)

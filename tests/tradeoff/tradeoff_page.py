@@ -27,7 +27,7 @@ def table(head, rows):
 
 
 def digits(value, count=3):
-    """So many digits, without an exponent where people read one more easily without."""
+    """The number with `count` digits; with an exponent only if it is very small or large."""
     if value == 0:
         return "0"
     if not math.isfinite(value):
@@ -47,7 +47,7 @@ def amount(case, point):
 
 
 def times(value):
-    """A factor, with two digits; over a point of Box2D that lost bodies it is infinite."""
+    """A factor with two digits; infinite if the point of Box2D lost bodies."""
     if not math.isfinite(value):
         return "∞"
     if value < 10:
@@ -56,6 +56,7 @@ def times(value):
 
 
 def span(values):
+    """A range of factors in words, or one factor."""
     low, high = times(min(values)), times(max(values))
     return low if low == high else f"{low} to {high}"
 
@@ -65,7 +66,7 @@ def named(case, rivals):
 
 
 def exceptions(case):
-    """Why points of Box2D are not beaten, if any are not."""
+    """A text that names the points of Box2D which are not beaten, and why; empty if all are."""
     missed = figures.unbeaten(case)
     out_of_reach = [r for r in missed if figures.cheapest_as_accurate(case, r) is None]
     dearer = [r for r in missed if figures.cheapest_as_accurate(case, r)]
@@ -83,7 +84,7 @@ def exceptions(case):
 
 
 def verdict(case):
-    """One sentence: whether thud's curve lies left of and below Box2D's, or where not."""
+    """One sentence: whether thud's curve is left of and below Box2D's, or where it is not."""
     rivals = figures.rivals(case)
     if not rivals:
         return UNMEASURED
@@ -108,7 +109,7 @@ def verdict(case):
 
 
 def beside_chipmunk(case):
-    """Whether thud's curve lies left of and below Chipmunk's, where that was asked."""
+    """One sentence: whether thud's curve is left of and below Chipmunk's, if Chipmunk ran."""
     points = figures.chipmunks(case)
     unbeaten = [p for p in points if not figures.is_beaten(case, p)]
     if not points:
@@ -120,6 +121,7 @@ def beside_chipmunk(case):
 
 
 def monotony(case):
+    """The page's sentence about pairs of qualities of which the higher one has the larger error."""
     worse = figures.not_monotone(case)
     if not worse:
         return "More quality buys accuracy throughout."
@@ -154,12 +156,13 @@ def sections(results, folder):
 
 
 def range_of(values, missing):
+    """The range of the values that are not None, and how the page names the others."""
     found = [v for v in values if v is not None]
     return span(found) + (f" ({missing})" if len(found) < len(values) else "") if found else missing
 
 
 def summary(results):
-    """A line a case: the verdict in a word, and the figures behind it."""
+    """A row for each case: the verdict in a word, and the figures behind it."""
     rows = []
     for case in results["cases"]:
         rivals = figures.rivals(case)
@@ -182,7 +185,7 @@ def summary(results):
 
 
 def anchor(title):
-    """As GitHub makes it of a heading."""
+    """The anchor that GitHub makes for a heading."""
     return re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
 
 
@@ -194,7 +197,7 @@ def thoroughness(results):
 
 
 def fill(notes, results, folder):
-    """The notes with every {{name}} replaced; a name that nothing makes is an error."""
+    """The notes with every {{name}} replaced; an unknown name is an error."""
     made = {"thoroughness": thoroughness, "summary": summary,
             "sections": lambda r: sections(r, folder), "folder": lambda _: folder,
             "measured": lambda r: measured.line(r["about"])}

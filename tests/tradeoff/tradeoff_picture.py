@@ -1,13 +1,13 @@
-"""Error over cost as SVG: a chart for each case, and all of them small, side by side. Each point is
-named where it stands, so that nobody has to look for a legend."""
+"""Draws error over cost as SVG: a chart for each case, and an overview of all. Each point has its
+name beside it instead of a legend."""
 
 import math
 from xml.sax.saxutils import escape
 
 import tradeoff_figures as figures
 
-# Colours that stay apart for the colour-blind, and signs that do so without colours. The pictures
-# bring their own white ground, so that a dark page does not matter.
+# Colours that colour-blind readers can distinguish, and different signs for those who cannot.
+# Pictures have a white background of their own, for pages in dark mode.
 COLOURS = {"thud": "#00734d", "thud soft": "#3fae86", "thud swept": "#00734d", "box2d": "#c4541c",
            "box2d stiff": "#3a5bbf", "chipmunk": "#8a4fa3"}
 SIGNS = {"thud": "circle", "thud soft": "circle", "thud swept": "ring", "box2d": "square",
@@ -34,6 +34,7 @@ def rule(x1, y1, x2, y2, colour=PALE, dashes=""):
 
 
 def sign(kind, x, y, radius, colour):
+    """The marker of a point."""
     if kind == "circle":
         return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{radius}" fill="{colour}"/>'
     if kind == "ring":
@@ -51,7 +52,7 @@ class Axis:
 
     def __init__(self, values, start, end):
         low, high = (math.log10(f(values)) for f in (min, max))
-        # A margin, and never less than a decade in all: small differences are to look small.
+        # A margin, and at least a decade in all, so that small differences look small.
         room = max(0.06 * (high - low), 0.5 * (1 - (high - low)))
         self.low, self.high, self.start, self.end = low - room, high + room, start, end
 
@@ -60,7 +61,7 @@ class Axis:
         return self.start + part * (self.end - self.start)
 
     def ticks(self, at_most):
-        """Powers of ten, and where these are too few, twice and five times them."""
+        """Powers of ten and, if these are too few, their double and fivefold."""
         powers = range(math.floor(self.low), math.ceil(self.high) + 1)
         inside = [[10.0 ** k * m for k in powers for m in steps
                    if self.low <= math.log10(10.0 ** k * m) <= self.high]
@@ -70,13 +71,14 @@ class Axis:
 
 
 def short(value):
+    """A tick's label."""
     if value >= 1e4 or value < 1e-3:
         return f"{value:.0e}".replace("e-0", "e-").replace("e+0", "e")
     return f"{value:,.0f}" if value >= 1 else f"{value:g}"
 
 
 def heights(case):
-    """Every point's error; lost ones stand above all others."""
+    """The error of each point; lost ones are drawn above all others."""
     errors = [figures.error(case, p) for p in case["points"]]
     finite = [e for e in errors if math.isfinite(e)]
     top = 10 * max(finite, default=1)
@@ -84,6 +86,7 @@ def heights(case):
 
 
 def axes_of(case, left, right, top, bottom):
+    """Both axes of a case and the pixel position of each point."""
     ys = heights(case)
     x = Axis([1e3 * figures.cost(p) for p in case["points"]], left, right)
     y = Axis(list(ys.values()), bottom, top)
@@ -92,7 +95,7 @@ def axes_of(case, left, right, top, bottom):
 
 
 def lines(case, places, width, radius):
-    """Curves, the rivals' first so that thud's lie on top."""
+    """Draws the curves, those of rivals first, so that thud's are on top."""
     parts = []
     for name in reversed(figures.CURVES):
         points = [places[id(p)] for p in figures.curve(case, name)]
@@ -107,14 +110,14 @@ def lines(case, places, width, radius):
 
 
 def along(start, end, every=6):
-    """Places on the straight way between two points."""
+    """Points on the straight line between two points."""
     count = max(1, int(math.dist(start, end) / every))
     return [(start[0] + (end[0] - start[0]) * i / count, start[1] + (end[1] - start[1]) * i / count)
             for i in range(count + 1)]
 
 
 class Room:
-    """Finds places for labels, where they cover neither each other, nor a point, nor a line."""
+    """Finds places for labels that cover no other label, no point and no line."""
 
     def __init__(self, case, places, bounds, size):
         self.bounds, self.size = bounds, size
@@ -134,7 +137,7 @@ class Room:
         return 100 * beyond + covered
 
     def place(self, px, py, words):
-        """The nearest free place round a point: x and y of the text's start."""
+        """The nearest free place around a point: x and y of the text's start."""
         width, height = CHARACTER * self.size * len(words), self.size
         tries = []
         for far in (0.6, 1, 1.6, 2.4, 3.4, 4.5):
@@ -149,6 +152,7 @@ class Room:
 
 
 def labels(case, places, bounds):
+    """The names of the points, placed where they cover least."""
     room = Room(case, places, bounds, LABEL)
     parts = []
     for p in case["points"]:
@@ -164,7 +168,7 @@ def labels(case, places, bounds):
 
 
 def end_labels(case, places, bounds):
-    """The same in a small picture, where there is room for the ends of the curves only."""
+    """The same for a small picture, where only the ends of the curves are labelled."""
     room = Room(case, places, bounds, SMALL_LABEL)
     parts = []
     for name in figures.CURVES:
@@ -177,6 +181,7 @@ def end_labels(case, places, bounds):
 
 
 def frame(x, y, bounds, at_most, size):
+    """The grid and tick labels of a chart."""
     left, top, right, bottom = bounds
     parts = []
     for tick in x.ticks(at_most):
@@ -216,7 +221,7 @@ def draw_case(case):
 
 
 def key(width):
-    """Names of the curves beside the signs themselves."""
+    """Draws the names of the curves beside their signs."""
     parts = [text(20, 34, "What accuracy costs: error over time a step", 18, weight="bold"),
              text(width - 20, 34, "better: to the left and further down", 13, "end", GREY)]
     at, line = 20, 56
@@ -231,6 +236,7 @@ def key(width):
 
 
 def panel(case, column, row):
+    """One case's small chart in the overview."""
     left, top = column * PANEL_WIDTH + 52, KEY + row * PANEL_HEIGHT + 46
     bounds = (left, top, (column + 1) * PANEL_WIDTH - 14, KEY + (row + 1) * PANEL_HEIGHT - 26)
     x, y, places = axes_of(case, bounds[0], bounds[2], bounds[1], bounds[3])
@@ -250,6 +256,6 @@ def draw_overview(cases):
 
 
 def draw(results):
-    """Every picture by its file's name."""
+    """All pictures by their file names."""
     pictures = {f"{case['case']}.svg": draw_case(case) for case in results["cases"]}
     return {**pictures, "overview.svg": draw_overview(results["cases"])}

@@ -1,5 +1,5 @@
-/* yardstick.c: see yardstick.h. The oracle's meter scores each state: nothing that an engine says
- * of its own errors counts. */
+/* yardstick.c: see yardstick.h. States are scored by the oracle's meter (tests/oracle); errors that
+ * engines report themselves are not used. */
 #include "yardstick.h"
 
 #include "linkage.h"
@@ -13,20 +13,21 @@ struct yardstick {
     const tradeoff_case *c;
     const scene *scene;
     oracle_meter *meter;
-    linkage *linkage; /* null: the case has none */
+    linkage *linkage; /* null: the case has no linkage */
     engine_body *expected;
-    double fall; /* J: everything's fall by a length scale */
+    double fall; /* J: energy that all bodies release when they fall by a metre */
     oracle_score start;
     double kinetic_most, energy_most;
-    double penetration_worst, penetration_sum; /* m; the sum over all touching pairs and steps */
-    double touching;                           /* so many */
-    double folded; /* so far: the worst, the sum or the last of the steps' errors */
-    double time;   /* s, of the linkage */
+    double penetration_worst, penetration_sum; /* m; the sum is over all touching pairs and all
+                                                  steps */
+    double touching;                           /* number of touching pairs in all steps */
+    double folded; /* the largest, the sum or the last of the steps' errors so far */
+    double time;   /* s: time of the linkage */
     long steps;
     int lost;
 };
 
-/* Of bodies of one shape. */
+/* The mass of a body with one shape, kg. */
 static double mass_of(const scene_shape *shape) {
     double area =
         shape->kind == SCENE_CIRCLE ? PI * shape->hx * shape->hx : 4 * shape->hx * shape->hy;

@@ -1,4 +1,4 @@
-"""Reads the two kinds of picture that thud-play writes, by the formats' specifications."""
+"""Reads the two picture formats that thud-play writes, PNG and BMP, by their specifications."""
 
 import struct
 import zlib
@@ -31,7 +31,7 @@ def pixel_rows(data, width, height, stride, order):
 
 
 def read_png(path):
-    """True colour without alpha, no interlace; checks every checksum."""
+    """Reads an RGB image without alpha and interlace, and verifies every checksum."""
     data = path.read_bytes()
     assert data[:8] == b"\x89PNG\r\n\x1a\n", "not a PNG"
     at, packed, kinds = 8, b"", []
@@ -66,7 +66,7 @@ def unfiltered(line):
 
 
 def read_bmp(path):
-    """24 bits a pixel, uncompressed, lines from the bottom up."""
+    """Reads an image with 24 bits per pixel, uncompressed, with rows from the bottom up."""
     data = path.read_bytes()
     assert data[:2] == b"BM", "not a BMP"
     start, = struct.unpack("<I", data[10:14])

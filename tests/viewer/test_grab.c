@@ -1,4 +1,4 @@
-/* test_grab.c: what the pointer takes hold of in the viewer. */
+/* test_grab.c: tests which bodies the viewer's pointer can grab, and how a grabbed body moves. */
 #include "grab.h"
 #include "session.h"
 
@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-/* The scene of that name, and the body of it that is to be held. */
+/* Opens the scene of that name. */
 static void open_scene(session *s, const char *name) {
     catalog_entry entry = {.info = scenes_find(name)};
     assert_non_null(entry.info);
@@ -35,7 +35,7 @@ static double gap_to(const grab *g, const session *s, thud_pos target) {
     return hypot(anchor.x - target.x, anchor.y - target.y);
 }
 
-enum { TOP_BOX = 30 }; /* of tall_stack: the floor comes first */
+enum { TOP_BOX = 30 }; /* the top box of tall_stack; the floor is body 0 */
 
 static void held_body_comes_to_the_pointer_and_stays(void **state) {
     (void)state;
@@ -73,7 +73,7 @@ static void sleeping_body_wakes_when_it_is_pulled(void **state) {
     session_free(&s);
 }
 
-/* The pin that the joint hangs from goes as well. */
+/* The static body that the joint is attached to is removed too. */
 static void letting_go_leaves_the_world_as_it_was(void **state) {
     (void)state;
     session s;
@@ -121,7 +121,8 @@ static void nothing_is_held_where_nothing_moves(void **state) {
     session_free(&s);
 }
 
-/* A ball of 10,000 links' mass hangs on them: who pulls one link tears nothing. */
+/* A ball with the mass of 10,000 links hangs on the chain: pulling at a link must not open its
+ * joints. */
 static void light_body_does_not_tear_the_heavy_one_along(void **state) {
     (void)state;
     session s;

@@ -1,5 +1,5 @@
-/* test_kinds.c: what the keys L and M do: two kinds of a scene are chosen, and what they are to
- * each other changes. */
+/* test_kinds.c: tests the viewer's keys L and M, which choose a pair of categories of a scene and
+ * change the rule between them. */
 #include "session.h"
 
 #include <setjmp.h>
@@ -43,7 +43,7 @@ static void chosen_pair_is_told_with_what_it_is_to_each_other(void **state) {
     (void)state;
     session s;
     open_scene(&s, "meetings");
-    session_step(&s); /* by which the timetable begins: the first two ignore each other */
+    session_step(&s); /* the scene's timetable begins: the first two categories ignore each other */
     while (s.pair[0] != 0 || s.pair[1] != 1)
         session_next_pair(&s);
     assert_string_equal(s.message, "Kinds 1 and 2 ignore each other.");
@@ -66,10 +66,10 @@ static void meeting_that_a_user_set_stays_against_the_timetable(void **state) {
         session_next_pair(&s);
     assert_int_equal(meeting(&s, 0, 1), THUD_IGNORE);
     session_next_meeting(&s);
-    for (int i = 0; i < 120; i++) /* in which the timetable would have them collide */
+    for (int i = 0; i < 120; i++) /* during these steps the timetable would let them collide */
         session_step(&s);
     assert_int_equal(meeting(&s, 0, 1), THUD_ONE_WAY);
-    assert_int_equal(meeting(&s, 0, 2), THUD_IGNORE); /* as the timetable has it */
+    assert_int_equal(meeting(&s, 0, 2), THUD_IGNORE); /* as the timetable sets it */
     session_free(&s);
 }
 

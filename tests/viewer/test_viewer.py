@@ -1,4 +1,5 @@
-"""Runs thud-play without a display and looks at its pictures: test_viewer.py THUD_PLAY."""
+"""Runs thud-play without a display and checks the pictures that it writes: test_viewer.py
+THUD_PLAY."""
 
 import os
 import pathlib
@@ -14,13 +15,14 @@ HERE = pathlib.Path(__file__).resolve().parent
 PALETTE = (HERE / "../../demo/play/draw/palette.h").read_text(encoding="utf-8")
 PLAY = ""
 
-# ball.tmj is 40 x 30 m, so that 800 x 600 pixels show 20 a metre. The ball, of radius 1, starts
-# with its centre at (20, 25) and falls freely for its first 22 m.
+# ball.tmj is 40 x 30 m, so that 800 x 600 pixels show 20 pixels per metre. The ball has radius 1,
+# begins with its centre at (20, 25) and falls freely for the first 22 m.
 BALL = HERE / "ball.tmj"
 PIXELS_PER_METRE = 20
 
 
 def palette(name):
+    """A colour of the viewer's palette, as (red, green, blue)."""
     hexadecimal = re.search(rf"#define {name}\s+RGBA?\(0x([0-9A-F]{{6}})", PALETTE).group(1)
     return tuple(bytes.fromhex(hexadecimal))
 
@@ -29,7 +31,7 @@ MATERIALS = re.findall("0x([0-9A-F]{6})", PALETTE.split("COLOR_MATERIALS")[1].sp
 
 
 def run(*arguments):
-    """Also without what a desktop would set."""
+    """Runs thud-play without the environment variables that a desktop sets."""
     environment = {k: v for k, v in os.environ.items()
                    if k not in ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER")}
     return subprocess.run([PLAY, *map(str, arguments)], env=environment, capture_output=True,
@@ -37,11 +39,12 @@ def run(*arguments):
 
 
 def colourful(pixel):
-    """A moving body's: sky, ground and static bodies are nearly grey."""
+    """Whether a pixel is part of a moving body: sky, ground and static bodies are nearly grey."""
     return max(pixel) - min(pixel) > 45
 
 
 def centre_of_colour(picture, wanted=colourful):
+    """The mean position of the pixels for which `wanted` holds."""
     places = [(x, y) for y, row in enumerate(picture.rows) for x, pixel in enumerate(row)
               if wanted(pixel)]
     assert places, "nothing of that colour in sight"
@@ -74,7 +77,7 @@ class Viewer(unittest.TestCase):
     def test_ball_after_60_frames_has_fallen_5_metres(self):
         x, y = centre_of_colour(self.shoot_bare(BALL, "--frames", 60))
         self.assertAlmostEqual(x, 400, delta=1)
-        # g t^2 / 2 = 5 m; substeps of 1/240 s add 1/240 of that. One pixel is 5 cm.
+        # g t^2 / 2 = 5 m; substeps of 1/240 s add 1/240 of that. A pixel is 5 cm.
         self.assertAlmostEqual(y, 300 - (20 - 15) * PIXELS_PER_METRE, delta=2)
 
     def test_paused_world_does_not_move(self):
@@ -82,7 +85,7 @@ class Viewer(unittest.TestCase):
         self.assertAlmostEqual(y, 300 - (25 - 15) * PIXELS_PER_METRE, delta=1)
 
     def test_character_stands_on_its_ledge_half_a_second_later(self):
-        # The view is 20 m high about the character's start at (31, 18); its feet come down from
+        # The view is 20 m high and centred at the character's start (31, 18); its feet fall from
         # 17.25 to the ledge at 17.
         orange = palette("COLOR_CHARACTER")
         x, y = centre_of_colour(
@@ -92,7 +95,7 @@ class Viewer(unittest.TestCase):
         self.assertAlmostEqual(y, 300 + 0.24 * 600 / 20, delta=3)
 
     def test_tall_stack_stands_as_coloured_column(self):
-        """600 pixels show 40 m about height 15: boxes of 15 pixels from y = 525 upwards."""
+        """600 pixels show 40 m around height 15: the boxes have 15 pixels, from y = 525 upwards."""
         picture = self.shoot_bare("tall_stack", "--frames", 30, "--overlay", "none")
         for box in range(30):
             y = round(525 - (box + 0.5) * 15)
@@ -109,19 +112,20 @@ class Viewer(unittest.TestCase):
         self.assertGreater(picture.count_near(palette("COLOR_SURFACE"), 10), 800)
 
     def test_overlays_add_their_colour(self):
-        """Bodies rest on each other in this scene, so that every overlay has something to show."""
+        """Bodies rest on each other in this scene, so that every overlay has something to draw."""
         plain = self.shoot_bare("tall_stack", "--frames", 30, "--overlay", "none")
         for name in ("contact", "normal", "bounds", "cell"):
             with self.subTest(overlay=name):
                 overlay = name if name == "bounds" else name + "s"
                 shown = self.shoot_bare("tall_stack", "--frames", 30, "--overlay", overlay)
-                # Lines are thin and not quite opaque; no colour of the scene is as near.
+                # Lines are thin and slightly transparent; no colour of the scene is as close to
+                # theirs.
                 color, distance = palette(f"COLOR_{name.upper()}"), 110
                 self.assertGreater(shown.count_near(color, distance),
                                    plain.count_near(color, distance) + 30)
 
     def test_joints_are_drawn_and_so_is_what_they_bear(self):
-        """A load hangs from a crane: by ropes, from a trolley on its rail."""
+        """A load hangs from a crane by ropes, below a trolley on its rail."""
         plain, joints, forces = (
             self.shoot_bare("crane", "--frames", 60, "--overlay", overlay)
             for overlay in ("none", "joints", "forces"))
@@ -131,7 +135,7 @@ class Viewer(unittest.TestCase):
                                    plain.count_near(palette(color), 60) + 100)
 
     def test_texture_of_the_ground_is_drawn_and_what_feet_stand_on(self):
-        """Grass and ice lie about the walker's start."""
+        """Grass and ice are on the ground at the walker's start."""
         picture = self.shoot_bare("textured", "--frames", 120)
         grass, ice = (tuple(bytes.fromhex(color)) for color in MATERIALS[1:3])
         for color in (grass, ice):
@@ -140,7 +144,7 @@ class Viewer(unittest.TestCase):
         self.assertLess(plain.count_near(ice, 20), picture.count_near(ice, 20) / 2)
 
     def test_joint_that_broke_is_drawn_no_more_and_nothing_complains(self):
-        """The sling of the trebuchet."""
+        """The joint that breaks is the sling of the trebuchet."""
         picture = self.shoot("trebuchet", "--frames", 150)
         self.assertLess(picture.count_near(palette("COLOR_ERROR"), 60), 20)  # bricks' edges
 
@@ -153,7 +157,7 @@ class Viewer(unittest.TestCase):
         lines = [y for y in range(350) if sum(abs(a - b) for a, b in
                                               zip(picture.rows[y][560], surface)) < 350]
         self.assertTrue(lines and all(abs(y - 312) < 4 for y in lines), lines)
-        # The buoy's upper half is above, the lower one in the water: the same colour, but bluer.
+        # The buoy is half in the water; its lower half has the same colour, but bluer.
         x = round(400 + (-1.6 - 0.35) * 800 / 41)
         above, below = picture.rows[312 - 9][x], picture.rows[312 + 2][x]
         self.assertTrue(colourful(above) and colourful(below) and above != below)
@@ -172,14 +176,15 @@ class Viewer(unittest.TestCase):
         self.assertTrue(350 < rightmost < 395, rightmost)
 
     def changed_by(self, overlay, *arguments):
-        """Places of the pixels that an overlay changes."""
+        """The positions of the pixels that an overlay changes."""
         plain = self.shoot_bare(*arguments, "--overlay", "none").rows
         shown = self.shoot_bare(*arguments, "--overlay", overlay).rows
         return [(x, y) for y in range(600) if plain[y] != shown[y]
                 for x in range(800) if plain[y][x] != shown[y][x]]
 
     def test_pairs_join_the_centres_of_boxes_that_touch(self):
-        """From the ground's centre, at y = -1 and 15 pixels a metre, to that of the 30th box."""
+        """The line goes from the ground's centre, at y = -1 and 15 pixels per metre, to that of the
+        30th box."""
         places = self.changed_by("pairs", "tall_stack", "--frames", 30)
         self.assertLessEqual(max(abs(x - 400) for x, _ in places), 2)
         lines = {y for _, y in places}
@@ -200,7 +205,7 @@ class Viewer(unittest.TestCase):
                     for overlay in ("none", "cells", "axes"))
                 self.assertEqual(cells.rows != plain.rows, has_cells)
                 self.assertEqual(bars.rows != plain.rows, has_bars)
-                # Bars stand on the lower edge: nothing changes in the upper half.
+                # Bars are at the lower edge: the upper part does not change.
                 self.assertEqual(bars.rows[:120], plain.rows[:120])
 
     def test_scene_brings_the_overlays_that_it_is_about(self):
@@ -211,8 +216,8 @@ class Viewer(unittest.TestCase):
         self.assertNotEqual(shown, none)
 
     def test_minkowski_sums_are_drawn_about_the_first_shapes(self):
-        """The view is 17 m high about (0.4, 0): a pair's first shape stands 4 m above its middle, or
-        below, and its sum reaches to 3 m from there."""
+        """The view is 17 m high around (0.4, 0): the first shapes of pairs are 4 m above or below
+        its middle, and a sum extends to 3 m from there."""
         picture = self.shoot_bare("minkowski")
         color, scale = palette("COLOR_SUM"), 600 / 17
         for y in (300 - 4 * scale, 300 + 4 * scale):
@@ -226,7 +231,8 @@ class Viewer(unittest.TestCase):
             self.assertGreater(right, x + 1.5 * scale)
 
     def test_pairs_show_what_is_looked_at(self):
-        """The first pair's first box is 3 by 1.6 m, so that the circle around it has a radius of 1.7."""
+        """The first pair's first box is 3 by 1.6 m, so that its bounding circle has a radius of 1.7
+        m."""
         colors = {"sum": "COLOR_SUM", "closest": "COLOR_TOUCHING", "bounds": "COLOR_INTERVAL"}
         seen = {look: self.shoot_bare("minkowski", "--look", look) for look in colors}
         for look, picture in seen.items():
@@ -243,7 +249,7 @@ class Viewer(unittest.TestCase):
                                 for pixel in column))
 
     def test_detection_decides_who_passes_thin_walls(self):
-        """A bullet of 10 km/s in a room of its own, the fourth from above, 24 m wide."""
+        """A bullet at 10 km/s in a room of its own, the fourth from above, 24 m wide."""
         def colourful_pixels(detection):
             picture = self.shoot_bare("bullets", "--frames", 30, "--overlay", "none",
                                       "--detection", detection)
@@ -255,7 +261,7 @@ class Viewer(unittest.TestCase):
         self.assertGreater(colourful_pixels("swept"), 3)
 
     def test_what_bisection_may_miss_is_told_where_it_bisects(self):
-        """In a line of its own below the title and the numbers, which a narrow window has there."""
+        """The text is in a line below the title and the numbers, where a narrow window has it."""
         def told(detection):
             picture = self.shoot(BALL, "--frames", 1, "--overlay", "none", "--detection", detection)
             lines = [row[240:] for row in picture.rows[90:112]]
@@ -272,7 +278,7 @@ class Viewer(unittest.TestCase):
         self.assertTrue(colourful(colors.pop()))
 
     def test_sleeping_bodies_are_dimmed(self):
-        """The boxes of this scene sleep after a second at the latest; its circles never do."""
+        """The boxes of this scene are asleep after one second; its circles never sleep."""
         awake = self.shoot_bare("asleep", "--frames", 90, "--overlay", "none")
         dimmed = self.shoot_bare("asleep", "--frames", 90, "--overlay", "sleeping")
         light = [sum(sum(pixel) for pixel in picture.pixels()) for picture in (awake, dimmed)]

@@ -1,4 +1,7 @@
-/** The scene's time goes with the clock at any rate of the display, or the page says why not. */
+/**
+ * Tests that a scene's time follows the clock at any display rate, and that the page otherwise says
+ * why it does not.
+ */
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { boxes } from "./support/code.mjs";
@@ -6,18 +9,20 @@ import { display } from "./support/contexts.mjs";
 import { BROWSERS, DESKTOP, openVisitor, untilRunning, untilTold } from "./support/page.mjs";
 import { until } from "./support/wait.mjs";
 
-/** Milliseconds of a step that is too slow, and between two pictures of a display that does not wait
- * for it: a machine that is slow to draw must not be slower still. */
+/**
+ * Milliseconds of a step that is too slow, and the pause between two frames of a display that does
+ * not wait for the page, so that a slow machine is not slowed down further.
+ */
 const SLOW_STEP = 200;
 const PAUSE = 30;
-/** One that leaves the worker nothing to spare of 16.7 ms, and yet is shorter. */
+/** Milliseconds: less than a frame of 16.7 ms, but nearly all of it. */
 const BUSY_STEP = 13;
 
 const GAMES = [
   [20, "artillery", 3, 1],
   [30, "platformer_game", 3, 1],
 ];
-/** Pictures a second, of what, for so many seconds, at that speed. */
+/** Frames per second, scene, seconds, and speed of the scene. */
 const RATES = {
   firefox: GAMES,
   chromium: [...GAMES, [30, "cradle", 3, 2], [60, "cradle", 2, 0.5], [144, "cradle", 0.8, 1]],
@@ -51,7 +56,7 @@ for (const browser of BROWSERS)
           "the display goes on",
         );
         const part = (end.scene - start.scene) / (end.clock - start.clock) / speed;
-        // At both ends it may be off by one: a picture, or a step, of which slow motion has fewer.
+        // Both ends may be off by one frame, or by one step, of which slow motion has fewer.
         const most = 2 / (seconds * Math.min(60, hertz, 60 * speed));
         assert.ok(Math.abs(part - 1) <= most + 1e-9, `${part}`);
         assert.equal(await page.locator("#slow").count(), 0, "nothing is said of slow motion");
@@ -67,13 +72,16 @@ describe("slow motion", () => {
   });
   after(() => visitor.close());
 
-  /** What is told while a scene cannot keep up. */
+  /** The text that the page shows while a scene is too slow. */
   async function toldOf(page) {
     await page.waitForSelector("#slow:not([hidden])");
     return page.innerText("#slow");
   }
 
-  /** A scene whose steps take so many milliseconds, at so many pictures a second. */
+  /**
+   * Opens a scene whose steps take this many milliseconds, on a display with `hertz` frames per
+   * second.
+   */
   function openSlow(milliseconds, hertz) {
     const update = `for (const t = performance.now(); performance.now() < t + ${milliseconds};);`;
     const body = boxes(3, { update });

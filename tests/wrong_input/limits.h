@@ -1,6 +1,6 @@
-/* limits.h: every limit of thud_limits.h, by the field or argument that it bounds. test_limits.c
- * tries each; tests/house/limits.py reads the rows, and looks for their constants in the comment of
- * that field or argument.
+/* limits.h: a table of every limit of thud_limits.h, by the field or argument that it bounds.
+ * test_limits.c tests each row; tests/house/headers.py checks that the comment of that field or
+ * argument names the row's constants.
  *
  *     FIELD(struct, field, member, low, high, how it is given to the engine)
  *     CALL(function, argument, low, high, call with the value x)

@@ -1,4 +1,4 @@
-/* limits_place.h: a world in which limits are tried, with something of every kind in it. */
+/* limits_place.h: the world in which limits are tested, with an object of every kind in it. */
 #ifndef LIMITS_PLACE_H
 #define LIMITS_PLACE_H
 
@@ -16,7 +16,7 @@
 
 #include <stdio.h>
 
-/* A world made anew for each try, and what calls read and write. */
+/* A world, created anew for each test of a value, and the inputs and outputs of its calls. */
 typedef struct place {
     double scale; /* the length scale, a power of two */
     thud_world *world;
@@ -26,9 +26,9 @@ typedef struct place {
     thud_mover mover;
     thud_shape_instance box;
     thud_motion rest;
-    thud_contact_settings *settings; /* that the prologue is to write; null: none */
+    thud_contact_settings *settings; /* written by the prologue; null: none */
     thud_result heard;
-    char message[256]; /* that came with it */
+    char message[256]; /* the last log message */
     thud_contacts contacts;
     thud_minkowski sum;
     thud_volume volume;
@@ -37,12 +37,14 @@ typedef struct place {
     bool hit;
 } place;
 
+/* The log hook: stores result and message. */
 static void hear(thud_result result, const char *message, void *context) {
     place *p = context;
     p->heard = result;
     snprintf(p->message, sizeof p->message, "%s", message);
 }
 
+/* The prologue: writes p->settings into the contact's settings. */
 static bool ask(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
                 void *context) {
     (void)world, (void)contact;

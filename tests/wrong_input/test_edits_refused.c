@@ -1,6 +1,6 @@
-/* test_edits_refused.c: changes of bodies and shapes, forces and points (thud_edits.h,
- * thud_forces.h): refused inside callbacks, without memory, and beyond each end of each range that
- * the headers state; nothing has changed then, and at the ends themselves they are done. */
+/* test_edits_refused.c: tests the edits of bodies and shapes, forces and points (thud_edits.h,
+ * thud_forces.h). Each is refused inside callbacks, without memory, and for values beyond its
+ * range, and then changes nothing; at the ends of the range it succeeds. */
 #include "village.h"
 
 #include "hostile_memory.h"
@@ -125,6 +125,7 @@ static const edit edits[] = {
 };
 enum { EDITS = sizeof edits / sizeof *edits };
 
+/* A village with a slab below 250 balls and a box apart from them. */
 static void make_place(place *p, thud_world_def def) {
     *p = (place){.asked = -1};
     village_make(&p->v, def);
@@ -143,6 +144,7 @@ static void make_place(place *p, thud_world_def def) {
 
 /* ---- inside callbacks ---- */
 
+/* Called by callbacks: makes all edits, which must be refused. */
 static void try_all(place *p) {
     for (int i = 0; i < EDITS && p->asked >= 0; i++) {
         if (edits[i].make(p) != THUD_ERROR_LOCKED) {
@@ -191,6 +193,8 @@ static void every_change_is_refused_inside_callbacks(void **state) {
 
 /* ---- without memory ---- */
 
+/* Makes the edit with its first, second, ... allocation failing until it succeeds, and checks that
+ * each failure changes nothing. Returns the number of failures. */
 static long fail_until_done(place *here, const edit *e) {
     for (long failures = 0;; failures++) {
         uint64_t hash = thud_world_hash(here->v.world);
@@ -212,7 +216,8 @@ static long fail_until_done(place *here, const edit *e) {
     }
 }
 
-/* The twin's memory never fails: both go on alike, also with what no caller is told. */
+/* The twin's memory never fails. Both must have the same state in all following steps, also in what
+ * the API does not show. */
 static void every_change_without_memory_changes_nothing(void **state) {
     (void)state;
     long failures = 0;
@@ -278,7 +283,7 @@ RANGE_CALL(spin, thud_body_apply_angular_impulse(w, p->ball, x))
 RANGE_CALL(far_force, (at.x = (double)x, thud_body_apply_force_at(w, p->ball, v, at)))
 RANGE_CALL(target_angle, thud_body_set_target(w, p->v.lift, (thud_pos){-6, 1}, (double)x))
 
-/* Of a ball of mass and inertia 1. */
+/* The ranges of edits for a ball of mass and inertia 1. */
 static const range ranges[] = {
     {"friction", friction, 0, THUD_FRICTION_MAX},
     {"restitution", restitution, 0, 1},
@@ -303,6 +308,8 @@ static const range ranges[] = {
 };
 enum { RANGES = sizeof ranges / sizeof *ranges };
 
+/* A village with one ball far from the slab; `which` is a row of `ranges`. From row 15 on the ball
+ * has mass and inertia 1. */
 static void make_lone(place *p, int which) {
     thud_mass one = {1, 1, {0, 0}};
     *p = (place){.asked = -1};

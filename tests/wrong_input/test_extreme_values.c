@@ -1,12 +1,12 @@
-/* test_extreme_values.c: values that are accepted and yet too much: speeds, forces and impulses of
- * 1e38, hardly any mass, the edge of the world, the shortest step. The world stays finite; a body
- * that does not is quarantined and told; bystanders go on to the bit as if nothing had happened,
- * and neighbours as if the body were gone. */
+/* test_extreme_values.c: tests extreme values that the API accepts: speeds, forces and impulses of
+ * 1e38, very small masses, places at the edge of the world, the shortest time step. The world must
+ * stay finite. A body that overflows is quarantined, with an event; distant bodies behave bit for
+ * bit as without it, and bodies that it touched as if it were removed. */
 #include "village.h"
 
 static const float HUGE_VALUE = 3e38f;
 
-/* ---- one body to which it happens ---- */
+/* ---- extreme edits of one body ---- */
 
 static void fling(thud_world *w, thud_body_id b) {
     OK(thud_body_set_velocity(w, b, (thud_vec2){HUGE_VALUE, -HUGE_VALUE}, 0));
@@ -104,6 +104,7 @@ typedef struct site {
     thud_body_id stack[STACK], ball, victim;
 } site;
 
+/* A stack, a ball, and, if wanted, a victim far away, after 20 steps. */
 static site make_site(const thud_detection *detection, bool with_victim) {
     thud_world_def def = thud_default_world_def();
     site s = {.victim = {0, 0}};
@@ -116,12 +117,13 @@ static site make_site(const thud_detection *detection, bool with_victim) {
     s.ball = add_ball(s.world, -20, 0.5, 0.5f);
     OK(thud_body_set_velocity(s.world, s.ball, (thud_vec2){1, 0}, 0));
     if (with_victim) {
-        s.victim = add_box(s.world, 80, 30, 0.5f, 0.25f); /* in the air, out of everybody's way */
+        s.victim = add_box(s.world, 80, 30, 0.5f, 0.25f); /* in the air, far from all others */
     }
     run(s.world, 20);
     return s;
 }
 
+/* Fails if the two bodies differ in a bit. */
 static void body_is_as(const site *a, thud_body_id of_a, const site *b, thud_body_id of_b,
                        const char *name, int step) {
     char one[1024], other[1024];
@@ -155,7 +157,7 @@ static void blow_far_from_others_leaves_them_as_they_are_to_the_bit(void **state
     }
 }
 
-/* The victim stands in the stack, third from below. */
+/* The victim is the third box of the stack from below. */
 static void blow_to_one_of_a_stack_leaves_the_others_finite(void **state) {
     (void)state;
     for (int i = 0; i < BLOWS * DETECTIONS; i++) {
@@ -185,7 +187,7 @@ static void blow_to_one_of_a_stack_leaves_the_others_finite(void **state) {
     }
 }
 
-/* A force that overflows: gravity 10, times that. */
+/* A body whose gravity force overflows: gravity 10 times a scale of 3e38. */
 static thud_body_id add_doomed(thud_world *w, double x) {
     thud_body_def def = thud_default_body_def();
     thud_body_id body;
@@ -197,7 +199,7 @@ static thud_body_id add_doomed(thud_world *w, double x) {
     return body;
 }
 
-/* It stands in touch with the stack, on the same floor. */
+/* The body touches the stack and stands on the same floor. */
 static void body_that_overflows_is_quarantined_and_the_rest_goes_on_without_it(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {
@@ -234,13 +236,13 @@ static void body_that_overflows_is_quarantined_and_the_rest_goes_on_without_it(v
 
 /* ---- worlds and bodies at the ends of their ranges ---- */
 
-/* A pile of balls and boxes on a floor, and what there is of them after two seconds: finite, not
- * quarantined, and as many as there were. */
+/* A pile of balls and boxes on a floor. After two seconds all bodies must be there, finite and not
+ * quarantined. */
 typedef struct pile {
     thud_world_def world;
     thud_body_def body;
     thud_shape_def shape;
-    double size, x, y; /* of the bodies; of the floor's top */
+    double size, x, y; /* size of the bodies; place of the floor's top */
 } pile;
 
 static pile usual_pile(void) {
@@ -267,7 +269,7 @@ static void fill_pile(const pile *p, thud_world *w, thud_body_id made[PILE]) {
     }
 }
 
-/* What differs from quality to quality does so within few steps. */
+/* Exact gets fewer steps: differences between qualities appear within few steps. */
 static void pile_stays_finite(const pile *p, const char *name) {
     for (int i = 0; i < DETECTIONS * QUALITIES; i++) {
         int d = i % DETECTIONS, steps = qualities[i / DETECTIONS] == &thud_quality_exact ? 24 : 120;
@@ -348,7 +350,8 @@ static void bodies_at_the_ends_of_their_ranges_stay_finite(void **state) {
     PILE_WITH(y, -1e9 + 20);
 }
 
-/* What leaves the world's range by its own motion flies on, and no query reaches it there. */
+/* A body that leaves the range of positions by its own motion flies on; queries do not find it
+ * there. */
 static void body_that_flies_past_the_edge_of_the_world_flies_on(void **state) {
     (void)state;
     for (int d = 0; d < DETECTIONS; d++) {

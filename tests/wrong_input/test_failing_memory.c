@@ -1,6 +1,7 @@
-/* test_failing_memory.c: every call of a world, with its first allocation failing, then its second,
- * and so on until it gets through: each time a result code and a message, and nothing has changed
- * but the room that is held; then it does what it does where memory never fails. */
+/* test_failing_memory.c: makes every call of a world with its first allocation failing, then with
+ * its second, and so on until it succeeds. Each failure must return a result code and log a
+ * message, and must change nothing but the memory that is held; the successful call must have the
+ * same effect as in a world whose memory never fails. */
 #include "village.h"
 
 #include "hostile_memory.h"
@@ -17,10 +18,10 @@
 typedef struct call {
     const char *name;
     thud_result (*make)(village *v);
-    int times; /* in a row, so that arrays come to grow */
+    int times; /* number of calls in a row, so that arrays grow */
 } call;
 
-/* ---- calls that make something ---- */
+/* ---- calls that create something ---- */
 
 static thud_result create_body(village *v) {
     thud_body_def def = thud_default_body_def();
@@ -71,6 +72,7 @@ static thud_result enable(village *v) {
     return thud_body_set_enabled(v->world, v->switched_off, true);
 }
 
+/* Changes the quality to exact. */
 static thud_result sharpen(village *v) {
     return thud_world_set_quality(v->world, &thud_quality_exact);
 }
@@ -108,7 +110,7 @@ static thud_result walk(village *v) {
     return thud_mover_move(v->world, &v->mover, (thud_vec2){1, -1}, 1.0 / 60, NULL);
 }
 
-/* ---- calls that only look ---- */
+/* ---- calls that read only ---- */
 
 static bool go_on(thud_shape_id shape, void *context) {
     (void)shape;
@@ -146,12 +148,13 @@ static thud_result volume(village *v) {
     return thud_body_volume(v->world, v->box, THUD_OBB, (thud_pos){0, 0}, &around);
 }
 
+/* A cast inside a cast, at each hit. */
 static double look_again(const thud_ray_hit *hit, void *context) {
     village *v = context;
     bool any = false;
     thud_result result = thud_world_cast_ray(v->world, hit->point, 0, -9, NULL, &any, NULL);
     if (result != THUD_OK) {
-        v->told = 0; /* it has memory next time, or never asks again */
+        v->told = 0; /* the call is repeated with memory, or not at all */
     }
     return THUD_CAST_ON;
 }
@@ -262,7 +265,7 @@ static const call calls[] = {
 };
 enum { CALLS = sizeof calls / sizeof *calls };
 
-/* How often it failed before it got through. */
+/* Makes the call with failing allocations. Returns the number of failures before it succeeded. */
 static long make_with_failures(village *here, village *twin, const call *c) {
     for (long failures = 0;; failures++) {
         uint64_t hash = thud_world_hash(here->world);
@@ -288,7 +291,7 @@ static long make_with_failures(village *here, village *twin, const call *c) {
     }
 }
 
-/* Edits that no step has seen yet: whoever applies them wants memory. */
+/* Edits that no step has processed yet: a call that applies them allocates memory. */
 static void add_crowd(village *v) {
     for (int i = 0; i < 200; i++) {
         add_ball(v->world, -40 + i % 20 * 0.9, 20 + i / 20 * 0.9, 0.5f);

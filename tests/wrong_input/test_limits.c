@@ -1,5 +1,6 @@
-/* Every limit of thud_limits.h is tried where it bounds something: at it a value is taken, the next
- * number beyond it is refused. */
+/* test_limits.c: tests each limit of thud_limits.h at the field or argument that it bounds
+ * (limits.h): the value at the limit is accepted, and the next number beyond it is refused with a
+ * message. */
 #include "limits.h"
 #include "limits_place.h"
 
@@ -11,12 +12,13 @@ typedef thud_result try_fn(place *p, const row *r, double x);
 struct row {
     const char *where, *what, *low_text, *high_text, *how;
     double low, high;
-    char type; /* of the value: float, double, int */
-    size_t at; /* of a field */
+    char type; /* of the value: f float, d double, i int */
+    size_t at; /* offset of the field */
     try_fn *give;
     bool is_field, has_log;
 };
 
+/* Writes the value into the row's field. */
 static void put(void *struct_, const row *r, double x) {
     char *field = (char *)struct_ + r->at;
     if (r->type == 'f') {
@@ -151,6 +153,7 @@ static thud_result gear(place *p, const row *r, double x) {
     return thud_joint_create(p->world, &def, NULL);
 }
 
+/* A rollback step without an effect. */
 static thud_result stand_still(thud_world *world, const uint64_t *inputs, void *state) {
     (void)world, (void)inputs, (void)state;
     return THUD_OK;
@@ -208,7 +211,8 @@ static thud_result grid(place *p, const row *r, double x) {
     return thud_terrain_check(&line);
 }
 
-/* Of so many vertices only those at x = 0 are looked at. */
+/* Only the vertices at x = 0 are read, so that points need not have as many elements as the count
+ * says. */
 static thud_result vertices(place *p, const row *r, double x) {
     (void)p;
     thud_terrain line = {THUD_TERRAIN_UNIFORM, 0, 0, 1, level, 2};
@@ -266,7 +270,7 @@ static const row rows[] = {
 #define HAS_LOG true
     ALL_LIMITS(FIELD_ROW, CALL_ROW)
 #undef HAS_LOG
-#define HAS_LOG false /* without a world */
+#define HAS_LOG false /* geometry without a world */
         GEOMETRY_LIMITS(FIELD_ROW, CALL_ROW)};
 enum { ROWS = sizeof rows / sizeof *rows };
 
@@ -274,7 +278,7 @@ static bool begins(const char *text, const char *with) {
     return strncmp(text, with, strlen(with)) == 0;
 }
 
-/* The next number of the value's type. */
+/* The next number of the value's type in a direction. */
 static double next(const row *r, double x, double towards) {
     if (r->type == 'i') {
         return x + (towards > x ? 1 : -1);
@@ -283,7 +287,8 @@ static double next(const row *r, double x, double towards) {
     return single ? (double)nextafterf((float)x, (float)towards) : nextafter(x, towards);
 }
 
-/* Whether the message ends with "NAME is X, not in [LOW, HIGH]": of a field the name is its own. */
+/* Whether the message contains "NAME is X, not in [LOW, HIGH]"; for a field the name must be that
+ * of the field. */
 static bool tells(const row *r, const char *message, double x) {
     const char *is = strstr(message, " is ");
     const char *named = strstr(message, r->what);
@@ -291,11 +296,12 @@ static bool tells(const row *r, const char *message, double x) {
         return false;
     }
     double told = strtod(is + 4, NULL);
-    /* A mover tells of how long its way is. */
+    /* A mover reports the length of its path. */
     x = strcmp(r->where, "thud_mover_move") == 0 ? fabs(x) : x;
     return x != x ? told != told : told == x || fabs(told - x) <= 1e-6 * fabs(x);
 }
 
+/* Gives the value to the engine and checks result and message. */
 static void try_it(const row *r, double scale, double x, thud_result wanted) {
     place p;
     place_make(&p, scale);

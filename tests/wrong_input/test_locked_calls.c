@@ -1,6 +1,6 @@
-/* test_locked_calls.c: whatever a callback calls. An edit made inside one takes effect at the start
- * of the next step: a village whose callback makes it goes on exactly as one in which it is made
- * between the two steps. What cannot wait is refused and told. */
+/* test_locked_calls.c: tests calls inside callbacks. An edit in a callback takes effect at the
+ * start of the next step: a village whose callback makes it must behave exactly like one in which
+ * it is made between the two steps. Calls that cannot be deferred are refused with a message. */
 #include "village.h"
 
 #include <thud/thud_draw.h>
@@ -8,12 +8,13 @@
 #include <thud/thud_rollback.h>
 #include <thud/thud_snapshot.h>
 
-/* ---- edits that wait for the next step ---- */
+/* ---- edits that are deferred to the next step ---- */
 
 static void move(village *v) {
     OK(thud_body_set_transform(v->world, v->box, (thud_pos){-3, 2}, 0.5));
 }
 
+/* Sets a velocity. */
 static void hurry(village *v) {
     OK(thud_body_set_velocity(v->world, v->plank, (thud_vec2){3, 4}, 0));
 }
@@ -26,6 +27,7 @@ static void pull(village *v) {
     OK(thud_body_apply_force(v->world, v->ball, (thud_vec2){50, 0}, 1));
 }
 
+/* Puts a body to sleep. */
 static void lull(village *v) {
     OK(thud_body_set_awake(v->world, v->plank, false));
 }
@@ -67,7 +69,7 @@ static void create_hundreds(village *v) {
     }
 }
 
-/* Of detections that the world may not have met before. */
+/* Bodies with detections that no other body of the world has. */
 static void create_sharp_sighted(village *v) {
     const thud_detection *const sharp[] = {&thud_detection_continuous, &thud_detection_bisect,
                                            &thud_detection_swept};
@@ -87,7 +89,8 @@ static void add_to_body(village *v) {
     add_shape(v->world, v->ball, 0.75f, 0, false, NULL);
 }
 
-/* The centre of mass moves: what comes before it, acts on the body as it was. */
+/* Each added shape moves the centre of mass; impulses before it act on the body without the shape.
+ */
 static void add_off_centre(village *v) {
     thud_shape_def def = thud_default_shape_def();
     OK(thud_body_apply_impulse(v->world, v->plank, (thud_vec2){1, 0}, (thud_pos){3, 2}));
@@ -97,7 +100,7 @@ static void add_off_centre(village *v) {
                              0.5, NULL));
 }
 
-/* Of every kind, on bodies that move and that rest. */
+/* Shapes of every kind on moving and resting bodies. */
 static void add_to_all(village *v) {
     const thud_body_id bodies[] = {v->floor, v->ball, v->box, v->plank, v->lift, v->bare};
     const thud_pos points[] = {{-20, 4}, {20, 5}};
@@ -150,7 +153,7 @@ static const village_edit edits[] = {
 };
 enum { EDITS = sizeof edits / sizeof *edits };
 
-/* ---- what is refused ---- */
+/* ---- calls that are refused ---- */
 
 static void never(thud_vec2 p, thud_draw_style style, void *context) {
     (void)p, (void)style, (void)context;
@@ -194,12 +197,12 @@ static void try_what_cannot_wait(village *v) {
     thud_rollback *made = NULL;
     assert_int_equal(thud_rollback_create(v->world, &rollback, &made), THUD_ERROR_LOCKED);
     assert_int_equal(thud_world_set_listeners(v->world, NULL), THUD_ERROR_LOCKED);
-    thud_world_destroy(v->world); /* it lives on */
+    thud_world_destroy(v->world); /* refused: the world still exists */
     assert_int_equal(v->told, told + 23);
     v->told = told;
 }
 
-/* ---- what is allowed, and changes nothing ---- */
+/* ---- calls that are allowed, and change nothing ---- */
 
 static bool count_shape(thud_shape_id shape, void *context) {
     (void)shape;
@@ -207,7 +210,7 @@ static bool count_shape(thud_shape_id shape, void *context) {
     return true;
 }
 
-/* Queries of every kind; what they find of the ground does not move, and is known. */
+/* Queries of every kind. Their results on the ground are known, because it does not move. */
 static void ask_everything(village *v) {
     thud_world *w = v->world;
     const thud_pos high = {200, 9};
@@ -238,11 +241,12 @@ typedef enum site { SITE_PROLOGUE = 0, SITE_EPILOGUE, SITE_OVERLAP, SITE_PASS } 
 
 typedef struct caller {
     village v;
-    void (*edit)(village *v); /* made by the next callback; null: none */
+    void (*edit)(village *v); /* edit that the next callback makes; null: none */
     site site;
     int asked;
 } caller;
 
+/* Called by all callbacks: makes the edit if this is the caller's site. */
 static void call(caller *c, site s) {
     if (s == c->site) {
         c->asked++;
@@ -284,7 +288,7 @@ static bool pass(const thud_mover *mover, const thud_mover_hit *hit_, thud_vec2 
     return false;
 }
 
-/* A step, a query and the mover's move: each asks its callback. */
+/* A step, a query and a mover's move, each of which calls its callback. */
 static void go_on(caller *c) {
     village_step(&c->v);
     OK(thud_world_overlap_circle(c->v.world, (thud_pos){3, 1}, 3, NULL, overlap, c));
@@ -303,6 +307,7 @@ static void make_caller(caller *c, site s, const thud_detection *detection) {
     }
 }
 
+/* Fails if the two worlds differ in hash, statistics or events. */
 static void alike(const caller *a, const caller *b, const char *name, int step) {
     const thud_world *one = a->v.world, *other = b->v.world;
     thud_stats s = thud_world_stats(one), t = thud_world_stats(other);
@@ -315,13 +320,15 @@ static void alike(const caller *a, const caller *b, const char *name, int step) 
     }
 }
 
+/* Makes an edit inside a callback in one world and between two steps in another; both must agree.
+ */
 static void edit_in(site s, const village_edit *edit, const thud_detection *detection) {
     caller inside, between;
     make_caller(&inside, s, detection);
     make_caller(&between, s, detection);
     inside.edit = edit->make;
     go_on(&inside);
-    assert_null(inside.edit); /* the callback was called, and has made it */
+    assert_null(inside.edit); /* the callback was called and has made the edit */
     go_on(&between);
     edit->make(&between.v);
     for (int step = 0; step < 90; step++) {

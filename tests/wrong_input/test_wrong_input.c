@@ -1,5 +1,6 @@
-/* test_wrong_input.c: the whole public API, called wrongly: a result code, a message, nothing
- * changed, and nobody else's body affected. The calls are in the tables wrong_*.c. */
+/* test_wrong_input.c: calls every function of the public API with invalid arguments. Each must
+ * return a result code, log a message, and change neither its outputs nor any body. The calls are
+ * in the tables wrong_*.c. */
 #include "wrong_input.h"
 
 #include <stdio.h>
@@ -45,7 +46,7 @@ int wrong_teardown(void **state) {
     return complaints;
 }
 
-/* The first line in which two texts differ, for the message of a failure. */
+/* Prints the first line in which two texts differ. */
 static void show_difference(const char *a, const char *b) {
     for (; *a && *b; a += strcspn(a, "\n") + 1, b += strcspn(b, "\n") + 1) {
         size_t n = strcspn(a, "\n"), m = strcspn(b, "\n");
@@ -67,7 +68,8 @@ static bool villages_are_alike(const wrong_pair *p) {
     return alike;
 }
 
-/* What is wrong with the way in which a call was refused; null if nothing. */
+/* What is wrong about the way in which a call was refused; null if it was refused correctly.
+ * `told`: expected number of log messages. */
 static const char *complaint(wrong_pair *p, thud_result got, thud_result wanted, int told) {
     if (got != wanted) {
         return thud_result_text(got);

@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 
+/* The world's log: counts messages. */
 static void listen(thud_result result, const char *message, void *context) {
     assert_int_not_equal(result, THUD_OK);
     assert_true(message && message[0]);
@@ -31,7 +32,7 @@ static void add_grounds(village *v) {
     v->floor = add_floor(v->world, NULL);
 }
 
-/* Handles that name nothing any more; the slots are those of the ball. */
+/* Creates handles that are stale; their slots have new bodies. */
 static void add_and_destroy(village *v) {
     v->gone = add_body(v->world, THUD_DYNAMIC, 0, 50, 0);
     v->gone_shape = add_shape(v->world, v->gone, 1, 0, false, NULL);
@@ -72,7 +73,7 @@ void village_make(village *v, thud_world_def def) {
     run(v->world, 20);
 }
 
-/* The mover walks to and fro, so that it always has ground under its feet. */
+/* The mover walks to and fro, so that it stays on the ground. */
 void village_step(village *v) {
     OK(thud_world_step(v->world));
     float x = (thud_world_stats(v->world).steps / 32) & 1 ? 0.5f : -0.5f;

@@ -1,4 +1,4 @@
-/* wrong_bodies.c: bodies that cannot be, and edits that no body takes. */
+/* wrong_bodies.c: body defs and edits of bodies that must be refused, and invalid handles. */
 #include "wrong_input.h"
 
 void wrong_bodies(void **state) {
@@ -61,7 +61,8 @@ void wrong_body_edits(void **state) {
         REFUSED(INVALID, thud_body_apply_force(w, ball, (thud_vec2){0, f}, 0));
         REFUSED(INVALID, thud_body_apply_force(w, ball, zero, f));
     }
-    /* Upright shapes keep their bodies upright, and what does not move is not moved. */
+    /* Bodies with AABBs cannot be turned, and forces, impulses and velocities of bodies that these
+     * cannot move are refused. */
     REFUSED(INVALID, thud_body_shapes(w, ball, wrong_out.shapes, -1, &wrong_out.count));
     REFUSED(INVALID, thud_body_set_transform(w, p->here.plank, here, 0.1));
     REFUSED(INVALID, thud_body_set_transform(w, floor, here, 1));
@@ -84,8 +85,8 @@ void wrong_body_edits(void **state) {
     REFUSED_UNTOLD(NULL, thud_body_destroy(NULL, ball));
 }
 
-/* Handles that were never made, are destroyed (their slots live again), are of a body's next life,
- * are of another world, or of a world that is gone. */
+/* Handles that are invented, stale (their slots have new bodies), of a later generation, of another
+ * world, or of a destroyed world. */
 void wrong_handles(void **state) {
     wrong_pair *p = *state;
     thud_world *w = p->here.world;

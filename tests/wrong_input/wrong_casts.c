@@ -1,5 +1,5 @@
-/* wrong_casts.c: casts hit by hit and many at once that must be refused, and questions to a shape.
- */
+/* wrong_casts.c: casts with callbacks, casts of many rays or shapes, and queries of one shape that
+ * must be refused. */
 #include "wrong_input.h"
 
 #include <thud/thud_casts.h>
@@ -49,7 +49,7 @@ void wrong_many_casts(void **state) {
     wrong_pair *p = *state;
     thud_world *w = p->here.world;
     thud_ray_hit *hits = wrong_out.hits;
-    /* The last one is wrong. */
+    /* The last ray of three is invalid. */
     thud_ray rays[3] = {{{0, 5}, 0, -9, NULL}, {{1, 5}, 0, -9, NULL}, {{2, 5}, 0, -9, NULL}};
     thud_shape_cast casts[3];
     for (int i = 0; i < 3; i++) {

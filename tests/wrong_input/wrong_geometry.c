@@ -1,5 +1,5 @@
-/* wrong_geometry.c: the geometry without a world: refused by result code, or by false; outputs are
- * as they were. */
+/* wrong_geometry.c: functions of geometry without a world with invalid arguments: refused by a
+ * result code or false, with unchanged outputs. */
 #include "wrong_input.h"
 
 static const thud_shape_instance ball = {.kind = THUD_CIRCLE, .x = 1, .y = 5, .c = 1, .hx = 0.5};

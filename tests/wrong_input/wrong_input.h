@@ -1,6 +1,6 @@
-/* wrong_input.h: calls that must be refused. Each is made in one of two villages that are alike,
- * and afterwards the two must still be alike, then and as they go on; outputs must be as they were,
- * and where there is a world its log must have heard why. */
+/* wrong_input.h: helpers for calls that must be refused. Each call is made in one of two equal
+ * villages (village.h). Afterwards, and in the following steps, both must still be equal, outputs
+ * must be unchanged, and the log of a world must have got the reason. */
 #ifndef WRONG_INPUT_H
 #define WRONG_INPUT_H
 
@@ -10,13 +10,13 @@
 #include <thud/thud_minkowski.h>
 
 typedef struct wrong_pair {
-    village here, twin; /* calls go to `here` */
+    village here, twin; /* calls are made in `here` */
     village other;      /* a world whose handles are foreign to `here` */
-    int refused;        /* calls so far */
-    int complaints;     /* about calls that were not refused as they must be */
+    int refused;        /* number of calls so far */
+    int complaints;     /* number of calls that were not refused correctly */
 } wrong_pair;
 
-/* What calls may write to; full of a pattern that none of them writes. */
+/* Outputs of the calls, filled with a pattern that no call writes. */
 typedef struct wrong_outputs {
     thud_body_id body;
     thud_shape_id shape;
@@ -37,7 +37,7 @@ typedef struct wrong_outputs {
     thud_uv uv;
     double number, nx, ny;
     int count;
-    unsigned char flag; /* a bool that holds a pattern */
+    unsigned char flag; /* a bool that is filled with the pattern */
     thud_world *world;
 } wrong_outputs;
 
@@ -49,13 +49,13 @@ extern int wrong_total; /* refused calls of all tables */
 int wrong_setup(void **state);
 int wrong_teardown(void **state);
 
-/* What refused calls share; `told`: how many messages the log of `here` must have got. */
+/* Checks a refused call; `told`: number of messages that the log of `here` must have got. */
 void wrong_check(wrong_pair *p, thud_result got, thud_result wanted, int told, const char *call,
                  const char *file, int line);
 
 #define REFUSED(wanted, call) \
     wrong_check(p, (call), THUD_ERROR_##wanted, 1, #call, __FILE__, __LINE__)
-/* Without a world nobody can be told. */
+/* For calls without a world, which has the log. */
 #define REFUSED_UNTOLD(wanted, call) \
     wrong_check(p, (call), THUD_ERROR_##wanted, 0, #call, __FILE__, __LINE__)
 
@@ -67,12 +67,12 @@ static const double not_an_angle[] = {NAN, INFINITY, -INFINITY, 1.1e6, -1e300};
 static const double not_a_size[] = {NAN, INFINITY, -INFINITY, 0,     -0.0,
                                     -1,  9e-5,     5e-324,    16385, 3e38};
 
-/* For each value x of a list. */
+/* Loop over the values x of a list. */
 #define EACH(x, list)                                    \
     for (int x##_at = 0; x##_at < COUNT(list); x##_at++) \
         for (double x = (list)[x##_at], *x##_once = &x; x##_once; x##_once = NULL)
 
-/* The tables: one cmocka test each. */
+/* The tables; each is a cmocka test. */
 void wrong_worlds(void **state);
 void wrong_settings(void **state);
 void wrong_bodies(void **state);

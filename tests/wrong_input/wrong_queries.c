@@ -1,4 +1,4 @@
-/* wrong_queries.c: questions that have no answer, movers that cannot move, pictures of nowhere. */
+/* wrong_queries.c: queries, character movers and drawings with invalid arguments. */
 #include "wrong_input.h"
 
 static bool count_shape(thud_shape_id shape, void *context) {
@@ -7,7 +7,7 @@ static bool count_shape(thud_shape_id shape, void *context) {
     return true;
 }
 
-/* What thud_placed_check refuses. */
+/* Shapes that thud_placed_check refuses. */
 static const thud_shape_instance no_shapes[] = {
     {.kind = THUD_CIRCLE, .c = 1, .hx = NAN},
     {.kind = THUD_CIRCLE, .c = 1, .hx = 0},
@@ -124,7 +124,7 @@ void wrong_overlaps_and_closest(void **state) {
     REFUSED_UNTOLD(NULL, thud_world_overlap_obb(NULL, from, 1, 1, 1, NULL, count_shape, &asked));
     REFUSED_UNTOLD(NULL, thud_world_closest(NULL, from, 10, NULL, OUT_FLAG, hit));
     assert_int_equal(asked, 0);
-    /* What has no end or no shape has no volume around it. */
+    /* A body with an endless line, or without shapes, has no bounding volume. */
     thud_volume *volume = &wrong_out.volume;
     thud_shape_state plain;
     OK(thud_shape_get(w, p->here.plain, &plain));
@@ -144,7 +144,8 @@ void wrong_movers(void **state) {
     thud_mover_report *report = &wrong_out.report;
     const thud_vec2 walk = {1, 0};
     const double dt = 1.0 / 60;
-    /* The village's own mover is made wrong, refused, and must be as it was made. */
+    /* A field of the village's mover is set to an invalid value; the refused call must not change
+     * the mover. */
 #define BAD(wanted, field, value)                                                           \
     good = *mover;                                                                          \
     mover->field = (value);                                                                 \

@@ -1,4 +1,4 @@
-/* wrong_shapes.c: shapes and lines that cannot be, and edits that no line takes. */
+/* wrong_shapes.c: shape defs, terrain lines and edits of lines that must be refused. */
 #include "wrong_input.h"
 
 void wrong_shapes(void **state) {
@@ -50,7 +50,7 @@ void wrong_shapes(void **state) {
     EACH(x, not_an_angle) {
         REFUSED(INVALID, thud_shape_create_obb(w, box, &good, zero, one, x, &wrong_out.shape));
     }
-    /* What turns has no upright shapes. */
+    /* A body that rotates cannot have AABBs. */
     REFUSED(INVALID, thud_shape_create_aabb(w, lift, &good, zero, one, &wrong_out.shape));
     REFUSED(NULL, thud_shape_create_circle(w, box, NULL, zero, 1, &wrong_out.shape));
     REFUSED(NULL, thud_shape_create_aabb(w, box, NULL, zero, one, &wrong_out.shape));
@@ -106,9 +106,9 @@ void wrong_terrains(void **state) {
     BAD(hill, count, INT32_MIN);
     BAD(hill, kind, (thud_terrain_kind)3);
     BAD(hill, kind, (thud_terrain_kind)-1);
-    BAD_POINT(hill, x, 0); /* x stands still */
+    BAD_POINT(hill, x, 0); /* x does not increase */
     BAD_POINT(hill, x, -1);
-    BAD_POINT(hill, x, 5); /* beyond the next */
+    BAD_POINT(hill, x, 5); /* beyond the next vertex */
     line = hill;
     line.points = NULL;
     REFUSED(NULL, MAKE_LINE);
@@ -165,7 +165,8 @@ void wrong_terrain_edits(void **state) {
     REFUSED(INVALID, thud_shape_replace_range(w, hill, 3, 0, fine, 2));
     REFUSED(INVALID, thud_shape_replace_range(w, hill, 1.5, 3, fine, 2));
     REFUSED(INVALID, thud_shape_replace_range(w, hill, 0, 3, fine, -1));
-    REFUSED(INVALID, thud_shape_replace_range(w, hill, -100, 100, fine, 1)); /* one would be left */
+    REFUSED(INVALID, thud_shape_replace_range(w, hill, -100, 100, fine, 1)); /* one vertex would be
+                                                                                left */
     REFUSED(INVALID, thud_shape_replace_range(w, hill, -100, 100, NULL, 0));
     REFUSED(INVALID, thud_shape_replace_range(w, dunes, 0, 3, fine, 2));
     REFUSED(NULL, thud_shape_replace_range(w, hill, 0, 3, NULL, 2));

@@ -1,30 +1,34 @@
-/* wrong_worlds.c: worlds that cannot be, and settings that no world takes. */
+/* wrong_worlds.c: world defs and settings of worlds that must be refused. */
 #include "wrong_input.h"
 
+/* A world's log: counts messages. */
 static void tell(thud_result result, const char *message, void *context) {
     assert_int_not_equal(result, THUD_OK);
     assert_true(message && message[0]);
     (*(int *)context)++;
 }
 
+/* An allocator that always fails. */
 static void *no_memory(size_t bytes, void *context) {
     (void)bytes;
     (void)context;
     return NULL;
 }
 
+/* A release function without an effect. */
 static void forget(void *block, size_t bytes, void *context) {
     (void)block;
     (void)bytes;
     (void)context;
 }
 
+/* Calls thud_world_advance; its callers pass an invalid time or number of steps. */
 static thud_result step_forever(wrong_pair *p, double elapsed, int max_steps) {
     return thud_world_advance(p->here.world, elapsed, max_steps, &wrong_out.count,
                               &wrong_out.number);
 }
 
-/* No result code: no poses, and none counted. */
+/* thud_world_poses returns no result code: a refusal is null with count 0. */
 static thud_result poses(thud_world *world, thud_pos origin, double alpha) {
     int count = 7;
     const thud_pose *got = thud_world_poses(world, origin, alpha, &count);
@@ -95,10 +99,10 @@ void wrong_worlds(void **state) {
     BAD(time_budget, INFINITY);
     BAD(time_budget, -1);
     BAD(time_budget, 1.1);
-    BAD(time_budget, 0.001); /* and no clock */
+    BAD(time_budget, 0.001); /* without a clock */
     BAD(job_system.workers, -1);
     BAD(job_system.workers, THUD_WORKERS_MAX + 1);
-    BAD(job_system.workers, 2); /* and nobody to run them */
+    BAD(job_system.workers, 2); /* without a function that runs them */
     BAD_QUALITY(substeps, 0);
     BAD_QUALITY(substeps, 65);
     BAD_QUALITY(contact_stiffness, 0.6f);
@@ -165,7 +169,7 @@ void wrong_settings(void **state) {
         REFUSED(INVALID, poses(w, (thud_pos){0, 0}, x));
     }
     REFUSED_UNTOLD(NULL, poses(NULL, (thud_pos){0, 0}, 0.5));
-    /* Calls without a result code give nothing. */
+    /* Functions without a result code return zeros. */
     thud_world_destroy(NULL);
     assert_int_equal(thud_world_events(NULL).begin_count, 0);
     assert_int_equal(thud_world_stats(NULL).bodies, 0);

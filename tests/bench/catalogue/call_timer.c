@@ -7,7 +7,7 @@
 
 enum { BATCHES = 7, QUICK_BATCHES = 3, LEAST_CALLS = 256, MOST_CALLS = 1 << 24 };
 
-/* Seconds of a batch: some thousand ticks of the clock. */
+/* Duration of a batch in seconds: thousands of the clock's ticks. Chosen. */
 static const double BATCH = 2e-3, QUICK_BATCH = 2e-4;
 
 static volatile double answers;

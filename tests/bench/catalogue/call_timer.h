@@ -1,15 +1,15 @@
-/* call_timer.h: nanoseconds of a call that takes only a few of them. */
+/* call_timer.h: measures functions that take only some nanoseconds a call. */
 #ifndef THUD_BENCH_CALL_TIMER_H
 #define THUD_BENCH_CALL_TIMER_H
 
 #include <stdbool.h>
 
-/* Makes `count` calls, the i-th on the i-th of its prepared inputs, from the first again after the
- * last. Gives something back that every answer has a part in, so that no call is optimised away. */
+/* Makes `count` calls; the i-th has the i-th of its prepared inputs, which repeat after the last
+ * one. Returns a number that depends on every result, so that the compiler removes no call. */
 typedef double call_fn(const void *inputs, int count);
 
-/* Of one call: the least of several batches, each long enough for the clock; whatever else the
- * machine does can only add. */
+/* Nanoseconds of a call: the minimum over several batches, each long enough for the clock. The
+ * minimum, because other load of the machine can only make a batch slower. */
 double call_timer_ns(call_fn *fn, const void *inputs, bool quick);
 
 #endif

@@ -1,5 +1,5 @@
-/* catalogue_broadphases.c: the three broadphases on the same worlds: as there are more shapes, as
- * more of them move, and faster, as their sizes mix, and as they gather in one place. */
+/* catalogue_broadphases.c: times the three broadphases on the same worlds, over the number of
+ * shapes, the number and speed of those that move, the range of their sizes, and their density. */
 #include "catalogue/catalogue.h"
 #include "catalogue/catalogue_choices.h"
 #include "catalogue/crowd.h"
@@ -9,11 +9,11 @@
 
 enum { REPETITIONS = 3 };
 
-/* A world whose second step takes longer drops out. */
+/* Seconds: a world whose second step takes longer is not timed further. Chosen. */
 static const double TOO_DEAR = 0.5;
 
-/* Without continuous detection but where it is asked for: it looks around by the broadphase too,
- * which is not what is measured here. */
+/* Opens a world for each broadphase. Detection is given by the caller: continuous detection queries
+ * the broadphase too, which is not part of what is measured here. */
 static bool open_all(const scene *s, bool crowded, const thud_detection *detection,
                      lab_world labs[BROADPHASE_COUNT]) {
     for (int k = 0; k < BROADPHASE_COUNT; k++) {
@@ -22,7 +22,7 @@ static bool open_all(const scene *s, bool crowded, const thud_detection *detecti
         def.contact_events = false;
         def.broadphase = broadphase_at(k);
         def.detection = detection;
-        labs[k].scene = *s; /* borrowed */
+        labs[k].scene = *s; /* the scene is shared with the other worlds */
         if (!lab_open(&labs[k], &def))
             return false;
         if (crowded)
@@ -38,7 +38,8 @@ static void close_all(lab_world labs[BROADPHASE_COUNT]) {
     }
 }
 
-/* A row of the table, and of the results; overlaps below 0 were not counted. */
+/* Prints a row of the table and writes it into the results. `overlaps` below 0 means not counted.
+ */
 static void report(const char *label, int shapes, long overlaps,
                    const lab_turns_times times[BROADPHASE_COUNT], json *out) {
     json_begin_object(out, NULL);
@@ -77,11 +78,12 @@ static void print_head(const char *by) {
     printf("\n");
 }
 
+/* Times the scene with each broadphase; returns false if a world failed. */
 static bool measure(const char *label, const scene *s, bool crowded,
                     const thud_detection *detection, bool quick,
                     lab_turns_times times[BROADPHASE_COUNT]) {
     lab_turns_plan plan = {10, LAB_TURNS_STEPS, .seconds = 1.5, TOO_DEAR};
-    if (quick) /* for the figures' sake, and not for what they are: nothing drops out */
+    if (quick) /* few steps, and no broadphase is left out */
         plan = (lab_turns_plan){2, 10, .seconds = 0.05, .too_dear = INFINITY};
     bool ok = true;
     for (int i = 0; ok && i < (quick ? 1 : REPETITIONS); i++) {
@@ -93,6 +95,7 @@ static bool measure(const char *label, const scene *s, bool crowded,
     return ok;
 }
 
+/* Times scenes of growing size: the scene gas with 10 to 100,000 shapes. */
 static bool grow(bool quick, json *out) {
     static const int SIZES[] = {10, 30, 100, 300, 1000, 3000, 10000, 30000, 100000};
     int count = quick ? 5 : (int)(sizeof SIZES / sizeof SIZES[0]);
@@ -114,7 +117,7 @@ static bool grow(bool quick, json *out) {
     return ok;
 }
 
-/* A row of a crowd, with the number of its overlaps where that is asked for. */
+/* Measures a crowd; with `counted`, the number of overlapping pairs is written too. */
 static bool measure_crowd(const char *label, const crowd *c, bool counted, bool quick, json *out) {
     scene s;
     lab_turns_times times[BROADPHASE_COUNT];
@@ -127,6 +130,7 @@ static bool measure_crowd(const char *label, const crowd *c, bool counted, bool 
     return ok;
 }
 
+/* Times crowds of equal size in which a varying share of bodies moves at varying speeds. */
 static bool move(bool quick, json *out) {
     static const struct {
         double moving, speed;
@@ -147,6 +151,7 @@ static bool move(bool quick, json *out) {
     return ok;
 }
 
+/* Times crowds whose radii differ by factors of 1 to 400. */
 static bool mix(bool quick, json *out) {
     static const double SPANS[] = {1, 20, 400};
     bool ok = true;
@@ -165,9 +170,10 @@ static bool mix(bool quick, json *out) {
     return ok;
 }
 
+/* Times crowds of growing density. */
 static bool gather(bool quick, json *out) {
-    /* Square metres for each of the circles of radius 0.25; in the last row all centres lie in a
-     * square of 0.25, so that each overlaps each. */
+    /* Square metres for each circle of radius 0.25. In the last row all centres lie in a square of
+     * 0.25 m, so that all pairs overlap. */
     static const double AREAS[] = {1.5625, 0.15625, 0.015625, 0.000125};
     bool ok = true;
     printf("\n");

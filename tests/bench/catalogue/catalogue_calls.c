@@ -1,5 +1,5 @@
-/* catalogue_calls.c: nanoseconds of each function of thud_volumes.h, thud_shapes.h and
- * thud_minkowski.h, for each pair of kinds. */
+/* catalogue_calls.c: nanoseconds of a call of each function of thud_volumes.h, thud_shapes.h and
+ * thud_minkowski.h, for each pair of kinds of shapes. */
 #include "catalogue/call_timer.h"
 #include "catalogue/catalogue.h"
 #include "progress.h"
@@ -20,7 +20,8 @@ static const struct {
 
 static const thud_motion STILL = {0, 0, 0};
 
-/* The i-th call is of the i-th pair; every answer has a part in what is returned. */
+/* The body of a call_fn: the i-th call has the i-th pair, and every result is added to `answers`.
+ */
 #define FOR_EACH_CALL(inputs, count) \
     const sample_pairs *p = inputs;  \
     double answers = 0;              \

@@ -1,5 +1,4 @@
-/* catalogue_choices.h: what a world has to choose from: broadphases, and ways of detection in the
- * order of their price. */
+/* catalogue_choices.h: the broadphases and the kinds of detection, in the order of their cost. */
 #ifndef THUD_BENCH_CATALOGUE_CHOICES_H
 #define THUD_BENCH_CATALOGUE_CHOICES_H
 
@@ -13,14 +12,14 @@ const thud_broadphase *broadphase_at(int index); /* grid, plane sweep, all pairs
 
 const thud_detection *way_at(int index); /* overlap, continuous, bisect, swept */
 
-/* A world of the scene, without sleep, and its bodies in the scene's order. */
+/* A world of a scene, without sleep, with the ids of its bodies in the scene's order. */
 typedef struct way_world {
     thud_world *world;
     thud_body_id *bodies;
     int count;
 } way_world;
 
-/* False, and a line on stderr, when something fails; way_close is due all the same. */
+/* False, with a line on stderr, on failure; way_close has to be called also then. */
 bool way_open(way_world *w, const scene *s, const thud_detection *detection, double time_step);
 bool way_step(way_world *w);
 void way_close(way_world *w);

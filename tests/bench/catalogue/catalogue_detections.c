@@ -1,7 +1,8 @@
-/* catalogue_detections.c: the four ways of detection through the same scenes, a step each in turn:
- * time, overlap by separate geometry, energy, what was held, and what the tests of motions let
- * through. A step's time is the least of some repetitions; as worlds are deterministic, everything
- * else is the same in each, and is taken in the first. */
+/* catalogue_detections.c: runs the same scenes with each of the four kinds of detection, a step of
+ * each world in turn, and measures the time of a step, the overlap (by geometry independent of the
+ * engine), the energy, bodies that were held, and the number of pairs after each test of motions.
+ * The time of a step is the minimum of several repetitions. Worlds are deterministic, so everything
+ * else is measured in the first repetition only. */
 #include "catalogue/catalogue.h"
 #include "catalogue/catalogue_choices.h"
 #include "lab/lab_turns.h"
@@ -20,13 +21,13 @@ static const struct {
     const char *scene;
     int size, quick_size, steps;
 } SCENES[] = {
-    {"gas", 1000, 50, 600}, /* ten seconds, for its energy */
+    {"gas", 1000, 50, 600}, /* 600 steps are 10 s, to see a drift of energy */
     {"bullets", 60, 15, 300},
     {"circle_pit", 1000, 100, 600},
     {"smash", 960, 60, 300},
 };
 
-/* What one way made of a scene. */
+/* The results of one detection in a scene. */
 typedef struct outcome {
     double seconds[MOST_STEPS];
     penetration overlap;
@@ -50,8 +51,8 @@ static double kinetic_energy(way_world *w) {
     return thud_world_measure(w->world).kinetic_energy;
 }
 
-/* Unlike that on the wall, this clock stands still while something else has the processor, which in
- * the longest of so many steps would count for more than the step. */
+/* The thread's processor time in seconds. Unlike wall-clock time it does not advance while another
+ * process runs, which would dominate the longest of many steps. */
 static double processor_seconds(void) {
     struct timespec t;
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
@@ -78,6 +79,7 @@ static void close_worlds(trial *t) {
         way_close(&t->worlds[k]);
 }
 
+/* Adds the counts of a step. */
 static void count_up(outcome *o, const thud_stats *stats) {
     o->impacts += stats->impacts;
     o->held += stats->held_bodies;
@@ -102,6 +104,7 @@ static void measure_overlap(trial *t, const way_world *w, penetration *seen) {
     penetration_sample(t->meter, t->poses, seen);
 }
 
+/* Runs one repetition with all detections in turn, step by step; false if a step failed. */
 static bool run_once(trial *t, int repetition) {
     for (int k = 0; repetition == 0 && k < WAY_COUNT; k++)
         t->outcomes[k].energy_before = kinetic_energy(&t->worlds[k]);
@@ -114,7 +117,7 @@ static bool run_once(trial *t, int repetition) {
             if (!way_step(w))
                 return false;
             double seconds = processor_seconds() - start;
-            /* The first step fetches the world's memory, and is not timed. */
+            /* The first step allocates the world's memory and is not timed. */
             if (i > 0)
                 o->seconds[i - 1] = repetition == 0 ? seconds : fmin(seconds, o->seconds[i - 1]);
             if (repetition > 0)
@@ -144,7 +147,7 @@ static void report(trial *t, int way, json *out) {
     int timed = t->steps - 1;
     double mean = lab_turns_mean(o->seconds, timed);
     double kept = o->energy_before > 0 ? o->energy_after / o->energy_before : NAN;
-    double median = series_median(o->seconds, timed); /* sorts them */
+    double median = series_median(o->seconds, timed); /* sorts the array */
     printf("%-11s %-10s %8.4f %8.4f %8.3f %9.2f %8.4f %8ld %7ld %9.4f %7ld\n", t->name,
            thud_detection_name(way_at(way)), median * 1e3, mean * 1e3, o->seconds[timed - 1] * 1e3,
            o->overlap.worst * 1e3, kept, o->impacts, o->held, o->held_seconds, o->unbisectable);

@@ -1,5 +1,5 @@
-/* catalogue_grounds.c: what a look at the ground costs, by its kind and its number of vertices, and
- * what digging does. */
+/* catalogue_grounds.c: nanoseconds of the functions of terrain lines, by kind of line and number of
+ * vertices, and of digging and raising in a world. */
 #include "catalogue/call_timer.h"
 #include "catalogue/catalogue.h"
 #include "lab/lab_world.h"
@@ -12,7 +12,7 @@
 
 enum { PLACES = 1024, DIGS = 200, QUICK_DIGS = 10 };
 
-/* Hills of random heights, half as high as their distance. */
+/* A line with random heights between 0 and half the distance of its vertices. */
 static bool make_line(thud_terrain_kind kind, int count, double spacing, thud_terrain *out) {
     thud_pos *points = calloc((size_t)count, sizeof *points);
     scene_random random = {6};
@@ -25,10 +25,10 @@ static bool make_line(thud_terrain_kind kind, int count, double spacing, thud_te
     return points && thud_terrain_check(out) == THUD_OK;
 }
 
-/* Shapes of size 0.5 near the ground, in an order that no cache foresees. */
+/* Shapes of size 0.5 near the ground, in random order, so that the cache does not help. */
 typedef struct ground_places {
     thud_terrain terrain;
-    double length; /* of the line, or of what is looked at of an endless one */
+    double length; /* m: of the line, or of the part of an endless one in which the places are */
     thud_shape_instance circles[PLACES], boxes[PLACES];
 } ground_places;
 
@@ -93,7 +93,7 @@ static double box_contacts(const void *inputs, int count) {
     return answers;
 }
 
-/* Ten down and ten to the right, from ten above. */
+/* Rays 10 m down and 10 m to the right, from 9 m above a place. */
 static double ray(const void *inputs, int count) {
     FOR_EACH_PLACE(inputs, count) {
         double fraction = 0, nx, ny;
@@ -132,7 +132,7 @@ static const struct {
     const char *name;
     thud_terrain_kind kind;
     int count;
-    double spacing; /* metres between vertices */
+    double spacing; /* m between vertices */
 } GROUNDS[] = {
     {"flat", THUD_TERRAIN_FLAT, 100, 1},
     {"uniform", THUD_TERRAIN_UNIFORM, 100, 1},
@@ -210,7 +210,7 @@ typedef struct digs {
     int count;
 } digs;
 
-/* Digs, and raises, at places all over the line. */
+/* Digs and raises at random places of the line. */
 static bool dig_about(thud_world *world, thud_shape_id shape, double length, digs *d) {
     scene_random random = {14};
     for (int i = 0; i < d->count; i++) {
@@ -227,9 +227,9 @@ static bool dig_about(thud_world *world, thud_shape_id shape, double length, dig
     return true;
 }
 
-/* The median, and the worst, which has had to grow the line's memory. */
+/* Writes the median and the maximum; the maximum includes a reallocation of the line's memory. */
 static void report_digs(const char *name, double *ns, int count, json *out) {
-    double median = series_median(ns, count); /* sorts them */
+    double median = series_median(ns, count); /* sorts the array */
     printf(" %10.0f %10.0f", median, ns[count - 1]);
     json_begin_object(out, name);
     json_number(out, "median", median);

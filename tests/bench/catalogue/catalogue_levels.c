@@ -1,5 +1,5 @@
-/* catalogue_levels.c: how many of all pairs of a scene each bounding volume lets through, beside
- * what the world's own pipeline made of them: pairs of fat bounds, and touching contacts. */
+/* catalogue_levels.c: counts how many of all pairs of a scene each bounding volume leaves, beside
+ * the pairs of fat bounds and the touching contacts of the world's own pipeline. */
 #include "catalogue/catalogue.h"
 #include "catalogue/catalogue_choices.h"
 #include "engine.h"
@@ -12,10 +12,11 @@
 
 enum { LOOKS = 10, STEPS_APART = 30, QUICK_LOOKS = 2, QUICK_STEPS_APART = 3 };
 
-/* Metres at which a contact begins: the engine's speculative margin, at its length scale of 1. */
+/* Distance in m below which a contact is created: the engine's speculative margin at length scale
+ * 1. */
 static const double MARGIN = 0.02;
 
-/* All of bodies with a single shape about their origin. */
+/* Scenes whose bodies have one shape, centred at the body's origin. */
 static const struct {
     const char *scene;
     int size, quick_size;
@@ -26,10 +27,11 @@ static const struct {
 
 typedef struct looks {
     levels seen;
-    long bounds, contacts; /* the world's own */
+    long bounds, contacts; /* counts of the world itself */
     int count;
 } looks;
 
+/* Adds the counts of pairs at the world's present poses to `sum`; false if a call failed. */
 static bool look(const scene *s, const way_world *w, thud_shape_instance *shapes, bool *movable,
                  looks *sum) {
     for (int i = 0; i < w->count; i++) {
@@ -37,7 +39,7 @@ static bool look(const scene *s, const way_world *w, thud_shape_instance *shapes
         thud_body_state body;
         if (thud_body_get(w->world, w->bodies[i], &body) != THUD_OK)
             return false;
-        double length = hypot(body.cosine, body.sine); /* 1 but for the rounding to floats */
+        double length = hypot(body.cosine, body.sine); /* 1 up to rounding to floats */
         shapes[i] = (thud_shape_instance){
             .kind = shape->kind == SCENE_CIRCLE ? THUD_CIRCLE
                     : shape->kind == SCENE_AABB ? THUD_AABB
@@ -58,6 +60,7 @@ static bool look(const scene *s, const way_world *w, thud_shape_instance *shapes
     return levels_count(shapes, movable, w->count, MARGIN, &sum->seen);
 }
 
+/* Runs the scene and calls `look` at equal intervals; false if a call failed. */
 static bool watch(const char *name, const scene *s, bool quick, looks *sum) {
     way_world w = {0};
     thud_shape_instance *shapes = calloc((size_t)s->body_count, sizeof *shapes);

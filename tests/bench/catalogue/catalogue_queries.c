@@ -1,5 +1,5 @@
-/* catalogue_queries.c: what a question to a world costs, by broadphase, among 10,000 shapes; and a
- * character's move. */
+/* catalogue_queries.c: nanoseconds of each query of a world with 10,000 shapes, for each
+ * broadphase, and of a move of a character mover. */
 #include "catalogue/call_timer.h"
 #include "catalogue/catalogue.h"
 #include "catalogue/catalogue_choices.h"
@@ -13,13 +13,14 @@
 
 enum { SHAPES = 10000, QUICK_SHAPES = 300, PLACES = 1024, MOVES = 2000, WALKS = 3 };
 
-/* Places all over the world, and ways of ten metres from them in all directions. */
+/* Random places in the world, and a path of 10 m from each in a random direction. */
 typedef struct questions {
     thud_world *world;
     thud_pos from[PLACES];
     thud_pos way[PLACES];
 } questions;
 
+/* Random starts in a square of that half width, each with a random direction of length 10. */
 static void make_questions(questions *q, double half) {
     scene_random random = {15};
     for (int i = 0; i < PLACES; i++) {
@@ -128,7 +129,7 @@ static bool open_worlds(const scene *s, lab_world labs[BROADPHASE_COUNT]) {
     for (int k = 0; k < BROADPHASE_COUNT; k++) {
         thud_world_def def = lab_settings();
         def.broadphase = broadphase_at(k);
-        labs[k].scene = *s; /* borrowed */
+        labs[k].scene = *s; /* the scene is shared with the other worlds */
         if (!lab_open(&labs[k], &def))
             return false;
         crowd_passes_through(labs[k].world);
@@ -138,6 +139,7 @@ static bool open_worlds(const scene *s, lab_world labs[BROADPHASE_COUNT]) {
     return true;
 }
 
+/* Times one kind of query with each broadphase, and counts how many results it finds on average. */
 static void ask(size_t call, questions each[BROADPHASE_COUNT], bool quick, json *out) {
     json_begin_object(out, NULL);
     json_text(out, "query", CALLS[call].name);
@@ -154,6 +156,7 @@ static void ask(size_t call, questions each[BROADPHASE_COUNT], bool quick, json 
     json_end(out);
 }
 
+/* Times all queries in a crowd, with each broadphase. */
 static bool ask_everything(bool quick, json *out) {
     static questions each[BROADPHASE_COUNT];
     crowd c = {quick ? QUICK_SHAPES : SHAPES, 1.5625, 0.25, 0.25, 1, 5};
@@ -180,16 +183,16 @@ static bool ask_everything(bool quick, json *out) {
     return ok;
 }
 
-/* ---- a character ---- */
+/* ---- character movers ---- */
 
-/* A floor of 10,000 tiles with a step up or down of at most 0.2 from each to the next. */
+/* A floor of 10,000 tiles whose heights differ by at most 0.2 m. */
 static void fill_tiles(scene *s) {
     scene_random random = {16};
     for (int i = 0; i < SHAPES; i++)
         scene_static_box(s, i, scene_random_range(&random, -0.6, -0.4), 0.5, 0.5);
 }
 
-/* Walks at 5 m/s, with gravity; *ns becomes the nanoseconds of a move if they are less. */
+/* Walks at 5 m/s under gravity. Lowers *ns to the nanoseconds of a move if they are fewer. */
 static bool walk(thud_world *world, thud_mover mover, int moves, double *ns) {
     const double dt = 1.0 / 60;
     thud_vec2 velocity = {5, 0};

@@ -1,8 +1,9 @@
-/* catalogue_throws.c: balls thrown at an upright wall, against their parabolas. What is wrong with
- * the place of a hit is the engine's integration, the straight way that a test of motions takes for
- * the curve, and, of the tests that know only the ends of steps, the rest of the step. The same
- * balls in a world without the wall tell the first apart: through the ends of the step in which a
- * ball hits goes one parabola, and what the hit is off that is due to the test. */
+/* catalogue_throws.c: throws balls at a vertical wall and compares their paths and the places of
+ * their hits with parabolas. The error of a hit has three parts: the engine's integration, the
+ * straight line that motion tests use instead of the curve, and, for detections that test poses at
+ * the ends of steps only, the rest of the step. The same balls in a world without the wall isolate
+ * the first: the error of the detection is the distance of the hit from the parabola through the
+ * two ends of the step, in that world, in which the ball hits. */
 #include "catalogue/catalogue.h"
 #include "catalogue/catalogue_choices.h"
 
@@ -10,28 +11,29 @@
 
 enum { BALLS = 64, RATE_COUNT = 4 };
 
-static const double RATES[RATE_COUNT] = {30, 60, 120, 240}; /* steps a second */
+static const double RATES[RATE_COUNT] = {30, 60, 120, 240}; /* steps per second */
 static const double GRAVITY = 10, RADIUS = 0.1, WALL_FACE = 20, VX = 20, VY = 5;
 
 typedef struct throw_errors {
-    double flight;      /* worst distance of a centre from its parabola at the end of a step */
-    double worst, sum;  /* of the places of the hits, along the wall, off their parabolas */
-    double early, late; /* most that a ball was before the wall, and in it, when it was met */
-    double bend;        /* worst of the heights of balls that are met, off the parabolas through the
-                           ends of the step */
+    double flight;      /* m: largest distance of a centre from its parabola at the end of a step */
+    double worst, sum;  /* m: distance of the hits, along the wall, from their parabolas */
+    double early, late; /* m: largest distance before the wall, and depth inside it, at the hit */
+    double bend;        /* m: largest difference in height between a hit and the parabola through
+                           the ends of the step */
     int hits;
 } throw_errors;
 
 typedef struct throws {
     scene with_wall, without;
     way_world worlds[2];                          /* with the wall, and without */
-    thud_pos before[BALLS + 1], after[BALLS + 1]; /* the last step without the wall */
+    thud_pos before[BALLS + 1], after[BALLS + 1]; /* places at both ends of the last step without
+                                                     the wall */
     bool hit[BALLS + 1];
     double time_step;
 } throws;
 
-/* The wall, or what is left when it is out of the way, then the balls, which do not meet each
- * other; they are thrown from all parts of a step's way. */
+/* The wall (or, without it, a box far away) and the balls, which do not collide with each other.
+ * Their starts are spread over the distance that they fly in a step. */
 static void fill(scene *s, bool with_wall, double time_step) {
     scene_init(s);
     s->gravity_y = -GRAVITY;
@@ -45,6 +47,7 @@ static void fill(scene *s, bool with_wall, double time_step) {
     }
 }
 
+/* Makes a step in both worlds and records the free balls' positions before and after it. */
 static bool step_both(throws *t) {
     way_world *free_world = &t->worlds[1];
     for (int i = 0; i < free_world->count; i++) {
@@ -64,10 +67,12 @@ static bool step_both(throws *t) {
     return true;
 }
 
+/* The height of a thrown ball after `time` seconds, by the parabola. */
 static double height_after(const scene_body *ball, double time) {
     return ball->y + VY * time - 0.5 * GRAVITY * time * time;
 }
 
+/* Updates the largest distance of a free ball from its parabola. */
 static void compare_flights(const throws *t, double time, throw_errors *e) {
     for (int i = 1; i <= BALLS; i++) {
         const scene_body *ball = &t->without.bodies[i];
@@ -77,15 +82,15 @@ static void compare_flights(const throws *t, double time, throw_errors *e) {
     }
 }
 
-/* How high the parabola through both ends of the last step is at x. Between the ends it stands
- * g h^2 f (1 - f) / 2 above the straight line, at the fraction f of the step h. */
+/* The height at x of the parabola through both ends of the last step. At fraction f of the step h
+ * it is g h^2 f (1 - f) / 2 above the straight line. */
 static double height_at(const throws *t, int ball, double x) {
     const thud_pos *from = &t->before[ball], *to = &t->after[ball];
     double h = t->time_step, f = (x - from->x) / (to->x - from->x);
     return from->y + f * (to->y - from->y) + 0.5 * GRAVITY * h * h * f * (1 - f);
 }
 
-/* A ball's first hit only: it falls along the wall afterwards. */
+/* Compares the first hit of each ball; after it the ball falls along the wall. */
 static void compare_hits(throws *t, throw_errors *e) {
     thud_world *world = t->worlds[0].world;
     thud_events events = thud_world_events(world);
@@ -95,7 +100,7 @@ static void compare_hits(throws *t, throw_errors *e) {
         if (thud_shape_get(world, event->shape_a, &a) != THUD_OK ||
             thud_shape_get(world, event->shape_b, &b) != THUD_OK)
             continue;
-        /* Slots are given out in the scene's order, and the wall's is the first. */
+        /* Slots of bodies follow the scene's order, and the wall's is the first. */
         uint32_t i = (a.body.index1 > b.body.index1 ? a.body.index1 : b.body.index1) - 1;
         if (t->hit[i])
             continue;
@@ -103,7 +108,7 @@ static void compare_hits(throws *t, throw_errors *e) {
         const scene_body *ball = &t->with_wall.bodies[i];
         double y = height_after(ball, (WALL_FACE - RADIUS - ball->x) / VX);
         double error = fabs(event->point.y - y);
-        /* The point lies in the middle of the gap, or of the overlap. */
+        /* The reported point is in the middle of the gap or of the overlap. */
         double depth = 2 * (event->point.x - WALL_FACE);
         double height = height_at(t, (int)i, WALL_FACE + depth - RADIUS);
         e->worst = fmax(e->worst, error);

@@ -1,5 +1,5 @@
-/* catalogue_volumes.c: nanoseconds of fitting a bounding volume of each kind around something, and
- * of asking what is in it. */
+/* catalogue_volumes.c: nanoseconds of fitting a bounding volume of each kind around shapes, motions
+ * and points, and of tests with volumes. */
 #include "catalogue/call_timer.h"
 #include "catalogue/catalogue.h"
 #include "random.h"
@@ -14,13 +14,13 @@ static const struct {
     thud_shape_kind kind;
 } VOLUMES[KINDS] = {{"circle", THUD_CIRCLE}, {"AABB", THUD_AABB}, {"OBB", THUD_OBB}};
 
-/* OBBs, as the dearest that there is to put into a volume. */
+/* OBBs, the shapes for which fitting a volume takes longest. */
 typedef struct contents {
-    thud_shape_kind kind; /* of the volume */
+    thud_shape_kind kind; /* kind of the volumes */
     sample_pairs pairs;
-    thud_volume a[SAMPLE_PAIRS], b[SAMPLE_PAIRS]; /* around the shapes of a pair ... */
-    thud_volume both[SAMPLE_PAIRS];               /* ... and around the two */
-    thud_pos points[SAMPLE_PAIRS][POINTS];        /* in a square */
+    thud_volume a[SAMPLE_PAIRS], b[SAMPLE_PAIRS]; /* volumes around the two shapes of a pair ... */
+    thud_volume both[SAMPLE_PAIRS];               /* ... and around both */
+    thud_pos points[SAMPLE_PAIRS][POINTS];        /* random points in a square */
 } contents;
 
 static void make_contents(thud_shape_kind kind, contents *c) {

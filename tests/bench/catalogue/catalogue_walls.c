@@ -1,5 +1,5 @@
-/* catalogue_walls.c: circles and turning boxes fly at walls 2 cm thick, static ones and heavy ones
- * that move, at 10 to 100,000 m/s: how many are beyond the wall afterwards. */
+/* catalogue_walls.c: circles and rotating boxes fly at walls 2 cm thick, static walls and heavy
+ * dynamic ones, at 10 to 100,000 m/s; counts how many are beyond the wall afterwards. */
 #include "catalogue/catalogue.h"
 #include "catalogue/catalogue_choices.h"
 #include "engine.h"
@@ -13,7 +13,8 @@ enum { LANES = 64, QUICK_LANES = 8, SPEED_COUNT = 5, WALL_COUNT = 2 };
 static const double SPEEDS[SPEED_COUNT] = {1e1, 1e2, 1e3, 1e4, 1e5};
 static const char *const WALLS[WALL_COUNT] = {"static", "dynamic"};
 
-/* A wall and a bullet a lane, in this order; bullets start at all parts of a step from the wall. */
+/* A wall and a bullet for each lane, in this order. The distances at the start are spread over the
+ * motion of a step. */
 static void fill(scene *s, int lanes, bool dynamic, double speed) {
     scene_random random = {8};
     s->gravity_y = 0;
@@ -34,7 +35,7 @@ static void fill(scene *s, int lanes, bool dynamic, double speed) {
     }
 }
 
-/* A lane whose bodies are lost counts as passed. */
+/* A lane with a body that cannot be read counts as passed. */
 static int count_passed(const way_world *w) {
     int passed = 0;
     for (int i = 0; i + 1 < w->count; i += 2) {
@@ -46,14 +47,14 @@ static int count_passed(const way_world *w) {
     return passed;
 }
 
-/* The share that passes; below 0 when something fails. */
+/* The share of bullets that pass, 0 to 1; below 0 on failure. */
 static double fire(const thud_detection *detection, bool dynamic, double speed, int lanes) {
     scene s;
     way_world w = {0};
     scene_init(&s);
     fill(&s, lanes, dynamic, speed);
     bool ok = way_open(&w, &s, detection, ENGINE_TIME_STEP);
-    /* The run-up is at most a metre and a step's way. */
+    /* A bullet starts at most 1 m and a step's motion before the wall. */
     int steps = (int)ceil(1 / (speed * ENGINE_TIME_STEP)) + 4;
     for (int i = 0; ok && i < steps; i++)
         ok = way_step(&w);

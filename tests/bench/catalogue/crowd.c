@@ -8,7 +8,7 @@
 
 enum { WALLS = 4, SEED = 9 };
 
-/* The same radii, whoever asks. */
+/* A random radius. A new `scene_random` with SEED gives the same sequence of radii each time. */
 static double next_radius(const crowd *c, scene_random *random) {
     double octave = c->least;
     while (2 * octave <= c->most && scene_random_range(random, 0, 1) < 0.5)
@@ -26,7 +26,8 @@ double crowd_area_filled(const crowd *c, double part) {
     return sum / c->bodies / part;
 }
 
-/* As fast in every direction, without trigonometry: the direction of a point of the disc. */
+/* Gives the body this speed in a random direction, that of a random point of the unit disc:
+ * uniform, without trigonometry. */
 static void set_flying(scene_body *body, double speed, scene_random *random) {
     double x, y, length;
     do {
@@ -39,7 +40,8 @@ static void set_flying(scene_body *body, double speed, scene_random *random) {
 }
 
 void crowd_fill(const crowd *c, scene *s) {
-    double half = 0.5 * sqrt(c->area * c->bodies); /* of where centres are */
+    double half =
+        0.5 * sqrt(c->area * c->bodies); /* half the side of the square with the centres */
     double wall = half + c->most;
     s->gravity_y = 0;
     s->material = (scene_material){.density = 1, .friction = 0, .restitution = 1};
@@ -61,6 +63,7 @@ static bool is_wall(thud_body_id body) {
     return body.index1 <= WALLS;
 }
 
+/* A prologue that lets bodies collide with the walls only. */
 static bool throws_back(thud_world *world, const thud_contact *contact,
                         thud_contact_settings *settings, void *context) {
     (void)world, (void)settings, (void)context;

@@ -1,5 +1,6 @@
-/* crowd.h: circles that fly through each other in a closed box: as many, as large, as dense, as
- * fast and as many of them moving as wanted. As they do not collide, it all stays so. */
+/* crowd.h: a scene of circles that fly through each other in a closed box, with a given number,
+ * range of sizes, density, speed and share of moving circles. They do not collide, so these do not
+ * change. */
 #ifndef THUD_BENCH_CROWD_H
 #define THUD_BENCH_CROWD_H
 
@@ -9,22 +10,24 @@
 
 typedef struct crowd {
     int bodies;
-    double area;        /* square metres of the box for each */
-    double least, most; /* radii; of every octave between them half as many as of the one below */
+    double area;        /* m^2 of the box for each circle */
+    double least, most; /* m, range of the radii; each octave has half as many circles as the one
+                           below it */
     double moving;      /* share of the bodies that move */
-    double speed;       /* theirs */
+    double speed;       /* m/s, of the bodies that move */
 } crowd;
 
-/* An initialised scene's. The walls come first. */
+/* Fills an initialised scene. The four walls come first. */
 void crowd_fill(const crowd *c, scene *s);
 
-/* The box's area for each body so that the circles' own areas add up to `part` of it. */
+/* The `area` at which the circles cover the share `part` of the box. */
 double crowd_area_filled(const crowd *c, double part);
 
-/* Pairs stay pairs and are found, tested and reported, but only walls throw anything back. */
+/* Sets a prologue that vetoes contacts between circles: pairs are found, tested and reported as
+ * usual, but only walls make circles bounce. */
 void crowd_passes_through(thud_world *world);
 
-/* How many pairs of circles overlap where the scene puts them: each against each. */
+/* The number of pairs of circles that overlap in the scene, by a test of all pairs. */
 long crowd_overlaps(const scene *s);
 
 #endif

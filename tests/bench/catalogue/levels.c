@@ -1,5 +1,5 @@
-/* levels.c: see levels.h. Each pair goes through the tests one after the other, as a pipeline would
- * have it, by the engine's own public functions. */
+/* levels.c: see levels.h. Each pair goes through the tests in order, as in a collision pipeline,
+ * with the engine's public functions. */
 #include "catalogue/levels.h"
 
 #include <thud/thud_minkowski.h>
@@ -15,6 +15,7 @@ typedef struct wrapped {
     thud_volume volumes[VOLUMES];
 } wrapped;
 
+/* The number of volumes that overlap before the first that does not. */
 static int passed(const wrapped *a, const wrapped *b) {
     for (int k = 0; k < VOLUMES; k++) {
         bool overlap = false;
@@ -25,6 +26,7 @@ static int passed(const wrapped *a, const wrapped *b) {
     return VOLUMES;
 }
 
+/* Computes the bounding volumes of each kind around a shape; false if the shape is invalid. */
 static bool wrap(const thud_shape_instance *shape, wrapped *out) {
     for (int k = 0; k < VOLUMES; k++)
         if (thud_volume_around_shape(KINDS[k], shape, &out->volumes[k]) != THUD_OK)
@@ -32,8 +34,8 @@ static bool wrap(const thud_shape_instance *shape, wrapped *out) {
     return true;
 }
 
-/* The distance of two boxes along the direction that parts them most, of those of their sides: the
- * faces of their Minkowski sum. No more than the exact distance, which corners make larger. */
+/* The separation of two boxes along the normals of their sides (separating axis theorem), by their
+ * Minkowski sum. It is at most the exact distance, which is larger between two corners. */
 static double distance_along_axes(const thud_shape_instance *a, const thud_shape_instance *b) {
     thud_minkowski sum;
     double most = -INFINITY;
@@ -48,7 +50,8 @@ static double distance_along_axes(const thud_shape_instance *a, const thud_shape
 
 static void count_near(const thud_shape_instance *a, const thud_shape_instance *b, double margin,
                        levels *sum) {
-    /* Corners that are a margin apart along both axes are further apart than one. */
+    /* Upper bound of the distance of centres for pairs within the margin along each axis; others
+     * are skipped. */
     double reach = hypot(a->hx, a->hy) + hypot(b->hx, b->hy) + 2 * margin;
     thud_closest closest;
     if (hypot(b->x - a->x, b->y - a->y) >= reach || thud_shapes_closest(a, b, &closest) != THUD_OK)

@@ -36,7 +36,8 @@ void sample_pairs_make(thud_shape_kind kind_a, thud_shape_kind kind_b, sample_pa
         out->b[i] = b;
         place(&b, scene_random_range(&random, 1.5, 4) * reach, &random);
         out->far_b[i] = b;
-        /* A place that the smaller extents of both still reach. */
+        /* A place near the origin, at which the second shape overlaps the first whatever their
+         * sizes. */
         thud_shape_instance end = b;
         place(&end, 0.3 * scene_random_range(&random, 0, 1), &random);
         out->motion[i] = (thud_motion){end.x - b.x, end.y - b.y,

@@ -1,21 +1,23 @@
-/* sample_pairs.h: pairs of shapes to time geometry on. */
+/* sample_pairs.h: random pairs of shapes, as inputs for timing geometry functions. */
 #ifndef THUD_BENCH_SAMPLE_PAIRS_H
 #define THUD_BENCH_SAMPLE_PAIRS_H
 
 #include <thud/thud_minkowski.h>
 #include <thud/thud_shapes.h>
 
-enum { SAMPLE_PAIRS = 256 }; /* a power of two */
+enum { SAMPLE_PAIRS = 256 }; /* a power of two, for wrapping indices */
 
-/* Sizes from 0.2 to 1, boxes at any angle. */
+/* Sizes are 0.2 to 1 m, and OBBs have any angle. */
 typedef struct sample_pairs {
-    /* Centres up to twice as far apart as the bounding circles reach: some overlap, some do not. */
+    /* The distance of the centres is up to twice the sum of the bounding radii: some pairs overlap.
+     */
     thud_shape_instance a[SAMPLE_PAIRS], b[SAMPLE_PAIRS];
-    /* Apart, and a motion of the second that ends within the first: they meet on the way. */
+    /* Pairs that are apart, and a motion of the second shape that ends in the first, so that they
+     * collide. */
     thud_shape_instance far_b[SAMPLE_PAIRS];
     thud_motion motion[SAMPLE_PAIRS];
     thud_minkowski sum[SAMPLE_PAIRS];
-    double tolerance; /* of bisection */
+    double tolerance; /* tolerance of the bisection */
 } sample_pairs;
 
 void sample_pairs_make(thud_shape_kind a, thud_shape_kind b, sample_pairs *out);

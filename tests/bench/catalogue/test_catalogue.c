@@ -1,5 +1,5 @@
-/* test_catalogue.c: what thud-catalogue's figures rest on: its counts against counts by hand, and
- * its inputs against what the page says of them. */
+/* test_catalogue.c: tests what the figures of thud-catalogue rely on: counts of pairs are compared
+ * with counts by hand, and the inputs have the properties that docs/catalogue.md states. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -21,7 +21,7 @@ static thud_shape_instance circle(double x, double y, double radius) {
     return (thud_shape_instance){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1, .hx = radius};
 }
 
-/* Turned by 45 degrees. */
+/* An OBB turned by 45 degrees. */
 static thud_shape_instance bar(double x, double y, double hx, double hy) {
     double half = sqrt(0.5);
     return (thud_shape_instance){THUD_OBB, x, y, half, half, hx, hy};
@@ -45,16 +45,17 @@ static void assert_levels(levels found, levels wanted) {
 
 static void levels_count_a_pair_up_to_the_volume_that_parts_it(void **state) {
     (void)state;
-    /* Far apart; side by side, where only the bounding circles of long bars meet; parallel slanting
-     * bars 0.6 apart, whose AABBs meet as well; two circles in whose squares the corners meet, so
-     * that only the exact test parts them; and an overlap. */
+    /* In this order: far apart; long bars side by side, of which only the bounding circles overlap;
+     * parallel slanted bars 0.6 apart, whose AABBs overlap too; a circle and a box whose OBBs
+     * overlap but not they themselves; two circles that overlap. */
     assert_levels(count_pair(circle(0, 0, 1), circle(9, 0, 1)), (levels){1, 0, 0, 0, 0, 0, 0});
     assert_levels(count_pair((thud_shape_instance){THUD_AABB, 0, 0, 1, 0, 2, 0.1},
                              (thud_shape_instance){THUD_AABB, 0, 1, 1, 0, 2, 0.1}),
                   (levels){1, 1, 0, 0, 0, 0, 0});
     assert_levels(count_pair(bar(0, 0, 2, 0.1), bar(0.6, -0.6, 2, 0.1)),
                   (levels){1, 1, 1, 0, 0, 0, 0});
-    /* A circle's OBB is the square around it; the box's corner is in that, not in the circle. */
+    /* A circle's OBB is the square around it; the box's corner is in the square and not in the
+     * circle. */
     assert_levels(count_pair(circle(0, 0, 1),
                              (thud_shape_instance){THUD_AABB, 3.75, 1.25, 1, 0, 3, 0.5}),
                   (levels){1, 1, 1, 1, 0, 0, 0});
@@ -65,7 +66,7 @@ static void levels_near_pairs_pass_the_sieve_and_corners_do_not_pass_the_exact_t
     (void)state;
     thud_shape_instance box = {THUD_AABB, 0, 0, 1, 0, 1, 1};
     thud_shape_instance beside = {THUD_AABB, 2.019, 0, 1, 0, 1, 1};
-    /* Along either axis 0.019 apart, from corner to corner 0.027. */
+    /* 0.019 apart along each axis, and 0.027 from corner to corner. */
     thud_shape_instance across = {THUD_AABB, 2.019, 2.019, 1, 0, 1, 1};
     assert_levels(count_pair(box, beside), (levels){1, 1, 0, 0, 0, 1, 1});
     assert_levels(count_pair(box, across), (levels){1, 0, 0, 0, 0, 1, 0});
@@ -103,7 +104,7 @@ static void crowd_overlaps_are_counted_once_each(void **state) {
     scene_dynamic_circle(&s, 0, 0, 1);
     scene_dynamic_circle(&s, 2, 0, 1); /* touches the first */
     scene_dynamic_circle(&s, 0, 2.1, 1);
-    scene_dynamic_circle(&s, 0, 1, 0.2); /* in the first, and in reach of the third */
+    scene_dynamic_circle(&s, 0, 1, 0.2); /* overlaps the first, and the third */
     assert_int_equal(crowd_overlaps(&s), 3);
     scene_free(&s);
 }
@@ -148,7 +149,7 @@ static void crowd_passes_through_itself_but_not_through_walls(void **state) {
         met |= thud_world_stats(lab.world).contacts > 10;
     }
     assert_true(met);
-    /* Had they met each other, as many deep as they are, speeds would be anything. */
+    /* If circles, which overlap deeply, had collided, their energy would have changed. */
     assert_true(fabs(thud_world_measure(lab.world).kinetic_energy / before - 1) < 0.01);
     double half = 0.5 * sqrt(c.area * c.bodies) + 2 * c.most;
     int count;

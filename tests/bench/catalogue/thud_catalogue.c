@@ -1,5 +1,6 @@
-/* thud_catalogue.c: thud-catalogue, the prices of every system: measures what the command line asks
- * for, one part after the other, and prints each as soon as it is done. */
+/* thud_catalogue.c: the program thud-catalogue, which measures the cost and the errors of each
+ * system of the engine. It runs the parts that the command line names, one after the other, and
+ * prints each when it is done. */
 #include "catalogue/catalogue.h"
 #include "machine.h"
 
@@ -24,7 +25,7 @@ enum { PART_COUNT = sizeof PARTS / sizeof PARTS[0] };
 
 typedef struct settings {
     bool quick;
-    unsigned parts; /* a bit for each */
+    unsigned parts; /* a bit for each part */
     const char *json;
 } settings;
 

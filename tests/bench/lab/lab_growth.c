@@ -1,4 +1,4 @@
-/* lab_growth.c: time and memory per body as the population grows; Box2D beside it. */
+/* lab_growth.c: time and memory per body over the number of bodies, in thud and in Box2D. */
 #include "lab/lab.h"
 
 #include "engine.h"
@@ -8,20 +8,21 @@
 
 #include <stdio.h>
 
-/* Steps that are timed, after as many to warm up. */
+/* Timed steps; as many untimed ones come before them. */
 enum { STEPS = 60, QUICK_STEPS = 5 };
 
-/* Least times of a step over so many runs: a neighbour's moment must not look like growth. */
+/* The time of a step is the minimum over this many runs, since load of other processes only adds to
+ * it. */
 enum { REPETITIONS = 3 };
 
 static const int SIZES[] = {1000, 4000, 16000, 64000, 256000};
 enum { SIZE_COUNT = sizeof SIZES / sizeof SIZES[0], QUICK_SIZE_COUNT = 2 };
 
-/* The dearest body over the cheapest, in thud. */
+/* Bound on the largest time per body divided by the smallest, over all sizes, in thud. Chosen. */
 static const double MOST_SPAN = 1.5;
 
 typedef struct growth {
-    double ms; /* the median step */
+    double ms; /* median step */
     uint64_t bytes;
 } growth;
 
@@ -57,7 +58,7 @@ static bool measure(const physics_engine *engine, const scene *s, int steps, gro
     return ok;
 }
 
-/* Nanoseconds per body of thud's into *each. */
+/* Measures one size; *each becomes thud's nanoseconds per body. */
 static bool grow_to(const scene_info *info, int size, int steps, double *each, json *out) {
     scene s;
     growth own, rival;
@@ -85,6 +86,7 @@ static bool grow_to(const scene_info *info, int size, int steps, double *each, j
     return true;
 }
 
+/* Measures the time per body at all sizes of a scene, and whether it stays within MOST_SPAN. */
 static bool grow(const scene_info *info, bool quick, json *out) {
     double each[SIZE_COUNT];
     int sizes = quick ? QUICK_SIZE_COUNT : SIZE_COUNT;

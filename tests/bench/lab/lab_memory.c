@@ -1,7 +1,8 @@
-/* lab_memory.c: bytes per body and per contact, as the engines report them. Two worlds of the same
- * bodies: in one nothing touches, in the other they stand in columns; the difference is what the
- * contacts take. Buffers double as they fill, so that one size would measure luck: the mean of
- * sizes over one doubling does not. */
+/* lab_memory.c: bytes per body and per contact, as the engines report them. It compares two worlds
+ * with the same bodies: in one nothing touches, in the other the bodies stand in columns; the
+ * difference is the memory of contacts. Buffers double when they are full, so that the result for
+ * one size depends on where it lies between two doublings: the mean over sizes of one octave does
+ * not. */
 #include "lab/lab.h"
 
 #include "engine.h"
@@ -11,14 +12,15 @@
 
 enum { COLUMN = 10, SMALLEST = 8000, SIZE_COUNT = 8, STEPS = 10 };
 
-/* thud's part of Box2D's. */
+/* Bound on thud's bytes divided by Box2D's. Chosen. */
 static const double MOST_PART = 0.5;
 
 typedef struct lab_memory_use {
     double per_body, per_contact; /* bytes */
 } lab_memory_use;
 
-/* Without gravity, and with an overlap that is within every engine's slop: nothing moves. */
+/* Columns of bodies without gravity. They overlap by less than the slop of each engine, so that
+ * nothing moves. */
 static void fill(scene *s, bool boxes, bool touching, int count) {
     scene_init(s);
     s->gravity_y = 0;
@@ -32,6 +34,8 @@ static void fill(scene *s, bool boxes, bool touching, int count) {
     }
 }
 
+/* Measures the bytes of a world with `count` bodies after some steps; false if the engine failed.
+ */
 static bool bytes_of(const physics_engine *engine, bool boxes, bool touching, int count,
                      double *out) {
     scene s;

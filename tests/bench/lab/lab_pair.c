@@ -4,7 +4,7 @@
 #include "progress.h"
 #include "series.h"
 
-/* Of both: long enough that stacks are asleep. */
+/* Steps of each world; with WARM_UP, stacks have fallen asleep. */
 enum { STEPS = 300, TURN = 10, WARM_UP = 180 };
 
 static bool open_one(const lab_pair *pair, bool with, lab_world *lab) {

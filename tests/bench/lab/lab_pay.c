@@ -1,4 +1,4 @@
-/* lab_pay.c: the price of each feature: the same scene with it and without it. */
+/* lab_pay.c: the cost of each feature: times the same scene with it and without it. */
 #include "lab/lab.h"
 
 #include "lab/lab_pair.h"
@@ -12,6 +12,7 @@ static void floor_and_walls(scene *s, double half_width) {
     scene_static_box(s, half_width + 1, 40, 1, 40);
 }
 
+/* Adds BODIES bodies in rows above the floor: circles, rotated boxes, or upright boxes. */
 static void drop(scene *s, bool boxes, bool upright) {
     scene_random random = {5};
     int columns = 60;
@@ -79,8 +80,8 @@ static void fill_continuous(bool with, scene *s, thud_world_def *def) {
     def->detection = with ? &thud_detection_continuous : &thud_detection_overlap;
 }
 
-/* The hundred fly up and down between two plates, beside the heap, a plate's distance a step and
- * more; without them it is the same world at rest there. */
+/* A hundred circles fly up and down between two plates beside the heap, at the distance of the
+ * plates per step or faster; without the feature they are at rest there. */
 static void fill_fast(bool with, scene *s, thud_world_def *def) {
     (void)def;
     floor_and_walls(s, 34);
@@ -95,12 +96,14 @@ static void fill_fast(bool with, scene *s, thud_world_def *def) {
     }
 }
 
+/* A prologue without an effect. */
 static bool allow(thud_world *w, const thud_contact *contact, thud_contact_settings *settings,
                   void *context) {
     (void)w, (void)contact, (void)settings, (void)context;
     return true;
 }
 
+/* An epilogue without an effect. */
 static void hear(thud_world *w, const thud_contact *contact, void *context) {
     (void)w, (void)contact, (void)context;
 }
@@ -132,8 +135,8 @@ static void fill_asleep(bool with, scene *s, thud_world_def *def) {
         scene_dynamic_box(s, i * 1.5 - 750, 0.5, 0.5, 0.5);
 }
 
-/* 20,000 asleep beside a hundred that never rest, against the hundred alone (with one sleeper: a
- * scene is never empty). */
+/* 20,000 sleeping bodies beside a hundred that never rest, against the hundred and one sleeping
+ * body (a scene cannot be empty). */
 static void fill_crowd(bool with, scene *s, thud_world_def *def) {
     def->sleeping = true;
     scene crowd;

@@ -1,4 +1,5 @@
-/* lab_profile.c: the time of a step by stage, from the engine's own clock. */
+/* lab_profile.c: the time of each stage of a step, measured by the engine
+ * (thud_stats.stage_seconds). */
 #include "lab/lab.h"
 
 #include "lab/lab_world.h"

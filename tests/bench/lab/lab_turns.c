@@ -1,5 +1,5 @@
-/* lab_turns.c: see lab_turns.h. A turn is some steps, so that a world mostly finds the caches as it
- * left them. */
+/* lab_turns.c: see lab_turns.h. A turn is several steps, so that in most of them a world's data are
+ * still in the cache. */
 #include "lab/lab_turns.h"
 
 #include "progress.h"
@@ -9,6 +9,7 @@
 
 enum { TURN = 5, LEAST_TURNS = 5 };
 
+/* Makes a step and reads the world's stats. */
 static bool step_once(lab_world *lab, lab_turns_times *times) {
     if (!lab_run(lab, 1, NULL))
         return false;
@@ -16,6 +17,7 @@ static bool step_once(lab_world *lab, lab_turns_times *times) {
     return true;
 }
 
+/* Seconds of the last step's broadphase stage. */
 static double broadphase_of(const lab_turns_times *times) {
     return times->stats.stage_seconds[THUD_STAGE_BROADPHASE];
 }

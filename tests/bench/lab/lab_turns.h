@@ -1,5 +1,5 @@
-/* lab_turns.h: any number of thud worlds of one scene, stepped in turns, so that whatever else the
- * machine does hits all alike; one that is too dear drops out. */
+/* lab_turns.h: times any number of thud worlds of one scene. They are stepped in turns, so that
+ * load of other processes affects all alike. A world that is too slow is left out. */
 #ifndef THUD_BENCH_LAB_TURNS_H
 #define THUD_BENCH_LAB_TURNS_H
 
@@ -8,29 +8,29 @@
 enum { LAB_TURNS_STEPS = 200 };
 
 typedef struct lab_turns_plan {
-    int warm_up;     /* steps, at least 2 */
-    int steps;       /* timed, at most LAB_TURNS_STEPS */
-    double seconds;  /* no turn begins later than this, but the first five do */
-    double too_dear; /* seconds: a world whose second step takes longer drops out; the first one
-                        makes everything */
+    int warm_up;     /* untimed steps, at least 2 */
+    int steps;       /* timed steps, at most LAB_TURNS_STEPS */
+    double seconds;  /* no turn begins later than this, except the first five */
+    double too_dear; /* seconds: a world whose second step takes longer is left out (the first step
+                        allocates) */
 } lab_turns_plan;
 
-/* Seconds: the least of the repetitions so far, as worlds are deterministic. */
+/* Seconds. Each is the minimum over the repetitions so far; worlds are deterministic. */
 typedef struct lab_turns_times {
     bool dropped;
-    double first;                                              /* of the first step's broadphase */
-    double second_step;                                        /* of all of it */
-    double step[LAB_TURNS_STEPS], broadphase[LAB_TURNS_STEPS]; /* after the warm-up */
-    int count;                                                 /* of the timed steps */
-    thud_stats stats;                                          /* of the last step */
+    double first;                                              /* broadphase of the first step */
+    double second_step;                                        /* whole second step */
+    double step[LAB_TURNS_STEPS], broadphase[LAB_TURNS_STEPS]; /* of each step after the warm-up */
+    int count;                                                 /* number of timed steps */
+    thud_stats stats;                                          /* after the last step */
 } lab_turns_times;
 
-/* The worlds are new, and have lab_now for their clock. Repetition 0 fills in the times, and later
- * ones go as far as that did. False, and a line on stderr, when a step fails. */
+/* Takes new worlds whose clock is lab_now. Repetition 0 initialises the times, and later ones make
+ * as many steps. False, with a line on stderr, if a step fails. */
 bool lab_take_turns(const char *label, lab_world *labs, int count, const lab_turns_plan *plan,
                     int repetition, lab_turns_times *times);
 
-/* Of `count` >= 1 values. */
+/* The mean of `count` >= 1 values. */
 double lab_turns_mean(const double *values, int count);
 
 #endif

@@ -1,4 +1,4 @@
-/* lab_workers.c: what a second thread brings: the same world with one worker and with two. */
+/* lab_workers.c: the gain of a second thread: times the same world with one worker and with two. */
 #include "lab/lab.h"
 
 #include "lab/lab_pair.h"
@@ -10,7 +10,7 @@ enum { WORKERS = 2 };
 
 static const double LEAST_GAIN = 1.6;
 
-static pool *job_system; /* of the pair that is being measured */
+static pool *job_system; /* of the world with two workers */
 
 static void fill(const char *name, bool with, scene *s, thud_world_def *def) {
     scene filled;

@@ -1,4 +1,4 @@
-/* lab_world.h: a thud world of a scene, stepped and timed. */
+/* lab_world.h: a thud world made from a scene, stepped and timed. */
 #ifndef THUD_BENCH_LAB_WORLD_H
 #define THUD_BENCH_LAB_WORLD_H
 
@@ -13,15 +13,16 @@ typedef struct lab_world {
 
 double lab_now(void *context); /* seconds */
 
-/* The default settings with sleeping off. */
+/* The default def with sleeping off. */
 thud_world_def lab_settings(void);
 
-/* Both false, and a line on stderr, when something fails. `size` 0: the scene's own. */
+/* Create the world; false, with a line on stderr, on failure. `size` 0 is the scene's default. */
 bool lab_open_scene(lab_world *lab, const scene_info *info, int size, const thud_world_def *def);
-bool lab_open(lab_world *lab, const thud_world_def *def); /* of lab->scene, filled by the caller */
+bool lab_open(lab_world *lab, const thud_world_def *def); /* from lab->scene, which the caller has
+                                                             filled */
 void lab_close(lab_world *lab);
 
-/* Seconds of each of `count` steps. */
+/* Makes `count` steps and writes the seconds of each, unless `seconds` is null. */
 bool lab_run(lab_world *lab, int count, double *seconds);
 
 #endif

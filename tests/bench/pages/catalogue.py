@@ -57,7 +57,7 @@ def main(words):
     kept = os.path.join(arguments.out, "catalogue.json")
     pictures = os.path.join(arguments.out, "pictures")
     try:
-        # Before the minutes of measuring, not after them.
+        # Checked before the measurement, which takes minutes.
         if not arguments.again:
             measured.refuse_unnamed(arguments.out)
         os.makedirs(pictures, exist_ok=True)

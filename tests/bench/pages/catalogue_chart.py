@@ -1,4 +1,4 @@
-"""Line charts as SVG: each line is named at its end, so that nobody has to look for a legend."""
+"""Draws line charts as SVG, with each line's name at its end instead of a legend."""
 
 import math
 from xml.sax.saxutils import escape
@@ -8,7 +8,7 @@ WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 900, 440, 80, 190, 84, 60
 LABEL_GAP = 17
 INK, GREY, PALE = "#202020", "#757575", "#e2e2e2"
 COLOURS = ["#2a7f62", "#b5561d", "#3d5a9e", "#8a3d7c", "#7a6a12"]
-# A value that is hardly beyond a power of ten needs no decade of its own.
+# A value that is only this much (in decades) beyond a power of ten gets no further decade.
 SLACK = 1e-3
 
 
@@ -23,19 +23,19 @@ def rule(x1, y1, x2, y2):
 
 
 def short(value):
-    """1,000 and 0.01 as they are, with no digit too many."""
+    """The number with at most three digits after the point for small values, and none for others."""
     return f"{value:,.0f}" if value >= 1 else f"{value:g}"
 
 
 def decades(low, high):
-    """The powers of ten from the last one up to `low` to the first one from `high` on."""
+    """The powers of ten from the last one below `low` to the first one above `high`."""
     first = math.floor(math.log10(low) + SLACK)
     last = max(math.ceil(math.log10(high) - SLACK), first + 1)
     return [10.0 ** k for k in range(first, last + 1)]
 
 
 def spread(wanted, gap, low, high):
-    """Places as near to the wanted ones as it goes, in their order, at least `gap` apart."""
+    """Positions close to the wanted ones, in their order, at least `gap` apart."""
     order = sorted(range(len(wanted)), key=lambda i: wanted[i])
     places = [0.0] * len(wanted)
     at = low - gap
@@ -50,7 +50,7 @@ def spread(wanted, gap, low, high):
 
 
 class Scale:
-    """Maps values, or their logarithms, onto pixels between the first and the last tick."""
+    """Maps values, or their logarithms, to pixels between the first and the last tick."""
 
     def __init__(self, ticks, start, end, logarithmic):
         self.ticks, self.start, self.end = ticks, start, end
@@ -62,6 +62,7 @@ class Scale:
 
 
 def axes(x, y, x_names, y_names, x_title, y_title):
+    """The grid lines, tick labels and titles of both axes."""
     parts = []
     for tick, name in zip(y.ticks, y_names):
         parts.append(rule(LEFT, y(tick), WIDTH - RIGHT, y(tick)))
@@ -75,6 +76,7 @@ def axes(x, y, x_names, y_names, x_title, y_title):
 
 
 def line(points, x, y, colour, joined):
+    """A curve with a dot at each point, or larger dots alone if the points are not joined."""
     places = [f"{x(a):.1f} {y(b):.1f}" for a, b in points]
     way = (f'<path d="M {" L ".join(places)}" fill="none" stroke="{colour}" stroke-width="2.5"/>'
            if joined else "")
@@ -84,8 +86,8 @@ def line(points, x, y, colour, joined):
 
 
 def chart(title, series, x, y, names, joined=True):
-    """`series`: name, colour and points of each. `names`: those of the ticks and axes, in the order
-    that axes() has them."""
+    """Draws a chart. `series`: name, colour and points of each line. `names`: those of the ticks
+    and axes, in the order of axes()."""
     labels = spread([y(points[-1][1]) for _, _, points in series], LABEL_GAP, TOP, HEIGHT - BOTTOM)
     parts = [text(20, 34, title, 18, weight="bold")] + axes(x, y, *names)
     for label, (name, colour, points) in zip(labels, series):
@@ -98,8 +100,10 @@ def chart(title, series, x, y, names, joined=True):
 
 
 def horizontal(ticks, is_logarithmic=True):
+    """The scale of the x axis, pixels."""
     return Scale(ticks, LEFT, WIDTH - RIGHT, is_logarithmic)
 
 
 def vertical(ticks, is_logarithmic=True):
+    """The scale of the y axis, pixels."""
     return Scale(ticks, HEIGHT - BOTTOM, TOP, is_logarithmic)

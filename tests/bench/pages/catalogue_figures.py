@@ -1,38 +1,39 @@
-"""What the figures of thud-catalogue are called, and what is computed of them."""
+"""Names of the figures of thud-catalogue, and values computed from them."""
 
 import math
 
 BROADPHASES = ["grid", "plane sweep", "all pairs"]
 WAYS = ["overlap", "continuous", "bisect", "swept"]
-# What a pair has passed, from first to last, and its name in tables and pictures.
+# The tests that a pair has passed, from first to last, and their names in tables and pictures.
 LEVELS = {"pairs": "all", "circles": "circles", "boxes": "AABBs", "oriented": "OBBs",
           "exact": "overlap"}
-# The same for the narrowphase.
+# The same for the tests of the narrowphase.
 NARROWPHASE = {"pairs": "all", "bounds": "fat bounds", "sieved": "sieve", "near": "exact test",
                "contacts": "contacts that the world has"}
 
 
 def kept(rows, name):
-    """The rows in which a broadphase was not too dear to go on."""
+    """The rows in which a broadphase was not left out as too slow."""
     return [row for row in rows if not row[name]["dropped"]]
 
 
 def crossing(x0, x1, a0, a1, b0, b1):
-    """Where two lines, straight on logarithmic scales, cross between x0 and x1: a has the values
-    a0, a1 there, b has b0, b1, and they are in another order at one end than at the other."""
+    """The x in [x0, x1] at which two lines, straight on logarithmic scales, cross. Line a has the
+    values a0, a1 at the ends, and line b the values b0, b1, in the opposite order."""
     gap0, gap1 = math.log(a0 / b0), math.log(a1 / b1)
     part = gap0 / (gap0 - gap1)
     return math.exp(math.log(x0) + part * (math.log(x1) - math.log(x0)))
 
 
 def cheapest(row, field="ns_per_shape"):
+    """The broadphase with the least value in a row, of those that were measured."""
     here = [name for name in BROADPHASES if not row[name]["dropped"]]
     return min(here, key=lambda name: row[name][field])
 
 
 def reigns(rows):
-    """Who is the cheapest, in order: [name, from, to] in shapes. Where one hands over to another
-    between two rows, the place is that where their lines cross."""
+    """The fastest broadphase over the number of shapes: [name, from, to], in order. Where it
+    changes between two rows, the boundary is the crossing of the two lines."""
     found = [[cheapest(rows[0]), rows[0]["shapes"], rows[0]["shapes"]]]
     for before, row in zip(rows, rows[1:]):
         last, name = found[-1][0], cheapest(row)
@@ -48,12 +49,13 @@ def reigns(rows):
 
 
 def rounded(value):
-    """Two digits are all that a crossing of noisy lines is worth."""
+    """Rounds to two digits, the accuracy of a crossing of noisy lines."""
     digits = 1 - math.floor(math.log10(value))
     return f"{round(value, digits):,.0f}"
 
 
 def in_words(rows):
+    """Sentences that say at which numbers of shapes each broadphase is the cheapest."""
     found = reigns(rows)
     parts = []
     for i, (name, start, end) in enumerate(found):
@@ -72,11 +74,11 @@ def in_words(rows):
 
 
 def dropped_at(rows):
-    """At how many shapes each broadphase became too dear."""
+    """The number of shapes at which each broadphase was left out as too slow."""
     return {name: row["shapes"] for row in reversed(rows) for name in BROADPHASES
             if row[name]["dropped"]}
 
 
 def per_pair(row, name):
-    """Nanoseconds of the broadphase for each pair that really overlaps."""
+    """Nanoseconds of the broadphase for each pair that overlaps."""
     return row[name]["ns_per_shape"] * row["shapes"] / row["overlaps"]

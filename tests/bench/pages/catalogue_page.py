@@ -7,7 +7,7 @@ from performance_page import table
 
 
 def ns(value):
-    """Three digits."""
+    """A number with three digits."""
     return f"{value:,.0f}" if value >= 99.95 else f"{value:.3g}"
 
 
@@ -24,7 +24,7 @@ def millimetres(value):
 
 
 def broadphase_cells(row):
-    """Broadphase and step of each in ns a shape, the cheapest broadphase in bold."""
+    """For each broadphase its time and that of the step in ns per shape; the fastest is bold."""
     cells = []
     for name in BROADPHASES:
         found = row[name]
@@ -135,6 +135,7 @@ def motions(results):
 
 
 def by_pair(rows, head, name):
+    """A table of times with a column for each pair of shape kinds and a row for each entry."""
     pairs = max((list(r["ns"]) for r in rows), key=len)
     return table([head, *pairs],
                  [[name(r), *(ns(r["ns"][p]) if p in r["ns"] else "" for p in pairs)]
@@ -180,7 +181,8 @@ def mover(results):
     return "; ".join(f"{m['mover']} {ns(m['ns'])} ns" for m in results["mover"])
 
 
-# What of the results a placeholder needs, and what makes its text of them.
+# For each placeholder of the notes: the part of the results that it needs, and the function that
+# makes its text.
 SECTIONS = {f.__name__: (needs, f) for needs, f in [
     ("growth", growth), ("coherence", coherence), ("sizes", sizes), ("gathering", gathering),
     ("detections", detections), ("walls", walls), ("throws", throws), ("levels", levels), ("levels", narrowphase),
@@ -189,6 +191,6 @@ SECTIONS = {f.__name__: (needs, f) for needs, f in [
 
 
 def fill(notes, results):
-    """The notes with every {{...}} replaced; a name that nothing makes is an error."""
+    """The notes with every {{...}} replaced; an unknown name is an error."""
     thoroughness = "a quick run, which compares little" if results["quick"] else "a full run"
     return page_parts.fill(notes, results, SECTIONS, {"thoroughness": thoroughness})

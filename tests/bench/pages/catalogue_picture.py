@@ -8,15 +8,18 @@ WALL_TITLES = {"static": "Who passes through a standing wall, 2 cm thick",
 
 
 def values(series):
+    """All y values of several curves."""
     return [value for _, _, points in series for _, value in points]
 
 
 def over_broadphases(rows, x_of, y_of):
+    """A curve for each broadphase, of the rows in which it was measured."""
     return [(name, COLOURS[i], [(x_of(r), y_of(r, name)) for r in kept(rows, name)])
             for i, name in enumerate(BROADPHASES) if kept(rows, name)]
 
 
 def logarithmic(title, series, x_title, y_title):
+    """A chart with both axes logarithmic."""
     xs = [x for _, _, points in series for x, _ in points]
     x_ticks, y_ticks = (decades(min(v), max(v)) for v in (xs, values(series)))
     return chart(title, series, horizontal(x_ticks), vertical(y_ticks),
@@ -24,7 +27,7 @@ def logarithmic(title, series, x_title, y_title):
 
 
 def broadphases(results):
-    """Time of the broadphase per shape over the number of shapes."""
+    """Draws the broadphase's time per shape over the number of shapes."""
     series = over_broadphases(results["growth"], lambda r: r["shapes"],
                               lambda r, name: r[name]["ns_per_shape"])
     return logarithmic("What a shape costs in the broadphase, as there are more of them", series,
@@ -32,7 +35,7 @@ def broadphases(results):
 
 
 def gathering(results):
-    """Time of the broadphase per pair that overlaps, over how many each shape overlaps."""
+    """Draws the broadphase's time per overlapping pair over the number of overlaps of a shape."""
     series = over_broadphases(results["gathering"], lambda r: 2 * r["overlaps"] / r["shapes"],
                               per_pair)
     return logarithmic("What an overlapping pair costs, as everything gathers in one place", series,
@@ -41,7 +44,8 @@ def gathering(results):
 
 
 def walls(results, wall):
-    """The share that passes through a wall, over speed; ways that do the same share a line."""
+    """Draws the share that passes through a wall over the speed; detections with equal results
+    share a line."""
     lines = {}
     for row in results["walls"]:
         if row["wall"] == wall:
@@ -56,7 +60,7 @@ def walls(results, wall):
 
 
 def by_name(title, series, names, y_title, joined):
-    """Over things that have names instead of numbers."""
+    """A chart whose x axis has names instead of numbers."""
     ticks = decades(min(values(series)), max(values(series)))
     places = horizontal(list(range(len(names))), is_logarithmic=False)
     return chart(title, series, places, vertical(ticks),
@@ -64,8 +68,8 @@ def by_name(title, series, names, y_title, joined):
 
 
 def levels(results):
-    """How many pairs each bounding volume lets through, a line a scene."""
-    # A level that nothing passes has no place on a scale of decades.
+    """Draws how many pairs each bounding volume leaves, with a line for each scene."""
+    # A count of 0 cannot be drawn on a logarithmic scale.
     series = [(row["scene"].replace("_", " "), COLOURS[k % len(COLOURS)],
                [(i, row[name]) for i, name in enumerate(LEVELS) if row[name] > 0])
               for k, row in enumerate(results["levels"])]
@@ -74,7 +78,7 @@ def levels(results):
 
 
 def ways(results):
-    """The mean step over that of overlap, scene by scene."""
+    """Draws the mean step over that of overlap, for each scene."""
     scenes = results["detections"]
     series = [(way, COLOURS[k], [(i, s["ways"][way]["ms_mean"] / s["ways"]["overlap"]["ms_mean"])
                                  for i, s in enumerate(scenes)]) for k, way in enumerate(WAYS)]
@@ -83,7 +87,7 @@ def ways(results):
 
 
 def draw(results):
-    """Every picture that there are figures for, by the end of its file's name."""
+    """All pictures for which there are figures, by the end of their file names."""
     makers = [("broadphases", "growth", broadphases), ("gathering", "gathering", gathering),
               ("levels", "levels", levels), ("detections", "detections", ways),
               ("walls-static", "walls", lambda r: walls(r, "static")),

@@ -1,4 +1,5 @@
-"""Runs thud-catalogue, quickly, and checks its tables, its JSON and its errors. No time is asserted.
+"""Runs thud-catalogue with --quick and checks its tables, its JSON and its errors. No time is
+asserted.
 
 usage: check_catalogue.py THUD_CATALOGUE
 """
@@ -27,7 +28,7 @@ def results_of(program, folder, *arguments):
 
 
 def rows_of(results, part):
-    """Of which there are some, or nothing of them would be checked."""
+    """The rows of a part, which must not be empty."""
     assert results[part], part
     return results[part]
 
@@ -36,9 +37,9 @@ def check_broadphases(results):
     for part in ("growth", "coherence", "sizes", "gathering"):
         for row in rows_of(results, part):
             for name in BROADPHASES:
-                # The broadphase is a stage of the step, and no stage takes the whole of it.
+                # The broadphase is a stage of the step, so its time is shorter than the step's.
                 assert 0 < row[name]["ns_per_shape"] < row[name]["step_ns_per_shape"], row
-            # In a crowd the grid hands out its pairs little by little.
+            # In a crowd the grid reports its pairs over several steps.
             pairs = {row[name]["pairs"] for name in BROADPHASES[part == "gathering":]}
             assert len(pairs) == 1, row
     assert results["gathering"][-1]["overlaps"] == 100 * 99 / 2, results["gathering"]
@@ -68,7 +69,7 @@ def check_walls(results):
 
 def check_throws(results):
     for row in rows_of(results, "throws"):
-        # To the rounding of single precision at twenty metres.
+        # Up to rounding of floats at a distance of 20 m.
         assert row["bend"] <= row["chord"] + 2e-5, row
         assert 0 < row["flight"] < 0.1 and row["mean"] <= row["worst"], row
 
@@ -79,7 +80,7 @@ def check_levels(results):
         assert counts == sorted(counts, reverse=True) and counts[0] > 0, row
         counts = [row[k] for k in ("pairs", "sieved", "near", "exact")]
         assert counts == sorted(counts, reverse=True), row
-        # Counted by two who know nothing of each other, half a step apart.
+        # Two independent counts, half a step apart.
         assert abs(row["near"] - row["contacts"]) <= 0.1 * row["near"] + 3, row
 
 
@@ -96,7 +97,7 @@ def check_calls(results):
 
 def check_page(results):
     for needs, make in catalogue_page.SECTIONS.values():
-        # All are tables, but for the mover's, which is a sentence of prices.
+        # Each is a table, except the mover's, which is a sentence.
         wanted = [f"{m['mover']} " for m in results[needs]] if needs == "mover" else ["|"]
         assert wanted and all(part in make(results) for part in wanted), needs
     assert len(catalogue_picture.draw(results)) == 6

@@ -1,4 +1,4 @@
-"""What fills the notes of the benchmark's pages: tables, what they were measured on, and figures."""
+"""Fills the notes of the benchmark's pages with tables and figures, and names commit and machine."""
 
 import os
 import re
@@ -15,8 +15,8 @@ ABOUT = ["processor", "processors", "system", "compiler", "box2d", "rapier"]
 
 
 def fill(notes, results, sections, words=None):
-    """`sections`: by name, what of the results a table needs, and what makes it. `words`: more texts by
-    their names. A name that nothing makes is an error."""
+    """`sections`: by name, the part of the results that a table needs, and the function that makes
+    it. `words`: further texts by name. An unknown name is an error."""
     known = {name: str(results["about"].get(name, "not built")) for name in ABOUT}
     known.update(words or {}, measured=measured.line(results["about"]))
 

@@ -21,8 +21,8 @@ import sources
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(HERE)))
-# Rivals race thud one at a time: a third engine in turn would only push the other two out of the
-# caches.
+# Each rival runs alone beside thud: a third engine in turn would evict the data of the other two
+# from the caches.
 RACES = {"scenes": "box2d", "rapier": "rapier"}
 PARTS = ["scenes", "rapier", "growth", "pay", "workers", "profile", "wasm"]
 
@@ -45,7 +45,7 @@ def read(path):
 
 
 def is_kept(path, label):
-    """A part that was measured under the same label: commit and thoroughness."""
+    """Whether a part was measured with the same label, that is, commit and thoroughness."""
     try:
         return read(path + ".label") == label
     except (OSError, ValueError):
@@ -67,8 +67,8 @@ def measure(part, arguments, commit):
 
 
 def add_rival(scenes, others):
-    """The rival of a second race goes beside that of the first, with thud's times beside it; of
-    scenes that it does not run, thud's times of that race count for nothing."""
+    """Adds the rival of a second race to the scenes of the first, with thud's times of that race.
+    Scenes without that rival stay as they are."""
     for scene, other in zip(scenes, others):
         own, *rivals = other["engines"]
         scene["engines"] += [{**rival, "beside": own} for rival in rivals]

@@ -17,7 +17,7 @@ def engine(scene, name):
 
 
 def ratio(scene, name, field):
-    """How many times thud's time another engine's is; None if that did not run."""
+    """Another engine's time over thud's; None if that engine did not run."""
     rival = engine(scene, name)
     if not rival:
         return None
@@ -54,7 +54,7 @@ def races(results):
 
 
 def overlaps(results):
-    """Overlap, memory and the worst step of each engine, in the order thud, Box2D, Rapier."""
+    """A table of overlap, memory and the slowest step of each engine: thud, Box2D, Rapier."""
     def each(scene, field, scale, digits):
         found = [engine(scene, name) for name in ("thud", "box2d", "rapier")]
         return " / ".join(number(e[field] * scale, digits) for e in found if e)
@@ -67,7 +67,7 @@ def overlaps(results):
 
 
 def gaps(results):
-    """How far joints are open, of the scenes that have any, in the order thud, Box2D."""
+    """A table of joint gaps of scenes with joints: thud, Box2D."""
     def each(scene, field, digits):
         found = [engine(scene, name) for name in ("thud", "box2d")]
         return " / ".join(number(e[field] * 1e3, digits) for e in found if e)
@@ -137,7 +137,7 @@ def profile(results):
                   for p in results["profile"]])
 
 
-WASM_TARGET = 3  # times as fast as box2d3-wasm "deluxe", in Node and in Chromium
+WASM_TARGET = 3  # bound on box2d3-wasm "deluxe"'s time over thud's, in Node and in Chromium
 
 
 def wasm(results):
@@ -154,7 +154,8 @@ def wasm(results):
                   "of worst steps", f"at least {WASM_TARGET}"], rows)
 
 
-# Placeholder, what of the results it needs, and what makes its text of them.
+# For each placeholder of the notes: the part of the results that it needs, and the function that
+# makes its text.
 SECTIONS = {"races": ("scenes", races), "overlaps": ("scenes", overlaps),
             "gaps": ("scenes", gaps), "alone": ("alone", alone),
             "growth": ("growth", growth), "memory": ("memory", memory), "pay": ("pay", pay),
@@ -163,5 +164,5 @@ SECTIONS = {"races": ("scenes", races), "overlaps": ("scenes", overlaps),
 
 
 def fill(notes, results):
-    """The notes with every {{...}} replaced; a name that nothing makes is an error."""
+    """The notes with every {{...}} replaced; an unknown name is an error."""
     return page_parts.fill(notes, results, SECTIONS)

@@ -8,18 +8,20 @@ import json
 import sys
 from xml.sax.saxutils import escape
 
-# Pixels.
+# Pixels: the picture's width, the widths left and right of the bars, the height above them, and the
+# heights of a row and of a bar.
 WIDTH, NAMES, RIGHT, TOP, ROW, BAR = 900, 190, 50, 92, 32, 20
-FIGURE = 40  # a bar that is shorter has its figure beside it
+FIGURE = 40  # pixels: the figure of a shorter bar stands beside it
 GREEN, AMBER, INK, GREY = "#2a7f62", "#c9822b", "#202020", "#8a8a8a"
 
 
 def engine(scene, name):
+    """The results of one engine in a scene; None if it did not run."""
     return next((e for e in scene["engines"] if e["engine"] == name), None)
 
 
 def ratio(scene, name):
-    """Of medians, in the race that the two ran."""
+    """The rival's median over thud's, from the race in which both ran."""
     rival = engine(scene, name)
     own = rival and (rival.get("beside") or engine(scene, "thud"))
     return rival["ms_median"] / own["ms_median"] if rival else None
@@ -36,11 +38,12 @@ def line(x, y1, y2, colour, width, dashes=""):
 
 
 def tick_step(most):
+    """The smallest step of the axis that gives at most ten intervals."""
     return next(step for step in (1, 2, 5, 10, 20, 50, 100, 1000) if most / step <= 10)
 
 
 def row(scene, y, scale):
-    """One scene: its name, Box2D's bar, the aim's line, Rapier's circle."""
+    """Draws one scene: its name, Box2D's bar, a line at the target, and Rapier's circle."""
     box2d, rapier, target = ratio(scene, "box2d"), ratio(scene, "rapier"), scene["target"]
     middle = y + ROW / 2
     name = f"{scene['scene'].replace('_', ' ')}, {scene['size']:,}"
@@ -61,7 +64,7 @@ def row(scene, y, scale):
 
 
 def key():
-    """What the signs mean, drawn with the signs themselves."""
+    """Draws the legend."""
     y = 58
     return [text(20, 30, "How many times as fast as its rivals thud is", 18, weight="bold"),
             f'<rect x="20" y="{y - 11}" width="26" height="12" fill="{GREEN}"/>',
@@ -74,6 +77,7 @@ def key():
 
 
 def picture(scenes):
+    """The bar chart as an SVG document."""
     values = [v for s in scenes for v in (ratio(s, "box2d"), ratio(s, "rapier"), s["target"]) if v]
     most = max(values, default=1)
     scale = (WIDTH - NAMES - RIGHT) / most

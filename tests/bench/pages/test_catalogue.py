@@ -1,4 +1,5 @@
-"""The writer of docs/catalogue.md on made-up figures: what it computes, draws and refuses.
+"""Tests the program that writes docs/catalogue.md, with invented figures: what it computes, draws
+and refuses.
 
 A small program stands in for thud-catalogue.
 """
@@ -22,7 +23,7 @@ import catalogue_picture as picture
 
 
 def priced(shapes, grid, sweep, every, **more):
-    """A row: ns of each broadphase per shape; None: too dear."""
+    """A row with the ns per shape of each broadphase; None: left out as too slow."""
     row = {"case": f"{shapes}", "shapes": shapes, **more}
     for name, ns in zip(figures.BROADPHASES, (grid, sweep, every)):
         row[name] = {"first_ms": 1, "pairs": 7, "dropped": ns is None}
@@ -99,7 +100,8 @@ class Figures(unittest.TestCase):
     def test_reigns_hand_over_at_crossings(self):
         (first, _, end), (last, start, upto) = figures.reigns(RESULTS["growth"])
         self.assertEqual((first, last, upto), ("all pairs", "grid", 100000))
-        # 40 to 20 against 20 to 80: they meet where the ratio, 2 to 1/4, is 1, a third of the way.
+        # From 40 to 20 against 20 to 80: the ratio falls from 2 to 1/4 and is 1 at a third of the
+        # way.
         self.assertAlmostEqual(end, 10 * 10 ** (1 / 3))
         self.assertEqual(start, end)
 

@@ -1,4 +1,5 @@
-"""The writer of docs/performance.md on made-up figures: what it computes, keeps and refuses.
+"""Tests the program that writes docs/performance.md, with invented figures: what it computes, keeps
+and refuses.
 
 A small program stands in for thud-bench and answers each part with figures.
 """
@@ -187,7 +188,7 @@ class Report(unittest.TestCase):
         return os.path.join(self.folder, name)
 
     def report(self, *more, commit="abc"):
-        """The exit code, and the parts that were really measured."""
+        """Runs the report; returns its exit code and the parts that were measured."""
         with open(self.calls, "w", encoding="utf-8"):
             pass
         words = [self.path("bench"), "--skip", "wasm", "--keep", self.path("keep"), "--out",

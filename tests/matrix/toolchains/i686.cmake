@@ -1,4 +1,4 @@
-# gcc of Debian for x86 of 32 bits; linked statically, so that it runs without libraries of its own.
+# Debian's gcc for 32-bit x86; linked statically, so that it runs without 32-bit libraries.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR i686)
 set(CMAKE_C_COMPILER i686-linux-gnu-gcc)

@@ -1,4 +1,4 @@
-# gcc of Debian for riscv64; linked statically, so that qemu needs no libraries of that machine.
+# Debian's gcc for riscv64; linked statically, so that qemu needs no libraries of that machine.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR riscv64)
 set(CMAKE_C_COMPILER riscv64-linux-gnu-gcc)

@@ -1,4 +1,4 @@
-# gcc of Debian for s390x; linked statically, so that qemu needs no libraries of that machine.
+# Debian's gcc for s390x; linked statically, so that qemu needs no libraries of that machine.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR s390x)
 set(CMAKE_C_COMPILER s390x-linux-gnu-gcc)

@@ -1,4 +1,4 @@
-# clang for Windows on x86-64, with MinGW-w64's C library and its gcc's own.
+# clang for Windows on x86-64, with MinGW-w64's C library and its gcc's runtime library.
 include(${CMAKE_CURRENT_LIST_DIR}/windows.cmake)
 find_program(CROSS_CLANG NAMES clang-16 clang REQUIRED)
 set(CMAKE_C_COMPILER ${CROSS_CLANG})

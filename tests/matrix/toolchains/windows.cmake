@@ -1,4 +1,4 @@
-# gcc of MinGW-w64 for Windows on x86-64.
+# The gcc of MinGW-w64 for Windows on x86-64.
 set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_SYSTEM_PROCESSOR x86_64)
 set(CMAKE_C_COMPILER x86_64-w64-mingw32-gcc)

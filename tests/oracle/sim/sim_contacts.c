@@ -1,4 +1,4 @@
-/* sim_contacts.c: from places to contacts. */
+/* sim_contacts.c: finds the contacts of the reference simulation from the places of the bodies. */
 #include "sim/sim.h"
 
 #include "touch.h"
@@ -6,8 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Contacts farther apart than this share of a size, plus what the bodies can travel, are none yet.
- */
+/* A contact is created if its gap is below this share of the size plus the distance that the bodies
+ * can travel. */
 static const double ALERT = 1e-3;
 
 bool sim_list_add(contact_list *list, const contact *c) {
@@ -31,7 +31,7 @@ static int larger(int a, int b) {
     return a > b ? a : b;
 }
 
-/* Bodies that were made one after the other lie beside each other in most scenes, so that ordering
+/* In most scenes bodies that were created one after the other are near each other, so that sorting
  * by bodies keeps the matrix near its diagonal. */
 static int contact_order(const void *left, const void *right) {
     const contact *c = left, *d = right;
@@ -50,8 +50,8 @@ static const contact *same_contact(const contact_list *list, const contact *like
     return bsearch(like, list->contacts, (size_t)list->count, sizeof *like, contact_order);
 }
 
-/* Everything that a body's shape can travel in the time. Contact forces may add to it, but a step
- * later that is seen. */
+/* Upper bound of the distance that a shape can travel in the time, m. Contact forces may increase
+ * it, which the next step takes into account. */
 static double travel(const oracle *o, const model_shape *shape, double time) {
     const motion *v = &o->velocities[shape->body];
     const scene *s = o->model.scene;
@@ -88,7 +88,8 @@ static bool add_point(oracle *o, near_pair pair, const touch_point *p) {
         .restitution = fmax(one->restitution, other->restitution),
     };
     const contact *before = same_contact(&o->active, &c);
-    /* A column closes from the ground up, a contact with every guess, unless it is guessed shut. */
+    /* A new contact is assumed open, unless its gap is closed. From this guess a column of contacts
+     * closes from the ground up, one contact in each iteration. */
     c.state = before ? before->state : c.gap <= SIM_CLOSED * c.size ? CONTACT_STICK : CONTACT_OPEN;
     return sim_list_add(&o->found, &c);
 }

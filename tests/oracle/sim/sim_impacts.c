@@ -1,8 +1,9 @@
-/* sim_impacts.c: when the next collision is, and what it does.
+/* sim_impacts.c: finds the time of the next impact, and solves impacts.
  *
- * At a collision only those contacts act that approach, all of them at once, and then those that
- * approach because of it, until none is left (Newton's restitution, pair by pair): so a row of
- * touching balls hands momentum on. What does not bounce is brought to rest together. */
+ * In an impact the contacts that approach are solved together (Newton's restitution for each
+ * contact), then those that approach as a result, until there is none: in this way a row of
+ * touching balls transfers momentum to its end. Contacts without restitution are brought to rest
+ * together. */
 #include "sim/sim.h"
 
 #include "touch.h"
@@ -10,11 +11,11 @@
 #include <math.h>
 #include <string.h>
 
-/* A chain of elastic collisions within one moment is cut off after so many: the rest is lost. */
+/* A sequence of elastic impacts at one time is cut off after this number. Chosen. */
 enum { MOST_BOUNCES = 10000 };
 
-/* The least t > 0 with gap = approach t + acceleration t^2 / 2, and the approach then; infinite if
- * there is none. */
+/* The smallest t > 0 with gap = approach t + acceleration t^2 / 2, and the approach at that time;
+ * infinite if there is none. */
 static double time_to_close(double gap, double approach, double acceleration, double *speed) {
     *speed = 0;
     double discriminant = approach * approach + 2 * acceleration * gap;
@@ -25,7 +26,7 @@ static double time_to_close(double gap, double approach, double acceleration, do
     return divisor > 0 ? 2 * gap / divisor : HUGE_VAL;
 }
 
-/* Of b relative to a, against the normal, by gravity alone. */
+/* The acceleration of b relative to a against the normal that gravity causes. */
 static double gravity_approach(const oracle *o, int body_a, int body_b, double normal_x,
                                double normal_y) {
     const scene *s = o->model.scene;
@@ -38,12 +39,14 @@ double sim_least_impact(const oracle *o, const contact *c) {
     return c->restitution > 0 ? fmax(o->settings.restitution_threshold, o->tiny) : o->slow;
 }
 
+/* Whether the gap is small enough to count as closed. */
 static bool is_closed(const contact *c) {
     return c->gap <= SIM_CLOSED * c->size;
 }
 
-/* Two boxes corner to corner have no contact points, but cannot meet before the axis between them
- * closes. Where turning matters more than travelling, the points that turn up in time serve. */
+/* Two boxes that approach corner to corner have no contact points, but cannot collide before the
+ * separation along the best axis is closed. If rotation dominates, the step is limited by contact
+ * points that are found in time. */
 static double time_between_boxes(const oracle *o, near_pair pair, double limit) {
     const model_shape *a = &o->model.shapes[pair.a], *b = &o->model.shapes[pair.b];
     touch_point points[2];
@@ -59,7 +62,8 @@ static double time_between_boxes(const oracle *o, near_pair pair, double limit) 
     return fmin(limit, time_to_close(axis.separation, approach + turning, gravity, &speed));
 }
 
-/* Over broken ground a body looks again after every tenth of its size. */
+/* Over a line with several segments a step ends after a tenth of the body's size, so that contacts
+ * are found anew. */
 static double time_over_ground(const oracle *o, near_pair pair, double limit) {
     const model_shape *a = &o->model.shapes[pair.a], *b = &o->model.shapes[pair.b];
     const motion *v = &o->velocities[b->body];
@@ -90,6 +94,7 @@ double sim_time_to_impact(oracle *o, double limit) {
     return time;
 }
 
+/* Solves the chosen contacts and updates the report; false if there is no solution. */
 static bool solve_chosen(oracle *o) {
     contact_solution solution =
         contact_solve(o->solver, o->chosen.contacts, o->chosen.count, o->masses, o->velocities);
@@ -98,7 +103,7 @@ static bool solve_chosen(oracle *o) {
     return solution.ok;
 }
 
-/* Picks the contacts that bounce now. */
+/* Copies contacts that bounce to `chosen`. */
 static bool choose_bouncing(oracle *o) {
     o->chosen.count = 0;
     for (int i = 0; i < o->found.count; i++) {
@@ -114,7 +119,7 @@ static bool choose_bouncing(oracle *o) {
     return true;
 }
 
-/* Picks all closed contacts; *needed tells whether one of them approaches. */
+/* Copies all closed contacts to `chosen`; *needed tells whether one of them approaches. */
 static bool choose_resting(oracle *o, bool *needed) {
     o->chosen.count = 0;
     *needed = false;

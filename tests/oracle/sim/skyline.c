@@ -1,4 +1,5 @@
-/* skyline.c: Doolittle's LU within the profile; every inner loop is a dot product of two rows. */
+/* skyline.c: see skyline.h. Doolittle's LU factorisation within the profile; each inner loop is a
+ * dot product of two rows. */
 #include "sim/skyline.h"
 
 #include <stdlib.h>

@@ -1,32 +1,33 @@
-/* skyline.h: LU factors of a square matrix that is zero left of each row's, and above each
- * column's, first place. Without pivoting: contact matrices are positive definite, or nearly. */
+/* skyline.h: LU factorisation of a square matrix in skyline (profile) storage, without pivoting:
+ * contact matrices are positive definite, or nearly. */
 #ifndef THUD_ORACLE_SKYLINE_H
 #define THUD_ORACLE_SKYLINE_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Row i of `lower` holds a[i][j], row i of `upper` a[j][i], for first[i] <= j <= i: so both are
- * read along their rows. */
+/* Row i of `lower` stores a[i][j], and row i of `upper` a[j][i], for first[i] <= j <= i, so that
+ * both are read along rows. */
 typedef struct skyline {
     double *lower, *upper; /* size * stride each; the diagonal is in `upper` once factored */
-    int *first;            /* of each row and column */
+    int *first;            /* first column of each row, and first row of each column */
     int size, stride;
 } skyline;
 
-bool skyline_init(skyline *a, int stride); /* false without memory */
+bool skyline_init(skyline *a, int stride); /* false if memory runs out */
 void skyline_free(skyline *a);
 
-/* Zeros, with `first` as set by the caller. */
+/* Sets the matrix to zero; the caller has set `size` and `first`. */
 void skyline_clear(skyline *a);
 
-/* a[row][column] += value; column must not lie outside of the profile. */
+/* Adds `value` to a[row][column], which must be within the profile. */
 void skyline_add(skyline *a, int row, int column, double value);
 
-/* False if a pivot is not positive: the matrix is no contact matrix, or singular. */
+/* Factorises in place. False if a pivot is not positive: the matrix is singular, or not a contact
+ * matrix. */
 bool skyline_factor(skyline *a);
 
-/* Solves in place with the factors. */
+/* Solves for x in place, with the factors. */
 void skyline_solve(const skyline *a, double *x);
 
 #endif

@@ -1,9 +1,10 @@
-/* solve.c: a primal-dual active set on all contacts, which is Newton's method on the laws of
- * solve.h and ends, where it ends, at an exact solution: guess which contacts are open, stick or
- * slip, solve the linear system that the guess leaves (slip ties the tangent impulse to the normal
- * one, so that it is not symmetric), and guess anew from the answer (Alart and Curnier 1991,
- * Hintermueller et al. 2002). Where it runs in circles, as it may in piles with friction, sweeps
- * and chance lead it out. */
+/* solve.c: solves the contact problem of solve.h by a primal-dual active set method on all
+ * contacts, which is a semismooth Newton method for the contact laws; if it converges the result is
+ * exact up to rounding. It guesses which contacts are open, stick or slip, solves the linear system
+ * of the guess (in slip the tangent impulse is proportional to the normal one, so that the matrix
+ * is not symmetric), and derives the next guess from the result (Alart and Curnier 1991,
+ * Hintermueller et al. 2002). With friction the method may cycle; then Gauss-Seidel sweeps and
+ * random changes of the guess continue it. */
 #include "sim/solve.h"
 
 #include "random.h"
@@ -15,20 +16,22 @@
 
 enum { NEWTON_STEPS = 40, ROUNDS = 8, FIRST_SWEEPS = 20, CORRECTIONS = 2 };
 
-/* Redundant contacts make W singular; as much as this of its diagonal makes it regular, and shares
- * a load evenly. A solve is repaired once by its own residual, so that it costs no accuracy. */
+/* Redundant contacts make the matrix W singular. This share of its diagonal is added to make it
+ * regular, and distributes a load evenly. Each solve is corrected by its residual, so that accuracy
+ * does not suffer. */
 static const double REGULAR = 1e-12;
 
-/* What counts as zero, in parts of the fastest contact speed in the problem. */
+/* Speeds below this share of the fastest contact speed of the problem count as zero. */
 static const double ROUNDING = 1e-11;
 
 struct contact_solver {
     int body_count, capacity;
-    int *list_start; /* of the contacts of a dynamic body, in `list`; one more at the end */
+    int *list_start; /* start of each dynamic body's contacts in `list`, with one more entry at the
+                        end */
     int *list;
-    int *row; /* first of a contact in the matrix; -1 while open */
+    int *row; /* first row of a contact in the matrix; -1 if it is open */
     contact_block *blocks;
-    contact *kept; /* a copy of all */
+    contact *kept; /* a copy of all contacts */
     double *x;
     motion *free_motion, *work;
     skyline matrix;
@@ -87,11 +90,12 @@ static bool make_room(contact_solver *s, int count) {
     return true;
 }
 
+/* Whether a body can move. */
 static bool gives_way(inverse_mass m) {
     return m.linear > 0 || m.angular > 0;
 }
 
-/* Which contacts each body has, by counting sort. */
+/* Lists the contacts of each body, by counting sort. */
 static void list_contacts(contact_solver *s, const contact *contacts, int count,
                           const inverse_mass *masses) {
     int *start = s->list_start;
@@ -117,14 +121,14 @@ static bool sticks(const contact *c) {
     return c->state == CONTACT_STICK;
 }
 
-/* Tangent impulse per normal impulse while it slips. */
+/* Tangent impulse over normal impulse for a contact that slips; 0 if it does not. */
 static double slip_ratio(const contact *c) {
     return c->state == CONTACT_SLIP_FORWARD ? contact_slip_ratio(c)
            : c->state == CONTACT_SLIP_BACK  ? -contact_slip_ratio(c)
                                             : 0;
 }
 
-/* Numbers the rows of the contacts that are not open, and tells how far left each row reaches. */
+/* Numbers the rows of contacts that are not open, and computes the profile. */
 static void number_rows(contact_solver *s, const contact *contacts, int count) {
     skyline *a = &s->matrix;
     a->size = 0;
@@ -150,7 +154,7 @@ static void number_rows(contact_solver *s, const contact *contacts, int count) {
     skyline_clear(a);
 }
 
-/* What contact `other` does to contact `one` through a body that both have. */
+/* Adds the effect of contact `other` on contact `one` through a body that both share. */
 static void couple(contact_solver *s, const contact *contacts, int one, int other, int body,
                    inverse_mass mass) {
     const contact *c = &contacts[one], *d = &contacts[other];
@@ -171,6 +175,7 @@ static void couple(contact_solver *s, const contact *contacts, int one, int othe
     }
 }
 
+/* Fills the matrix of the contacts that are closed. */
 static void assemble(contact_solver *s, const contact *contacts, int count,
                      const inverse_mass *masses) {
     number_rows(s, contacts, count);
@@ -188,7 +193,8 @@ static void assemble(contact_solver *s, const contact *contacts, int count,
     }
 }
 
-/* Adds impulses that take the speeds of all closed contacts to what their states ask for. */
+/* Adds impulses that bring the speeds of all contacts that are not open to the values that their
+ * states require. */
 static void correct(contact_solver *s, contact *contacts, int count, const inverse_mass *masses) {
     for (int i = 0; i < count; i++) {
         if (s->row[i] < 0)
@@ -210,7 +216,8 @@ static void correct(contact_solver *s, contact *contacts, int count, const inver
     }
 }
 
-/* Impulses for the present guess of states; `work` becomes the velocities with them. */
+/* Computes the impulses for the present states; `work` becomes the velocities with them. False if
+ * the matrix is singular. */
 static bool solve_guess(contact_solver *s, contact *contacts, int count,
                         const inverse_mass *masses) {
     assemble(s, contacts, count, masses);
@@ -232,12 +239,12 @@ static contact_state next_state(const contact *c, contact_block w, const motion 
         return CONTACT_OPEN;
     if (c->state != CONTACT_OPEN && c->normal * w.nn < -zero)
         return CONTACT_OPEN;
-    /* What opens has yet to show which way it slips: its own step decides. */
+    /* For a contact that closes, the direction of slip follows from its own 2x2 block. */
     double normal = c->state == CONTACT_OPEN ? -normal_speed / w.nn : fmax(0, c->normal);
     double tangent = c->tangent - tangent_speed / w.tt, bound = contact_slip_ratio(c) * normal;
     double margin = zero / w.tt;
     bool slipped = c->state == CONTACT_SLIP_FORWARD || c->state == CONTACT_SLIP_BACK;
-    /* Within rounding a contact goes on with what it does. */
+    /* Within rounding a contact keeps its state. */
     double slack = slipped ? -margin : margin;
     if (tangent > bound + slack)
         return CONTACT_SLIP_FORWARD;
@@ -246,8 +253,8 @@ static contact_state next_state(const contact *c, contact_block w, const motion 
     return CONTACT_STICK;
 }
 
-/* Takes contacts to the states that the last guess asks for: all that disagree or, to get out of a
- * circle, a random half of them. False if none does: the guess has proved itself right. */
+/* Changes contacts to the states that follow from the last solution: all that differ or, with
+ * `random`, a random half of them. False if none differs: the guess is confirmed. */
 static bool guess_anew(const contact_solver *s, contact *contacts, int count, double zero,
                        scene_random *random) {
     bool changed = false;
@@ -262,7 +269,7 @@ static bool guess_anew(const contact_solver *s, contact *contacts, int count, do
     return changed;
 }
 
-/* True once a guess proves itself right. */
+/* Iterates; true once a guess is confirmed. */
 static bool active_set(contact_solver *s, contact *contacts, int count, const inverse_mass *masses,
                        double zero, scene_random *random) {
     for (int step = 0; step < NEWTON_STEPS; step++) {
@@ -274,7 +281,8 @@ static bool active_set(contact_solver *s, contact *contacts, int count, const in
     return false;
 }
 
-/* The laws allow no negative normal impulse, and no tangent one beyond its bound, however small. */
+/* Clamps impulses to the laws: rounding may leave a small negative normal impulse, or a tangent
+ * impulse beyond its bound. */
 static void make_lawful(contact *contacts, int count) {
     for (int i = 0; i < count; i++) {
         contact *c = &contacts[i];
@@ -283,7 +291,7 @@ static void make_lawful(contact *contacts, int count) {
     }
 }
 
-/* Starts `work` over with the contacts' impulses. */
+/* Sets `work` to the free velocities plus the contacts' impulses. */
 static void apply_impulses(contact_solver *s, const contact *contacts, int count,
                            const inverse_mass *masses) {
     memcpy(s->work, s->free_motion, (size_t)s->body_count * sizeof *s->work);
@@ -291,6 +299,7 @@ static void apply_impulses(contact_solver *s, const contact *contacts, int count
         contact_push(&contacts[i], contacts[i].normal, contacts[i].tangent, masses, s->work);
 }
 
+/* The largest violation of a contact's conditions. */
 static double worst_breach(const contact_solver *s, const contact *contacts, int count) {
     double worst = 0;
     for (int i = 0; i < count; i++)
@@ -298,6 +307,7 @@ static double worst_breach(const contact_solver *s, const contact *contacts, int
     return worst;
 }
 
+/* The largest relative speed at a contact, including its bias. */
 static double fastest(const contact *contacts, int count, const motion *velocities) {
     double speed = 0;
     for (int i = 0; i < count; i++) {
@@ -308,9 +318,9 @@ static double fastest(const contact *contacts, int count, const motion *velociti
     return speed;
 }
 
-/* Where the active set runs in circles: sweeps, and from where they have come to, the active set
- * again, in random parts. If nothing helps, the sweeps' own result is left. The random numbers are
- * the same every time. */
+/* Used if the active set method cycles: sweeps, then the active set method from their result with
+ * random changes, in several rounds. If none converges, the result of the sweeps is kept. The
+ * random numbers are the same each time. */
 static bool lead_out(contact_solver *s, contact *contacts, int count, const inverse_mass *masses,
                      double zero) {
     size_t bytes = (size_t)count * sizeof *contacts;

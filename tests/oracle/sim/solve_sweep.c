@@ -1,4 +1,4 @@
-/* solve_sweep.c: rows, blocks and the sweeps of solve_rows.h. */
+/* solve_sweep.c: see solve_rows.h. */
 #include "sim/solve_rows.h"
 
 #include <math.h>
@@ -75,8 +75,8 @@ double contact_breach(const contact *c, contact_block block, const motion *veloc
     return fmax(fabs(normal - c->normal) * block.nn, fabs(tangent - c->tangent) * block.tt);
 }
 
-/* The impulses that obey the laws at this contact if all others stay as they are; speeds are those
- * without it. */
+/* Computes the impulses that obey the laws at this contact if all others keep theirs; the speeds
+ * are those without this contact's impulses. */
 static void solve_one(contact *c, contact_block w, double normal_speed, double tangent_speed) {
     c->normal = c->tangent = 0;
     c->state = CONTACT_OPEN;

@@ -1,10 +1,13 @@
-/* chains.c: what hangs on hinges and welds in a row. Stretch is the sum of all gaps over the
- * chain's length. */
+/* chains.c: the extreme "chains": bodies connected by hinges and welds in a row (chains, beams,
+ * bridges, pendulums). Measured are the stretch (the sum of all joint gaps over the chain's
+ * length), the angle of a beam's tip, the sag of a bridge and the energy of a pendulum, over the
+ * load. */
 #include "extremes/tied.h"
 
 #include <math.h>
 
-/* Hung, it counts from the second half on; swinging, from the start. */
+/* The largest stretch in %, in the second half of the run for a hanging chain, in the whole run for
+ * a swinging one. Infinite if a body is lost. */
 static double stretch_of(ledger *l, entrant e, const chain_scene *c) {
     scene s;
     scene_init(&s);
@@ -29,7 +32,8 @@ static tied_outcome tell_stretch(ledger *l, entrant e, const void *how) {
     return (tied_outcome){{stretch_of(l, e, how)}};
 }
 
-/* Up to the first that stretches it by more. */
+/* The largest of the weights for which the stretch stays below 1 %; the search ends at the first
+ * that exceeds it. */
 static tied_outcome greatest_weight(ledger *l, entrant e, const void *how) {
     static const double WEIGHTS[] = {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000};
     chain_scene c = *(const chain_scene *)how;
@@ -78,7 +82,7 @@ typedef struct beam {
     double tip;
 } beam;
 
-/* The last box's, in degrees: the worst of the second half. */
+/* The largest angle of the last box in the second half of the run, degrees. */
 static tied_outcome tip_angle(ledger *l, entrant e, const void *how) {
     const beam *b = how;
     scene s;
@@ -117,7 +121,7 @@ static void tell_beams(ledger *l) {
     }
 }
 
-/* Of its hinges between planks, below the posts. */
+/* How far the lowest hinge between planks is below the posts, m. */
 static double sag_of(const scene *s, const engine_body *bodies, int planks) {
     double lowest = 0;
     for (int i = 0; i < planks; i++) {
@@ -128,7 +132,7 @@ static double sag_of(const scene *s, const engine_body *bodies, int planks) {
     return isfinite(bodies[s->body_count / 2].y) ? -lowest : INFINITY;
 }
 
-/* Sag beyond the truth in % of it, and the worst gap in mm. */
+/* Sag beyond the exact one, in % of it, and the largest gap in mm. */
 static tied_outcome sag_and_gap(ledger *l, entrant e, const void *how) {
     const bridge_scene *b = how;
     scene s;
@@ -159,8 +163,8 @@ static void tell_bridges(ledger *l) {
     tied_tell(l, ROWS, 2, "bridge of 50 planks, 20 of 400 kg", sag_and_gap, &HEAVY);
 }
 
-/* How far the mean of its energy over the last two seconds is from that of the start, in % of the
- * fall of all bars by half of one. */
+/* How far the mean energy of the last two seconds is from that at the start, in % of the energy
+ * that the bars release when they fall by half of the pendulum's length. */
 static tied_outcome energy_off(ledger *l, entrant e, const void *how) {
     int bars = *(const int *)how, steps = l->quick ? 600 : 3600, last = 120;
     scene s;

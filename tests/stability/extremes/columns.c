@@ -1,4 +1,5 @@
-/* columns.c: how high a column of equal boxes stands. */
+/* columns.c: the extreme "columns": how high a column of equal boxes may be and still stand.
+ * Measured is the height that the top loses, in boxes. */
 #include "extremes/stack.h"
 
 #include <math.h>
@@ -21,7 +22,7 @@ static void run(ledger *l) {
         {100, bound_at_most(0.05, ON_DEFAULT)},
         {150, bound_at_most(0.05, ON_DEFAULT)},
         {200, bound_at_most(0.01, ON_DEFAULT | ON_EXACT)},
-        /* It stands if it is where it was by half a box. */
+        /* Bound of half a box: the column counts as standing. */
         {1000, bound_at_most(0.5, ON_EXACT)},
     };
     enum { CASE_COUNT = sizeof CASES / sizeof CASES[0] };

@@ -1,5 +1,6 @@
-/* crowding.c: a crowd that starts in one spot, all overlapping. Without gravity, so that every
- * speed that anything gets comes from being pushed apart. */
+/* crowding.c: the extreme "crowding": circles that all begin overlapped in one spot. Without
+ * gravity, so that each speed comes from being pushed apart. Measured are the largest speed and the
+ * overlap that is left. */
 #include "random.h"
 #include "trial.h"
 
@@ -7,18 +8,20 @@
 
 static const double RADIUS = 0.25;
 
-/* Every pair parts at push_speed, 3 m/s, and a disc of n circles has sqrt(n / pi) of them from its
- * middle to its rim, each pushed by the one before: the rim may come to that many times 3 m/s. */
+/* Upper bound of the speed, m/s: each pair separates at push_speed, 3 m/s. A disc of n circles has
+ * sqrt(n / pi) circles from its centre to its rim, each pushed by the one before it, so the rim may
+ * reach sqrt(n / pi) times 3 m/s. */
 static double speed_bound(int bodies) {
     return 3 * sqrt(bodies / acos(-1));
 }
 
-/* Box2D keeps a contact of 700 bytes for each of 8 million pairs: more than tests may take. */
+/* Box2D allocates a contact of 700 bytes for each of 8 million pairs, more memory than a test may
+ * take. */
 static bool is_too_much_for_box2d(int bodies, double spot) {
     return bodies > 1000 && spot < 1;
 }
 
-/* The spot is a square twice as wide; 0: all in the very same place. */
+/* The centres are in a square of half width `spot`; 0: all in the same place. */
 static void fill(scene *s, int bodies, double spot) {
     scene_init(s);
     s->gravity_y = 0;
@@ -30,7 +33,7 @@ static void fill(scene *s, int bodies, double spot) {
     }
 }
 
-/* The highest speed at any time, and what still overlaps at the end. */
+/* Measures the largest speed of the run, and the overlap at its end. */
 static void come_apart(ledger *l, entrant e, const scene *s, figure *speed, figure *left) {
     trial *t = trial_begin(l, e, s, (engine_settings){0});
     if (!t)

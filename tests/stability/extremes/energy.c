@@ -1,10 +1,11 @@
-/* energy.c: what bounces for ever, and what must at least never gain. */
+/* energy.c: the extreme "energy": elastic bodies must keep their energy, and no built-in scene may
+ * gain any (energy_scenes.c). */
 #include "extremes/energy.h"
 
 #include <math.h>
 
-/* An elastic ball over a floor: its energy after 60 s as a height, in % of the height it fell from.
- * Circles of radius 0.5, 5 above the floor. */
+/* An elastic ball of radius 0.5, dropped from 5 m above the floor: the height that corresponds to
+ * its energy after 60 s, in % of that at the start. */
 static double ball_height(ledger *l, entrant e) {
     scene s;
     scene_init(&s);
@@ -23,8 +24,8 @@ static double ball_height(ledger *l, entrant e) {
     return kept;
 }
 
-/* 100 elastic circles between walls: the largest change of their energy at any time of a minute,
- * in % of what they had. */
+/* 100 elastic circles between walls: the largest change of their energy within a minute, in % of
+ * that at the start. */
 static double gas_drift(ledger *l, entrant e, bool falling) {
     scene s;
     scenes_fill(&scene_gas, 100, &s);
@@ -48,8 +49,8 @@ static double gas_drift(ledger *l, entrant e, bool falling) {
     return drift;
 }
 
-/* Of `flying` circles that fly into others, five in all: the momentum of as many at the far end
- * when it has gone through, the slowest's, in % of what one had. */
+/* `flying` of five circles hit the others at rest. Returns the momentum of the slowest of as many
+ * circles at the far end after the impact, in % of that of a circle before it. */
 static double cradle_momentum(ledger *l, entrant e, int flying) {
     enum { CIRCLES = 5 };
     scene s;
@@ -57,7 +58,7 @@ static double cradle_momentum(ledger *l, entrant e, int flying) {
     trial *t = trial_begin(l, e, &s, (engine_settings){0});
     double slowest = NAN;
     if (t) {
-        /* They meet after 1.2 s, and would reach the wall after 2.4. */
+        /* The impact is at 1.2 s, and the circles would reach the wall at 2.4 s. */
         bool ok = trial_steps(t, 108);
         const engine_body *bodies = trial_read(t);
         const engine_body *row = &bodies[2 + CIRCLES * (flying - 1)];

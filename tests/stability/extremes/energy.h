@@ -1,4 +1,4 @@
-/* energy.h: the two halves of the energy extreme. */
+/* energy.h: the part of the extreme "energy" in energy_scenes.c. */
 #ifndef THUD_STABILITY_ENERGY_H
 #define THUD_STABILITY_ENERGY_H
 
@@ -6,7 +6,7 @@
 #include "scenes.h"
 #include "trial.h"
 
-/* Two figures for each built-in scene: the most energy that it ever gained. */
+/* Adds two figures for each built-in scene: the largest gains of energy (see `gain`). */
 void energy_of_scenes(ledger *l);
 
 #endif

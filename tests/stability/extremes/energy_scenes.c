@@ -1,9 +1,10 @@
-/* energy_scenes.c: no built-in scene gains energy. */
+/* energy_scenes.c: measures for each built-in scene without motors how much energy it gains in a
+ * run; it should gain none. */
 #include "extremes/energy.h"
 
 #include <math.h>
 
-/* Springs hold energy that nobody counts here, and motors give some. */
+/* Springs store energy that is not measured here, and motors add energy. */
 static bool is_driven(const scene_joint *j) {
     for (int i = 0; i < SCENE_DIRECTIONS; i++)
         if (j->drive[i].frequency > 0 || j->drive[i].motor_force > 0)
@@ -11,7 +12,8 @@ static bool is_driven(const scene_joint *j) {
     return false;
 }
 
-/* Something moves, and only by what it started with: no motor, no wind. */
+/* Whether something moves, and nothing adds energy: no driven joint, no field, no moving kinematic
+ * body. */
 static bool is_closed(const scene *s) {
     bool moves = false;
     if (scene_has_fields(s))
@@ -27,7 +29,7 @@ static bool is_closed(const scene *s) {
     return moves;
 }
 
-/* Hundreds of bodies at most. */
+/* The scene's size that gives at most some hundreds of bodies; 0: its default. */
 static int small_size(const scene_info *info) {
     return info->default_size > 1000 ? 500 : info->default_size > 50 ? 20 : 0;
 }
@@ -41,13 +43,14 @@ static double lowest_start(const scene *s) {
 }
 
 typedef struct gain {
-    double above_start; /* the most that the scene ever had, over what it started with */
-    double rise;        /* the most that it ever had over the least before: what it got back */
+    double above_start; /* largest energy of the run, minus that at the start */
+    double rise;        /* largest difference of the energy and the lowest before it, that is,
+                           energy gained back */
 } gain;
 
-/* In % of what there was to lose: all that it had above where its lowest body started, or more
- * where it came to lie lower still. What hangs by joints falls from there and comes back: of that,
- * in % of the most that ever was kinetic. */
+/* Gains of energy, in % of the energy that could be lost: the potential energy above the place of
+ * the lowest body at the start, or above its lowest place later. Bodies on joints fall and swing
+ * back; for them, in % of the largest kinetic energy. */
 static gain most_gained(ledger *l, entrant e, const scene *s) {
     trial *t = trial_begin(l, e, s, (engine_settings){0});
     if (!t)

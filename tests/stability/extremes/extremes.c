@@ -1,4 +1,4 @@
-/* extremes.c: all rows of the envelope, in the order of docs/stability.md. */
+/* extremes.c: the table of all extremes, in the order of docs/stability.md. */
 #include "extremes/extreme.h"
 
 #include <string.h>

@@ -1,15 +1,15 @@
-/* far_away.c: the same scene at the origin and far from it, bit for bit. Whole units are whole
- * cells. */
+/* far_away.c: the extreme "far-away": the same scene at the origin and shifted by whole length
+ * units. thud stores positions relative to cells of one unit, so both must be equal bit for bit. */
 #include "scenes.h"
 #include "extremes/stack.h"
 
 #include <math.h>
 #include <string.h>
 
-/* How a run far away differs from the same at the origin. */
+/* The difference between a run far away and the same run at the origin. */
 typedef struct difference {
-    double bodies; /* that differ in any bit of pose or velocity; infinite when one is lost */
-    double deeper; /* worst penetration at the end, of the two runs */
+    double bodies; /* bodies with a different bit in pose or velocity; infinite if one is lost */
+    double deeper; /* difference of the largest penetration at the end */
 } difference;
 
 static trial *run_scene(ledger *l, entrant e, const scene *s, double x, double y) {
@@ -72,7 +72,7 @@ static void run(ledger *l) {
     enum { SCENE_COUNT = 5, PLACES = 3 };
     for (int i = 0; i < SCENE_COUNT; i++) {
         for (int place = 0; place < PLACES; place++) {
-            /* One scene is enough to see from where on Box2D gives way. */
+            /* One scene suffices to see the distance at which Box2D becomes inaccurate. */
             if (place + 1 < PLACES && (l->quick || i > 0))
                 continue;
             const char *name = SCENES[i].info->name;

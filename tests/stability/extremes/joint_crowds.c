@@ -1,4 +1,5 @@
-/* joint_crowds.c: many joints at once, and joints far from the origin. */
+/* joint_crowds.c: the extreme "joint-crowds": scenes with many joints, and joints far from the
+ * origin. Measured are joint gaps, angles beyond limits, overlap, and bit differences. */
 #include "extremes/tied.h"
 
 #include <math.h>
@@ -16,8 +17,8 @@ typedef struct crowd {
     int size, quick_size;
 } crowd;
 
-/* Gap, the 99th percentile over all joints and steps, and the worst, in mm; the angle past a limit
- * in degrees; and the deepest overlap in mm. */
+/* The 99th percentile of the gap over all joints and steps and the largest gap, in mm; the largest
+ * angle beyond a limit, in degrees; the deepest overlap, in mm. */
 static tied_outcome crowd_gaps(ledger *l, entrant e, const void *how) {
     const crowd *c = how;
     scene s;
@@ -48,8 +49,8 @@ static tied_outcome crowd_gaps(ledger *l, entrant e, const void *how) {
     return o;
 }
 
-/* How much lower the lower corner is than the grid is high, in %, and the worst gap in mm, of the
- * second half of the run. */
+/* How much the middle column of a hanging grid is stretched, in % of its height, and the largest
+ * gap in mm, both in the second half of the run. */
 static tied_outcome grid_gaps(ledger *l, entrant e, const void *how) {
     int side = *(const int *)how, steps = l->quick ? 60 : 600;
     scene s;
@@ -61,7 +62,7 @@ static tied_outcome grid_gaps(ledger *l, entrant e, const void *how) {
     if (t && trial_steps(t, steps / 2)) {
         for (int i = 0; i < steps / 2 && trial_step(t); i++)
             trial_joint_gaps(t, &gaps);
-        /* Down the column in the middle, from what holds it to the end. */
+        /* Sums the gaps of the middle column, from its fixed end to its free end. */
         const engine_body *now = trial_read(t);
         open = 0;
         for (int i = 0; i < s.joint_count; i++) {
@@ -77,7 +78,7 @@ static tied_outcome grid_gaps(ledger *l, entrant e, const void *how) {
         {whole ? 100 * open / (side - 1) : INFINITY, whole ? 1000 * gaps.worst.length : INFINITY}};
 }
 
-/* Bridges and cars have no limits of their turn. */
+/* Bridges and cars have no angle limits. */
 static void tell_crowds(ledger *l) {
     static const tied_row ROWS[] = {{"gap, 99th percentile, mm", 0, 0},
                                     {"worst gap, mm", 0, 0},
@@ -106,7 +107,7 @@ static void tell_grids(ledger *l) {
     ledger_progress(l, "grid", 0.4);
     tied_tell(l, GRID, 2, "grid of 40 x 40", grid_gaps, &small);
     ledger_progress(l, "larger grid", 0.5);
-    /* In Chipmunk it tears, and what is left flies so far that memory runs out. */
+    /* In Chipmunk the grid breaks apart, and its bodies fly so far that memory runs out. */
     unsigned all = l->entrants;
     l->entrants &= ~(unsigned)ON_CHIPMUNK;
     if (!l->quick)
@@ -136,7 +137,8 @@ static trial *run_at(ledger *l, entrant e, const scene *s, double x, double y) {
     return t;
 }
 
-/* Bodies that differ in a bit of their pose 10^7 away, and there the worst gap in mm at the end. */
+/* The number of bodies that differ in a bit of their pose 10^7 units away, and the largest gap
+ * there at the end, in mm. */
 static tied_outcome far_from_near(ledger *l, entrant e, const void *how) {
     static const double AWAY = 1e7;
     const place *p = how;

@@ -1,14 +1,16 @@
-/* linkages.c: doors, sliders and linkages under loads that their bodies are light for. */
+/* linkages.c: the extreme "linkages": scissor lifts, doors and sliders under loads that are heavy
+ * in comparison with their parts. Measured are the height that a lift loses, joint gaps, and angles
+ * beyond limits. */
 #include "extremes/tied.h"
 
 #include <math.h>
 
 typedef struct lift {
     int stages;
-    double load; /* kg; a bar has 1 */
+    double load; /* kg; a bar has a mass of 1 kg */
 } lift;
 
-/* In % of its height, the worst of 10 s. */
+/* Height lost by the load, in % of the lift's height, the largest value in 10 s. */
 static tied_outcome height_lost(ledger *l, entrant e, const void *how) {
     const lift *x = how;
     scene s;
@@ -43,8 +45,8 @@ static void tell_lifts(ledger *l) {
     }
 }
 
-/* The scene's worst in a run: length and angle by which joints are off, and angle past a limit; in
- * mm and degrees. */
+/* A scene, of which worst_gaps gives the largest gap (mm), the largest angle error (degrees) and
+ * the largest angle beyond a limit (degrees) in a run. */
 typedef struct worst_case {
     void (*fill)(scene *s);
     int steps, quick_steps;

@@ -1,30 +1,36 @@
-/* long_run.c: an hour of standing still, and ten minutes of bodies that come and go. */
+/* long_run.c: the extreme "long-run": a stack that stands for an hour, and ten minutes in which
+ * bodies are destroyed and created. Measured are the drift of the stack, the growth of memory, and
+ * allocations. */
 #include "extremes/stack.h"
 
 #include <math.h>
 
 enum { BOXES = 10, SECOND = 60, MINUTE = 60 * SECOND };
 
-/* Memory since some step. */
+/* Memory in use, and allocations, since a step. */
 typedef struct growth {
     uint64_t bytes, blocks;
 } growth;
 
+/* Records the world's memory at the start. */
 static growth growth_begin(trial *t) {
     return (growth){trial_bytes(t), 0};
 }
 
+/* Adds the allocations of the last step. */
 static void growth_step(growth *g, trial *t) {
     g->blocks += trial_allocations(t);
 }
 
+/* Writes the bytes gained since the start and the number of allocations to the figures. */
 static void growth_tell(const growth *g, trial *t, entrant e, figure *bytes, figure *blocks) {
     figure_tell(bytes, e, (double)trial_bytes(t) - (double)g->bytes);
     if (e != ENTRANT_BOX2D)
         figure_tell(blocks, e, (double)g->blocks);
 }
 
-/* Figures of one entrant; the first ten seconds, in which the stack settles, do not count. */
+/* Runs a stack for an hour with one entrant; the first ten seconds, in which it settles, are not
+ * counted. */
 static void stand(ledger *l, entrant e, const scene *s, figure *drift, figure *bytes,
                   figure *blocks) {
     trial *t = trial_begin(l, e, s, (engine_settings){0});
@@ -56,7 +62,7 @@ static void stand(ledger *l, entrant e, const scene *s, figure *drift, figure *b
 
 enum { RAIN = 200 };
 
-/* Circles over a trough, half a radius apart. */
+/* Circles above a trough, with gaps of half a radius. */
 static void fill_rain(scene *s) {
     scene_init(s);
     scene_static_box(s, 0, -1, 10, 1);
@@ -66,8 +72,8 @@ static void fill_rain(scene *s) {
         scene_dynamic_circle(s, -7.5 + 0.625 * (i % 21), 12 + 0.625 * (i / 21), 0.25);
 }
 
-/* In every step one circle goes and comes anew, each in its turn. The first minute does not count.
- */
+/* In each step one circle is destroyed and created again at its start, each in turn. The first
+ * minute is not counted. */
 static void rain(ledger *l, entrant e, const scene *s, figure *bytes, figure *blocks) {
     trial *t = trial_begin(l, e, s, (engine_settings){0});
     if (!t)

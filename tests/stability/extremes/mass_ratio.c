@@ -1,4 +1,5 @@
-/* mass_ratio.c: heavy on light. Penetration is the worst of any step, in sizes of the light box. */
+/* mass_ratio.c: the extreme "mass-ratio": a heavy box on light ones. Measured is the largest
+ * penetration of any step, in % of the size of a light box. */
 #include "extremes/stack.h"
 
 #include <math.h>
@@ -9,7 +10,8 @@ static void fill_column(scene *s, int light, double ratio) {
     s->shapes[light + 1].material.density = ratio;
 }
 
-/* Two boxes under one that is 100 times as big; `ratio` is its mass over one of theirs. */
+/* A box that is 100 times as wide as the two boxes that it stands on; `ratio` is its mass over that
+ * of one of them. */
 static void fill_table(scene *s, double ratio) {
     scene_init(s);
     scene_static_box(s, 0, -1, 200, 1);
@@ -28,7 +30,7 @@ static bool has_fallen(trial *t) {
     return false;
 }
 
-/* In per cent of the small box's size, which is 1. */
+/* In % of the small box's size, which is 1 m; infinite if the structure fell. */
 static double worst_penetration(ledger *l, entrant e, const scene *s) {
     trial *t = trial_begin(l, e, s, (engine_settings){0});
     if (!t)
@@ -51,7 +53,7 @@ static bound bound_of(double ratio) {
 static void run(ledger *l) {
     static const struct {
         const char *what;
-        int light; /* 0: the big box on two small ones */
+        int light; /* number of light boxes; 0: the wide box on two small ones */
     } CASES[] = {{"one box", 1},
                  {"a column of ten boxes", 10},
                  {"two boxes, and 100 times as big", 0}};

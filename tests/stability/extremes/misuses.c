@@ -1,5 +1,6 @@
-/* misuses.c: wrong calls about one of a stack, and what becomes of all others. Each is made in a
- * process of its own, which may die of it. */
+/* misuses.c: the extreme "wrong-input": calls with invalid arguments that concern one body of a
+ * scene, and their effect on all other bodies. Each call is made in a process of its own, which may
+ * crash. */
 #include "trial.h"
 
 #include <math.h>
@@ -32,10 +33,11 @@ static const struct {
     {MISUSE_NOBODY, 0},
 };
 
-/* VICTIM is the second box of the stack; bodies after it count as others, and so does the first. */
+/* VICTIM, the body that the call concerns, is the second box of the stack; all other bodies count
+ * as others. */
 enum { CALL_COUNT = sizeof CALLS / sizeof CALLS[0], BODIES = 8, VICTIM = 2 };
 
-/* A floor, a stack of five, and two balls that roll far from it. */
+/* A floor, a stack of five boxes, and two balls that roll far away from it. */
 static void fill(scene *s) {
     scene_init(s);
     scene_static_box(s, 0, -1, 100, 1);
@@ -45,9 +47,11 @@ static void fill(scene *s) {
         scene_dynamic_circle(s, 20 + 5 * i, 0.5, 0.5)->vx = 1 - 2 * i;
 }
 
-/* How a process ends: what it has seen, or that it could not even begin. */
+/* Bits of the exit code of the process: the call reported no error, other bodies changed, a body
+ * was lost, or nothing could be measured. */
 enum { SEEN_UNTOLD = 1, SEEN_AFFECTED = 2, SEEN_LOST = 4, SEEN_NOTHING_OF_IT = 8 };
 
+/* Whether a pose or velocity is not finite. */
 static bool is_lost(const engine_body *b) {
     return !isfinite(b->x + b->y + b->cosine + b->sine + b->vx + b->vy + b->angular_velocity);
 }
@@ -57,8 +61,8 @@ static bool is_untouched(const engine_body *a, const engine_body *b) {
            a->vx == b->vx && a->vy == b->vy && a->angular_velocity == b->angular_velocity;
 }
 
-/* Runs two seconds with the wrong call and without; the two worlds, one after the other, go through
- * the same states to the bit where nobody is affected. */
+/* Runs two seconds with the invalid call and without it, in two worlds one after the other. Bodies
+ * that the call does not affect have the same state bit for bit in both. */
 static int see(ledger *l, entrant e, int which) {
     scene s;
     int seen = 0;
@@ -85,13 +89,13 @@ static int see(ledger *l, entrant e, int which) {
     return seen;
 }
 
-/* As above, from outside; in a process that does not end by itself all is lost. */
+/* Calls `see` in a child process. If that does not exit normally, everything counts as lost. */
 static int see_from_outside(ledger *l, entrant e, int which) {
     fflush(NULL);
     pid_t child = fork();
     if (child == 0) {
         alarm(20);
-        if (!freopen("/dev/null", "w", stderr)) /* refusals are told there */
+        if (!freopen("/dev/null", "w", stderr)) /* refusals are printed there */
             _exit(SEEN_NOTHING_OF_IT);
         _exit(see(l, e, which));
     }

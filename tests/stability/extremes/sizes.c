@@ -1,11 +1,12 @@
-/* sizes.c: tiny and huge, with the same settings: length_scale 1, gravity 10, step 1/60 s. */
+/* sizes.c: the extreme "sizes": tiny and huge boxes with the same settings (length_scale 1, gravity
+ * 10 m/s^2, step 1/60 s). Measured is the penetration in % of the box's size. */
 #include "extremes/stack.h"
 
 #include <math.h>
 
 enum { STACKED = 10 };
 
-/* The worst penetration of the last step in % of the size, infinite when the stack fell. */
+/* The largest penetration of the last step in % of the size; infinite if the stack fell. */
 static double stack_penetration(ledger *l, entrant e, double size) {
     scene s;
     stack_init(&s, STACKED, size);
@@ -23,7 +24,7 @@ static double stack_penetration(ledger *l, entrant e, double size) {
     return reached;
 }
 
-/* A box on one that is 1,000 times as big. In % of the small one's size. */
+/* A box on one that is 1,000 times as wide; the penetration in % of the small one's size. */
 static double flea_penetration(ledger *l, entrant e, double small) {
     double big = 1000 * small;
     scene s;
@@ -38,7 +39,8 @@ static double flea_penetration(ledger *l, entrant e, double small) {
         bool stepped = trial_steps(t, l->quick ? 60 : 600);
         const engine_body *now = trial_read(t);
         double gap = (now[2].y - 0.5 * small) - (now[1].y + 0.5 * big);
-        /* Resting apart by the contacts' own distance is no error; to have flown off is. */
+        /* A gap as wide as the contacts' resting distance is no error; the box must not have flown
+         * off. */
         bool there = fabs(now[2].x) < small && gap < 0.1 * small + 0.01;
         reached = stepped && there ? 100 * fmax(-gap, 0) / small : INFINITY;
     }

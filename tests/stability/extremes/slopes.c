@@ -1,8 +1,10 @@
-/* slopes.c: what slides, rolls and stays on slopes, against the formulas of a first course.
+/* slopes.c: the extreme "slopes": boxes and discs that slide, roll or stay on slopes, compared with
+ * the formulas of mechanics.
  *
- * On a slope of angle a, under gravity g and with friction u: a box slides at g (sin a - u cos a)
- * where u < tan a, and stays elsewhere; a disc rolls at 2/3 g sin a where u >= tan a / 3, and slips
- * at the box's acceleration elsewhere, while its spin gains 2 u g cos a / r. */
+ * On a slope of angle a, with gravity g and friction coefficient u, a box slides with the
+ * acceleration g (sin a - u cos a) if u < tan a, otherwise it stays. A disc of radius r rolls with
+ * 2/3 g sin a if u >= tan a / 3; otherwise it slips with the box's acceleration, and its angular
+ * velocity grows by 2 u g cos a / r per second. */
 #include "trial.h"
 
 #include <math.h>
@@ -15,11 +17,11 @@ typedef enum rider { RIDER_BOX = 0, RIDER_UPRIGHT, RIDER_DISC } rider;
 typedef struct slope {
     rider rider;
     double degrees, friction;
-    bool line; /* of terrain; else a turned box */
-    int count; /* riders on each other, across the slope */
+    bool line; /* the ground is a terrain line; otherwise a turned box */
+    int count; /* number of riders stacked on each other */
 } slope;
 
-/* Down the slope, which falls to the right. */
+/* The unit vector down the slope, which descends to the right. */
 static scene_point downhill(const slope *c) {
     return (scene_point){cos(c->degrees * DEGREE), -sin(c->degrees * DEGREE)};
 }
@@ -37,7 +39,8 @@ static void add_ground(scene *s, const slope *c) {
     }
 }
 
-/* Body 0 is the ground, through (0, 0); the riders follow, from the slope upwards. */
+/* Body 0 is the ground, whose surface goes through (0, 0); the riders follow, from the lowest to
+ * the highest. */
 static void fill(scene *s, const slope *c) {
     scene_init(s);
     s->gravity_y = -GRAVITY;
@@ -46,7 +49,7 @@ static void fill(scene *s, const slope *c) {
     scene_point d = downhill(c);
     double lean = c->degrees * DEGREE;
     for (int i = 0; i < c->count; i++) {
-        /* An upright box stands on its lower left corner. */
+        /* An AABB stands on its lower left corner. */
         double height =
             c->rider == RIDER_UPRIGHT ? HALF * (cos(lean) + sin(lean)) : HALF * (2 * i + 1);
         scene_body *b = scene_add_body(s, SCENE_DYNAMIC, -height * d.y, height * d.x);
@@ -61,38 +64,41 @@ static void fill(scene *s, const slope *c) {
     }
 }
 
+/* Whether a disc rolls without slipping: friction is at least a third of the slope. */
 static bool rolls(const slope *c) {
     return c->rider == RIDER_DISC && 3 * c->friction >= tan(c->degrees * DEGREE);
 }
 
+/* The analytic acceleration downhill, m/s². */
 static double acceleration_of(const slope *c) {
     double sine = sin(c->degrees * DEGREE), cosine = cos(c->degrees * DEGREE);
     return rolls(c) ? 2.0 / 3 * GRAVITY * sine : GRAVITY * (sine - c->friction * cosine);
 }
 
-/* Clockwise, as a disc turns on its way down. */
+/* The angular acceleration, positive clockwise, as a disc turns down the slope. */
 static double spin_gain_of(const slope *c) {
     return rolls(c) ? acceleration_of(c) / HALF
                     : 2 * c->friction * GRAVITY * cos(c->degrees * DEGREE) / HALF;
 }
 
 typedef struct motion {
-    double speed, spin; /* down the slope; clockwise */
+    double speed, spin; /* speed down the slope; angular velocity, positive clockwise */
 } motion;
 
-/* What is not a number is the worst. */
+/* The larger of two errors; NaN counts as infinite. */
 static double worse(double a, double b) {
     return a >= b ? a : b >= a ? b : INFINITY;
 }
 
+/* The rider's speed downhill and its angular speed in the direction of rolling. */
 static motion motion_of(trial *t, const slope *c) {
     const engine_body *b = &trial_read(t)[1];
     scene_point d = downhill(c);
     return (motion){b->vx * d.x + b->vy * d.y, -b->angular_velocity};
 }
 
-/* From half a second on, when the contact has settled: how far the acceleration, and of discs the
- * gain in spin, are off, in %; the worse of the two. */
+/* The error of the acceleration and, for discs, of the angular acceleration, in %, the larger of
+ * both. Measured from half a second on, when the contact has settled. */
 static double slide(ledger *l, entrant e, const slope *c) {
     int seconds = l->quick ? 1 : 3;
     double wrong = INFINITY;
@@ -115,7 +121,7 @@ static double slide(ledger *l, entrant e, const slope *c) {
     return wrong;
 }
 
-/* The furthest that a rider moves after the first second, in mm. */
+/* The largest distance that a rider moves after the first second, in mm. */
 static double creep(ledger *l, entrant e, const slope *c) {
     int seconds = l->quick ? 10 : 600;
     double furthest = INFINITY;
@@ -141,7 +147,7 @@ static double creep(ledger *l, entrant e, const slope *c) {
 
 typedef double measure(ledger *l, entrant e, const slope *c);
 
-/* On both kinds of ground. */
+/* The larger error of both kinds of ground. */
 static double worst_of(measure *m, ledger *l, entrant e, slope c) {
     c.line = false;
     double on_box = m(l, e, &c);

@@ -1,7 +1,8 @@
-/* speed.c: shots at thin walls. A wall and a bullet a lane, and lanes do not meet each other.
- * Bullets start at all parts of a step from the wall, and come at any angle down to a degree from
- * the wall's own direction. Walls do not turn, and are so long that nothing gets around their ends
- * meanwhile: what is beyond the wall in the end has gone through it. */
+/* speed.c: the extreme "speed": bullets shot at thin walls. Each lane has a wall and a bullet, and
+ * lanes do not collide with each other. The bullets' distances at the start are spread over the
+ * motion of a step, and their angles go up to 89 degrees from the wall's normal. Walls do not
+ * rotate and are so long that no bullet can get around an end: a bullet behind the wall at the end
+ * has passed through it. Measured is the share that passes. */
 #include "random.h"
 #include "trial.h"
 
@@ -12,20 +13,22 @@ enum { LANES = 50, SPEED_COUNT = 5, DEFAULT_EXACT = ON_DEFAULT | ON_EXACT };
 static const double SPEEDS[SPEED_COUNT] = {1e1, 1e2, 1e3, 1e4, 1e5};
 static const double STEP = ENGINE_TIME_STEP, DEGREE = 0.017453292519943295;
 static const double THICKNESS = 0.02;
-static const double WALL_MASS = 4; /* of one that moves; about a hundred bullets */
-static const double CLEAR = 0.25;  /* of the wall at the start; no bullet reaches as far */
-static const double SLANT = 89;    /* degrees, the most */
-static const double GRAVITY = 10;  /* in every other world */
+static const double WALL_MASS = 4; /* kg, of a wall that moves; about a hundred times a bullet's
+                                      mass */
+static const double CLEAR =
+    0.25;                       /* m: distance from the wall at the start, larger than any bullet */
+static const double SLANT = 89; /* degrees: the largest angle from the wall's normal */
+static const double GRAVITY = 10; /* m/s^2, in every second world */
 
 typedef enum wall_kind { WALL_STATIC = 0, WALL_DYNAMIC, WALL_ONCOMING, WALL_KINDS } wall_kind;
 
 typedef struct range {
     scene_shape_kind bullet;
     wall_kind wall;
-    scene_detection detection; /* of bullets and walls */
+    scene_detection detection; /* detection of bullets and walls */
 } range;
 
-/* Until the last has come, and three more. */
+/* Steps until the last bullet has arrived, and three more. */
 static int steps_of(double speed) {
     return (int)ceil(CLEAR / cos(SLANT * DEGREE) / (speed * STEP)) + 4;
 }
@@ -46,7 +49,7 @@ static void add_wall(scene *s, scene_random *random, const range *r, double spee
     s->shapes[s->shape_count - 1].material.density = WALL_MASS / (2 * half * THICKNESS);
 }
 
-/* The wall's outward direction, on the side of the bullet. */
+/* The wall's unit normal on the side of the bullet. */
 static scene_point face_of(const scene_body *wall) {
     return (scene_point){-cos(wall->angle), -sin(wall->angle)};
 }
@@ -59,8 +62,8 @@ static void add_bullet(scene *s, scene_random *random, const range *r, double sp
     wall->vy = oncoming * n.y;
     double aim = scene_random_range(random, -1, 1);
     double slant = scene_random_range(random, -SLANT, SLANT) * DEGREE;
-    /* The direction back to the start, and when and where the bullet's centre would be in the wall.
-     */
+    /* The direction back to the bullet's start, and the time and place at which its centre would be
+     * in the wall's middle. */
     double bx = n.x * cos(slant) - n.y * sin(slant), by = n.x * sin(slant) + n.y * cos(slant);
     double time = CLEAR / (speed * cos(slant) + oncoming) + scene_random_range(random, 0, STEP);
     scene_point meeting = {place.x - aim * n.y + oncoming * time * n.x,
@@ -89,13 +92,13 @@ static void fill(scene *s, scene_random *random, const range *r, double speed, d
         add_wall(s, random, r, speed, lane);
         add_bullet(s, random, r, speed);
         for (int k = s->shape_count - 2; k < s->shape_count; k++) {
-            s->shapes[k].mask = 0; /* nobody but the other one of the lane */
+            s->shapes[k].mask = 0; /* collides with the other body of its lane only */
             s->shapes[k].group = lane + 1;
         }
     }
 }
 
-/* What is lost counts as passed. */
+/* A body whose state is not finite counts as passed. */
 static int count_passed(trial *t) {
     const engine_body *now = trial_read(t);
     const scene *s = trial_scene(t);
@@ -108,7 +111,7 @@ static int count_passed(trial *t) {
     return passed;
 }
 
-/* `shots` at each speed; how many pass, in %. Infinite when a world fails. */
+/* Fires `shots` bullets at each speed; the share that passes, in %. Infinite if a world fails. */
 static double fire(ledger *l, entrant e, const range *r, int shots) {
     scene_random random = {8};
     double passed = 0;
@@ -138,9 +141,9 @@ static void run(ledger *l) {
     static const struct {
         const char *name;
         scene_detection detection;
-        unsigned by;                /* entrants */
-        unsigned binds[WALL_KINDS]; /* of them */
-        int bullets;                /* so many of the kinds above */
+        unsigned by;                /* entrants that run it */
+        unsigned binds[WALL_KINDS]; /* entrants that the bound applies to, by kind of wall */
+        int bullets;                /* number of kinds of bullets, from the first on */
     } WAYS[] = {
         {"as the quality", SCENE_AS_WORLD, ON_ALL, {DEFAULT_EXACT, ON_EXACT, ON_EXACT}, 3},
         {"swept", SCENE_SWEPT, DEFAULT_EXACT, {DEFAULT_EXACT, DEFAULT_EXACT, DEFAULT_EXACT}, 3},

@@ -1,4 +1,5 @@
-/* springs.c: a body on a spring without gravity, against x(t) of a damped oscillator. */
+/* springs.c: the extreme "springs": a body on a spring without gravity, compared with the solution
+ * of the damped harmonic oscillator. Measured are the errors of frequency and damping ratio. */
 #include "extremes/tied.h"
 
 #include <math.h>
@@ -10,7 +11,7 @@ typedef struct spring {
     double frequency, damping;
 } spring;
 
-/* Off its rest, and its speed. */
+/* Reads the displacement from rest (m or rad), and the speed. */
 static void see(trial *t, const spring *x, double *off, double *speed) {
     const engine_body *b = &trial_read(t)[1];
     bool turns = x->kind == SCENE_HINGE;
@@ -19,8 +20,8 @@ static void see(trial *t, const spring *x, double *off, double *speed) {
     *speed = turns ? b->angular_velocity : b->vx;
 }
 
-/* From the times at which it passes its rest, and the energy then: frequency, in % off that of the
- * formula, and the damping ratio beyond what was asked for. */
+/* The frequency's error in %, from the times of zero crossings, and the error of the damping ratio,
+ * from the energy at these times. */
 static tied_outcome oscillate(ledger *l, entrant e, const void *how) {
     const spring *x = how;
     scene s;
@@ -37,7 +38,8 @@ static tied_outcome oscillate(ledger *l, entrant e, const void *how) {
         if ((before < 0) != (off < 0)) {
             double part = before / (before - off);
             last = (i + part) * ENGINE_TIME_STEP;
-            /* By energy: speeds at a step's ends are not those of the passing. */
+            /* The speed at the crossing follows from the energy, because speeds are known at the
+             * ends of steps only. */
             double way = 2 * PI * x->frequency * off;
             last_speed = hypot(speed, way);
             if (passes++ == 0)
@@ -49,7 +51,8 @@ static tied_outcome oscillate(ledger *l, entrant e, const void *how) {
         double passed = (passes - 1) * PI;
         double seen = passed / (2 * PI * (last - first));
         double expected = x->frequency * sqrt(1 - x->damping * x->damping);
-        double decay = log(first_speed / last_speed) / passed; /* zeta / sqrt(1 - zeta^2) */
+        double decay = log(first_speed / last_speed) / passed; /* zeta / sqrt(1 - zeta^2), per
+                                                                  radian */
         o = (tied_outcome){
             {100 * fabs(seen / expected - 1), fabs(decay / sqrt(1 + decay * decay) - x->damping)}};
     }

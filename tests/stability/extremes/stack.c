@@ -6,7 +6,8 @@
 void stack_init(scene *s, int count, double size) {
     scene_init(s);
     scene_static_box(s, 0, -size, 10 * size, size);
-    /* Places are not put on the scenes' grid of 2^-16, which is coarse for the smallest size. */
+    /* Not scene_dynamic_box's positions: they are rounded to multiples of 2^-16, too coarse for the
+     * smallest size. */
     for (int i = 0; i < count; i++)
         scene_dynamic_box(s, 0, 0, 0.5 * size, 0.5 * size)->y = (i + 0.5) * size;
     s->bodies[0].y = -size;

@@ -1,11 +1,13 @@
-/* time_step.c: a column at coarse, fine and changing time steps. */
+/* time_step.c: the extreme "time-step": a column of boxes at coarse, fine and alternating time
+ * steps. Measured is the height that its top loses. */
 #include "extremes/stack.h"
 
 #include <math.h>
 
 enum { BOXES = 10 };
 
-/* Steps of `first` and `second` in turn. Height lost by the top after the seconds, in boxes. */
+/* Alternates time steps of `first` and `second` seconds. Returns the height that the top has lost
+ * at the end, in boxes. */
 static double height_lost(ledger *l, entrant e, double first, double second) {
     scene s;
     stack_init(&s, BOXES, 1);

@@ -1,7 +1,7 @@
 /**
- * The package in bundlers, by the recipes of its README: each bundles a program that was written for
- * the packed package, which then says the same bits in Node, in a page and in a worker as unbundled
- * in Node, under a policy that allows WebAssembly and no eval.
+ * Tests the packed npm package in bundlers, by the recipes of its README. Each bundler bundles a
+ * program; in Node, in a page and in a worker it must give the same bits as unbundled in Node,
+ * under a content security policy that allows WebAssembly and no eval.
  */
 import assert from "node:assert/strict";
 import { copyFileSync, mkdirSync } from "node:fs";
@@ -28,7 +28,7 @@ const VITE = { root: folder, configFile: false, logLevel: "error" };
 const [major, minor] = process.versions.node.split(".").map(Number);
 const TOO_OLD = (major < 20 || (major === 20 && minor < 19)) && "Vite 8 needs Node.js 20.19";
 
-/** Bundles by name, for the web into a folder with a page. */
+/** Bundles the page for the web into the folder `out`, by the bundler's name. */
 const WEB = {
   async Vite(out) {
     const { build } = await bring("vite");
@@ -50,7 +50,7 @@ const WEB = {
   },
 };
 
-/** The same for Node: node.js in a folder. */
+/** Bundles node.js for Node into the folder `out`, by the bundler's name. */
 const NODE = {
   async Vite(out) {
     const { build } = await bring("vite");
@@ -63,14 +63,14 @@ const NODE = {
   },
   async webpack(out) {
     await bundleWithWebpack({ entry: { node: inProject("node.js") }, target: "node" }, out);
-    // It writes a script, which the project's own package.json would have taken for a module.
+    // The output is CommonJS; the project's package.json would make Node take it for a module.
     write(out, { "package.json": "{}" });
   },
   Rollup: (out) => bundleWithRollup([inProject("node.js")], { exportConditions: ["node"] }, out),
   esbuild: (out) => bundleWithEsbuild({ entryPoints: [inProject("node.js")], platform: "node" }, out),
 };
 
-/** For its dev server, before version 8. */
+/** The README's option for the dev server of Vite before version 8. */
 function viteRecipe() {
   const [options] = recipeOf("Vite");
   return runInNewContext(`({ ${options} })`);
@@ -82,7 +82,7 @@ async function bundleWithWebpack(options, out) {
     ...options,
     context: folder,
     mode: "production",
-    // Which takes most of its time, and others do it.
+    // Minifying takes most of webpack's time, and other bundlers here do it.
     optimization: { minimize: false },
     output: { path: out },
   });
@@ -115,7 +115,7 @@ async function bundleWithEsbuild(options, out) {
   copyAsTold("esbuild", out);
 }
 
-/** As the README says, but for the folder. */
+/** Copies the wasm file as the README says, except to another folder. */
 function copyAsTold(name, out) {
   const [, from, to] = recipeOf(name)[0].split(" ");
   assert.equal(to, "dist/");
@@ -148,7 +148,7 @@ for (const [name, bundle] of Object.entries(WEB))
     }
   });
 
-/** The page's own Vite is of before 8. */
+/** The page's own Vite is older than version 8. */
 const SERVERS = {
   "Vite_8": [() => bring("vite"), {}],
   "Vite_before_8": [() => import("../../../web/node_modules/vite/dist/node/index.js"), viteRecipe()],

@@ -1,6 +1,6 @@
 /**
- * The packed package without a bundler: in Node and its workers, Deno, Bun, and browsers with an
- * import map. Parcel, Deno and Bun are tried where they are found, on the path or installed here.
+ * Tests the packed npm package without a bundler: in Node and its workers, Deno, Bun, and browsers
+ * with an import map. Parcel, Deno and Bun are tested if they are on the path or installed here.
  */
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
@@ -17,7 +17,7 @@ const { folder } = project;
 const expected = tell(process.execPath, ["node.js"], folder);
 after(project.remove);
 
-/** The command, where it runs. */
+/** The command, or null if it does not run. */
 function find(name) {
   const here = `${bundlers}node_modules/.bin/${name}`;
   const command = existsSync(here) ? here : name;
@@ -56,7 +56,7 @@ test("worker_of_node_says_the_same_bits", () => {
   assert.deepEqual(tell(process.execPath, ["in-worker.js"], folder), expected);
 });
 
-/** What each is started with, as the README says. */
+/** The arguments with which each runtime is started, as the README says. */
 const RUNTIMES = { Deno: recipeOf("Deno")[0].split(" ").slice(1), Bun: ["run"] };
 
 for (const [name, words] of Object.entries(RUNTIMES)) {
@@ -68,7 +68,7 @@ for (const [name, words] of Object.entries(RUNTIMES)) {
     });
 }
 
-/** Of a page with an import map, which no worker sees. */
+/** A page with an import map; workers do not get the map, so the worker imports paths. */
 test("page_with_an_import_map_and_its_worker_say_the_same_bits", async (t) => {
   const [map] = recipeOf("import map");
   const { imports } = JSON.parse(map);
@@ -107,7 +107,7 @@ test("page_bundled_by_Parcel_says_the_same_bits", { skip: noParcel }, async (t) 
   const words = ["build", "index.html", "--dist-dir", "parcel", "--no-cache", "--public-url", "./"];
   const { status, stderr } = spawnSync(parcel, words, { cwd: folder, encoding: "utf8" });
   assert.equal(status, 0, stderr);
-  // It writes an import map into the page.
+  // Parcel writes an inline import map into the page.
   const policy = POLICY.replace("'self'", "'self' 'unsafe-inline'");
   const { url, close } = await host(join(folder, "parcel"), policy);
   t.after(close);

@@ -1,4 +1,7 @@
-/** The games in examples/games run as a stranger would run them, end by their rules, and alike. */
+/**
+ * Runs the games in examples/games as a user would: they must end by their rules, and twice with
+ * the same output.
+ */
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { copyFileSync, mkdirSync, mkdtempSync, readdirSync, rmSync, symlinkSync } from "node:fs";
@@ -13,7 +16,7 @@ after(() => rmSync(folder, { recursive: true }));
 mkdirSync(join(folder, "node_modules"));
 symlinkSync(`${root}web/package`, join(folder, "node_modules", "thud"), "dir");
 
-/** What a game prints, and what has to hold of its numbers. */
+/** What each game prints, and a condition for its numbers. */
 const ENDS = {
   "brick-breaker": [
     /^0 bricks and (\d) balls left, (\d+) capsules caught\n([\d.]+) s, \w{16}\n$/,

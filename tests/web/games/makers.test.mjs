@@ -1,4 +1,7 @@
-/** Shapes and bodies in few words are those that are written out. */
+/**
+ * Tests the short functions for shapes and bodies: they give the same as options that are written
+ * out.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { thud } from "../support/package.mjs";

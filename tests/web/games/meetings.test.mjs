@@ -1,4 +1,7 @@
-/** Who met in a step, by kinds; and what would be, without it being. */
+/**
+ * Tests world.meetings, which lists the pairs of a step by categories, and world.whatIf, which
+ * plays steps and leaves the world as it was.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { thud } from "../support/package.mjs";

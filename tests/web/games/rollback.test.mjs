@@ -1,4 +1,7 @@
-/** Peers whose inputs come late, early, out of order and twice end as who knew all of them. */
+/**
+ * Tests Rollback: peers that get inputs late, early, out of order and twice end in the same state
+ * as one that knew all inputs in time.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { thud } from "../support/package.mjs";
@@ -16,7 +19,7 @@ function randomBy(seed) {
   };
 }
 
-/** Two bodies pushed about among others, a hero that runs, and a count of who met. */
+/** A peer: two bodies that inputs push among others, a mover that runs, and a count of contacts. */
 function createPeer(options = {}) {
   const world = engine.createWorld();
   const floor = { kind: "aabb", halfWidth: 20, halfHeight: 1, offset: [0, -1] };
@@ -43,7 +46,7 @@ function createPeer(options = {}) {
   return { world, hero, rollback };
 }
 
-/** What each of two players holds in each step; it changes now and then. */
+/** The input of each of two players in each step; it changes in one of nine steps on average. */
 function inputsOf(seed) {
   const random = randomBy(seed);
   return [0, 1].map(() => {
@@ -55,10 +58,12 @@ function inputsOf(seed) {
   });
 }
 
+// The state in which a peer ends, for comparison.
 function ended({ world, hero, rollback }) {
   return [rollback.steps, world.hash(), rollback.state, hero.state().position];
 }
 
+// Runs a peer that has all inputs in time; returns its end state.
 function playKnowing(inputs) {
   const peer = createPeer();
   for (let step = 0; step < STEPS; step++) {
@@ -79,7 +84,7 @@ for (const seed of [1, 2, 3])
     for (let step = 0; step < STEPS; step++) {
       rollback.input(0, step, inputs[0][step]);
       packets.push([step + random(20), step]);
-      // Some come twice, and some before their step.
+      // Some inputs arrive twice, and some before their step.
       if (random(5) === 0) packets.push([step + 20 + random(20), step]);
       if (step + 5 < STEPS && random(9) === 0) packets.push([step, step + 5]);
       for (const [due, of] of packets) if (due === step) rollback.input(1, of, inputs[1][of]);

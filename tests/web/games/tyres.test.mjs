@@ -1,4 +1,7 @@
-/** Tyres of a body that is seen from above: they hold, slide, drive and brake, and turn nothing around. */
+/**
+ * Tests the tyres of a car seen from above: they hold sideways, slide, drive and brake, and never
+ * reverse a motion.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { thud } from "../support/package.mjs";
@@ -7,7 +10,7 @@ const { aabb, circle, obb } = thud;
 const engine = await thud.load();
 const STEP = 1 / 60;
 
-/** A car of mass 8 that heads along [0.8, 0.6]. */
+/** A car of mass 8 that points along [0.8, 0.6]. */
 function createCar(options = {}) {
   const world = engine.createWorld({ gravity: [0, 0] });
   const angle = Math.atan2(0.6, 0.8);
@@ -15,7 +18,7 @@ function createCar(options = {}) {
   return { world, car };
 }
 
-/** Along the car and across it, at a place in its frame. */
+/** The velocity of a point in the car's frame, along and across the car. */
 function speeds({ world, car }, at) {
   return world.localVector(car, world.velocityAt(car, world.worldPoint(car, at)));
 }

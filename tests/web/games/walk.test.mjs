@@ -1,4 +1,7 @@
-/** Movers that walk: they fall, jump and land as the world's gravity has it, and keep what carried them. */
+/**
+ * Tests Mover.walk: movers fall, jump and land by the world's gravity, and keep the speed of what
+ * carried them when they leave it.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { thud } from "../support/package.mjs";

@@ -1,4 +1,6 @@
-/** Bytes of garbage that each call makes; run by garbage.test.mjs with flags of Node. */
+/**
+ * Prints the bytes of garbage that each call makes; garbage.test.mjs runs it with flags of Node.
+ */
 import { thud } from "../support/package.mjs";
 
 const engine = await thud.load();
@@ -31,11 +33,12 @@ const CALLS = {
   spawnAndDestroy: () => world.destroy(world.spawn(options), "body"),
 };
 
+// The number of calls per round. Chosen.
 const MANY = 40_000;
 const bytes = {};
 for (const [name, call] of Object.entries(CALLS)) {
   for (let i = 0; i < MANY; i++) call();
-  // What the compiler leaves behind is not there each time.
+  // The minimum of four rounds: garbage of the just-in-time compiler is not in all of them.
   const rounds = Array.from({ length: 4 }, () => {
     globalThis.gc();
     const before = process.memoryUsage().heapUsed;

@@ -1,7 +1,8 @@
 /**
- * A loop that keeps its numbers and lists makes no objects. It is counted in bytes a call, in a heap
- * so large that nothing is collected meanwhile: what is left are the boxes of 16 bytes in which
- * V8 passes numbers that are not small integers. One object or list more would be 32 bytes at least.
+ * Tests that a loop of calls which reuse their numbers and lists creates no objects. It counts
+ * bytes per call, in a heap so large that nothing is collected in between. What remains are the
+ * boxes of 16 bytes in which V8 passes numbers that are not small integers; an additional object or
+ * list would be at least 32 bytes.
  */
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
@@ -9,9 +10,13 @@ import { fileURLToPath } from "node:url";
 import { test } from "node:test";
 
 const program = fileURLToPath(new URL("calls.mjs", import.meta.url));
+// Bytes of one boxed number in V8.
 const BOX = 16;
 
-/** Numbers that pass into and out of a call at most, and once each time an option is read. */
+/**
+ * For each call the largest number of boxed numbers: those passed in and out, and one for each read
+ * of an option.
+ */
 const BOXES = {
   step: 0,
   poses: 0,

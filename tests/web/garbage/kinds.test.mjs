@@ -1,4 +1,7 @@
-/** A call is for handles of one kind: it refuses every other, be it a handle or its number. */
+/**
+ * Tests that a method for one kind of handle refuses handles of all other kinds, as objects and as
+ * numbers.
+ */
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -12,12 +15,12 @@ const typings = readdirSync(dist, { recursive: true })
   .map((file) => readFileSync(`${dist}${file}`, "utf8"))
   .join("\n");
 
-/** Every method whose first argument is of one kind: [name, kind]. */
+/** Every method whose first argument is of one kind: [name, kind], read from the typings. */
 const METHODS = [...typings.matchAll(/^ {4}(\w+)\(\w+: (Body|Shape|Joint)Ref\b(?! \|)/gm)].map(
   ([, name, kind]) => [name, kind.toLowerCase()],
 );
 
-/** What follows it, where that is looked at before; [0, 1] and [0, 1] elsewhere. */
+/** Further arguments of methods that check them before the handle; others get [0, 1] and [0, 1]. */
 const REST = {
   ...Object.fromEntries(
     ["Awake", "Enabled", "Events", "FixedRotation", "JointEnabled", "MaySleep", "Sensor"].map((name) => [
@@ -45,7 +48,7 @@ const REST = {
   setMass: [{ mass: 1, inertia: 1 }],
 };
 
-/** Two bodies with a shape each and a joint: the slots of all kinds are the same. */
+/** Two bodies with one shape each and a joint: handles of all kinds have the same slots. */
 function makeWorld() {
   const world = engine.createWorld();
   const shapes = [{ kind: "circle", radius: 0.5 }];

@@ -1,4 +1,7 @@
-/** Numbers stand for handles: the same calls, the same answers, and stale ones are refused. */
+/**
+ * Tests numbers in place of handles: the same calls give the same results, and stale numbers are
+ * refused.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { thud } from "../support/package.mjs";

@@ -1,7 +1,7 @@
-/* boxes.c: a program that uses circles and axis-aligned boxes; for the size of what is linked. */
+/* boxes.c: a program that uses circles and AABBs, to measure its size when linked. */
 #include "circles.c"
 
-/* A box of half height 0.5 falls on a box whose top is at 0. */
+/* A box with half height 0.5 falls on a box whose top is at 0; returns its height after `steps`. */
 EXPORT("box_height") double box_height(int steps) {
     thud_world *world = open_world();
     thud_shape_def shape = thud_default_shape_def();

@@ -1,8 +1,8 @@
-/* circles.c: a program that uses circles only, at draft, unless QUALITY is another one; for the
- * size of what is linked. */
+/* circles.c: a program that uses circles only, at quality draft unless QUALITY is defined, to
+ * measure its size when linked. */
 #include <thud/thud.h>
 
-/* Whatever is refused is missed by who asks where it is. */
+/* Results of calls are not checked: a failure shows in the height that is returned. */
 #pragma GCC diagnostic ignored "-Wunused-result"
 
 #if defined(__wasm__)
@@ -31,7 +31,7 @@ static thud_body_id add_body(thud_world *world, thud_body_kind kind, double y) {
     return id;
 }
 
-/* Steps the world and ends it; the height of the body. */
+/* Makes the steps, destroys the world, and returns the height of the body. */
 static double height_after(thud_world *world, thud_body_id body, int steps) {
     for (int i = 0; i < steps; i++) {
         thud_world_step(world);
@@ -42,7 +42,8 @@ static double height_after(thud_world *world, thud_body_id body, int steps) {
     return state.position.y;
 }
 
-/* A ball of radius 0.5 falls on one of radius 100 whose top is at 0. */
+/* A ball of radius 0.5 falls on one of radius 100 whose top is at 0; returns its height after
+ * `steps`. */
 EXPORT("circle_height") double circle_height(int steps) {
     thud_world *world = open_world();
     thud_shape_def shape = thud_default_shape_def();

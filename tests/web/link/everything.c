@@ -1,4 +1,5 @@
-/* everything.c: a program that uses every kind of shape, queries and debug drawing. */
+/* everything.c: a program that uses every kind of shape, queries and debug drawing, to measure its
+ * size when linked. */
 #define QUALITY thud_quality_default
 #include "boxes.c"
 
@@ -12,7 +13,8 @@ EXPORT("oriented_height") double oriented_height(int steps) {
     return height_after(world, box, steps);
 }
 
-/* How far down a ray from height 10 meets the ground, which is 1 thick; and draws what it sees. */
+/* Casts a ray down from height 10 to the ground, which is 1 thick, and draws the world; returns the
+ * hit's fraction. */
 EXPORT("ray_fraction") double ray_fraction(void) {
     thud_world *world = open_world();
     thud_shape_def shape = thud_default_shape_def();

@@ -1,3 +1,3 @@
-/* islands.c: circles at the default quality, which has the solver of direct islands. */
+/* islands.c: circles at quality default, which links the direct solver of islands. */
 #define QUALITY thud_quality_default
 #include "circles.c"

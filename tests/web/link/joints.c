@@ -1,5 +1,5 @@
-/* joints.c: a program that uses every kind of joint; for the size of what is linked, and as the
- * twin of what tests/web/support/linkage.mjs builds with the package. */
+/* joints.c: a program that uses every kind of joint, to measure its size when linked, and to
+ * compare it with the same linkage built with the package (tests/web/support/linkage.mjs). */
 #define QUALITY thud_quality_default
 #include "circles.c"
 
@@ -23,7 +23,7 @@ static link add_link(thud_world *world, thud_body_kind kind, float x, float y) {
     return made;
 }
 
-/* At a place in the world, where both frames are, turned by `angle`. */
+/* A def whose frames are both at a place in the world, turned by `angle`. */
 static thud_joint_def tie(thud_joint_kind kind, link a, link b, float x, float y, double angle) {
     thud_joint_def def = thud_default_joint_def(kind);
     def.body_a = a.body;
@@ -39,7 +39,7 @@ static thud_joint_id make(thud_world *world, thud_joint_def def) {
     return joint;
 }
 
-/* Wheels on a wall that turn each other. */
+/* Two wheels on a wall that a gear connects. */
 static void add_train(thud_world *world, link wall) {
     thud_joint_def gear = thud_default_joint_def(THUD_GEAR);
     for (int i = 0; i < 2; i++) {
@@ -85,7 +85,7 @@ static thud_world *make_linkage(void) {
     return world;
 }
 
-/* 32 bits of the hash after so many steps: the upper ones or the lower. */
+/* The upper or lower 32 bits of the hash after this many steps. */
 EXPORT("linkage_hash") double linkage_hash(int steps, int upper) {
     thud_world *world = make_linkage();
     for (int i = 0; i < steps; i++)

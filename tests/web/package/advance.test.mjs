@@ -1,4 +1,7 @@
-/** A program that advances once a picture sees the same at any display rate. */
+/**
+ * Tests that a program which calls world.advance once per frame gets the same events and motion at
+ * any display rate.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import * as thud from "../../../web/package/dist/node.js";
@@ -6,7 +9,7 @@ import * as thud from "../../../web/package/dist/node.js";
 const engine = await thud.load();
 const STEPS = 600;
 
-/** Balls that jump about, one that is drawn aside, and one in the wind. */
+/** Bouncing balls, one that a force pulls aside, and one in the wind. */
 function makeGame() {
   const world = engine.createWorld({ gravity: [0, -10] });
   world.createBody({ shapes: thud.walls(8, 4.5, 1, { restitution: 0.9 }) });
@@ -84,7 +87,7 @@ test("what_step_calls_throw_is_thrown_and_they_may_not_step", () => {
     () => world.close(),
   ])
     assert.throws(() => world.advance(1 / 60, 1, { after: forbidden }), { code: "locked" });
-  world.advance(1 / 60, 1, { after: () => world.setGravity([0, 0]) }); // other edits it may make
+  world.advance(1 / 60, 1, { after: () => world.setGravity([0, 0]) }); // edits other than steps are allowed
   const { steps } = world.advance(2 / 60);
   assert.equal(steps, 2);
   world.close();

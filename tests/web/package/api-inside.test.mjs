@@ -1,4 +1,7 @@
-/** What the package shows of the engine's inside: contacts, overlays, statistics, Minkowski sums. */
+/**
+ * Tests what the package shows of the engine's internals: contacts, debug drawing, statistics,
+ * Minkowski sums.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { thud } from "../support/package.mjs";
@@ -16,7 +19,7 @@ function boxOnGround(options = {}) {
   return { world, ground, line, box, shape };
 }
 
-/** Puts a thousand times the box's mass on it. */
+/** Puts a box of a thousand times the mass on the box. */
 function load({ world }) {
   const heavy = world.createBody({ kind: "dynamic", position: [3, 1.5] });
   world.createObb(heavy, { halfWidth: 1, halfHeight: 0.5, density: 1000 });
@@ -24,7 +27,7 @@ function load({ world }) {
   return heavy;
 }
 
-/** How often each style is in the lines, or the points, of a drawing. */
+/** How often each style occurs in the lines, or the points, of a drawing. */
 function stylesOf(world, options, list = "lines", stride = 5) {
   const values = world.debugDraw({ ...VIEW, ...options })[list];
   const found = {};
@@ -169,7 +172,8 @@ test("minkowski_sum_of_box_and_circle_is_a_box_with_round_corners", () => {
     const j = (i + 2) % outline.length;
     area += 0.5 * (x * outline[j + 1] - y * outline[j]);
   }
-  /* The box, its four sides moved out, and the circle cut into four. */
+  /* The box, four rectangles of the circle's radius along its sides, and four quarters of the
+   * circle. */
   near(area, 8 + 0.5 * 12 + Math.PI / 4, 0.01);
 });
 

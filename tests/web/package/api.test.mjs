@@ -1,4 +1,4 @@
-/** The npm package in Node: worlds, handles, errors, views, events and queries. */
+/** Tests the npm package in Node: worlds, handles, errors, views, events and queries. */
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -274,7 +274,7 @@ test("ray_hits_ball_before_ground_and_nothing_sideways", () => {
 
 test("overlap_finds_by_true_form_not_by_bounds", () => {
   const { world, shape } = ballOnGround();
-  // Only the bounds' corner reaches in, not the ball.
+  // Only the corner of the ball's AABB is in this area, not the ball.
   const lower = [0.45, 5.4];
   const upper = [0.6, 5.6];
   assert.deepEqual(world.overlap({ kind: "circle", center: [0, 5.6], radius: 0.2 }), [shape]);
@@ -347,7 +347,7 @@ test("advance_runs_whole_steps_and_keeps_the_rest_as_alpha", () => {
 
 test("stats_time_every_stage_when_asked", () => {
   const { world } = ballOnGround({ timed: true });
-  let [whole, parts] = [0, 0]; // of all steps: one alone may be shorter than the clock can tell
+  let [whole, parts] = [0, 0]; // sums over all steps, because one step may be shorter than the clock's resolution
   for (let i = 0; i < 100; i++) {
     world.step();
     const { stepSeconds, stageSeconds } = world.stats();

@@ -1,4 +1,4 @@
-/** Arguments that have a place and no name: what is refused tells which one it is, and its range. */
+/** Tests that an invalid positional argument is refused with its name and range in the message. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { ARGUMENTS } from "../../../web/package/dist/checks/arguments.js";
@@ -8,7 +8,7 @@ const engine = await thud.load();
 const SCALE = 4;
 const [LENGTHS, FINITE] = [1e6, 3.4e38];
 
-/** A world with one of each, to which `act` does something. */
+/** Calls `act` with a world that has a body, shape or terrain of each kind that is needed. */
 function inWorld(act) {
   const world = engine.createWorld({ lengthScale: SCALE });
   const ball = world.createBody({ kind: "dynamic", position: [0, 40] });
@@ -30,11 +30,11 @@ function inWorld(act) {
   }
 }
 
-/** Of those arguments that would be taken. */
+/** Valid values of arguments. */
 const USUAL = { dt: 1, density: 1, coefficient: 0.1, mass: 1, maxSteps: 1, seconds: 0.1, radius: 1, length: 1, halfWidth: 1, halfHeight: 1 };
 const usual = (name, { pair, least }) => (pair ? [0, 0] : (USUAL[name] ?? Math.max(least, 0)));
 
-/** Calls the method with its arguments in their order, those of setMass and applyWind as options. */
+/** Calls the method with the arguments in order; setMass and applyWind take them as options. */
 function call({ world, ball, round, of }, module, method, given) {
   const values = Object.values(given);
   const { velocity, ...options } = given;
@@ -46,7 +46,7 @@ function call({ world, ball, round, of }, module, method, given) {
   return world[method](subject, ...values);
 }
 
-/** Twice as far as any that is taken; 0 for what must be more. */
+/** Invalid values: twice the limits, NaN, and 0 where the range is open. */
 const outside = ({ least, most, above, scaled }) => {
   const unit = scaled ? SCALE : 1;
   const wrong = [NaN, ...(most < FINITE ? [most * unit * 2] : [])];

@@ -1,4 +1,7 @@
-/** The list beside the code, and its completion, have what the typings of package and page have. */
+/**
+ * Tests that the list of names beside the code editor, and its completion, contain everything in
+ * the typings of package and page.
+ */
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -13,7 +16,7 @@ function entriesOf(...titles) {
   return groups.flatMap(({ entries }) => entries);
 }
 
-/** The lines within the braces of a declaration, as text: no compiler reads them here. */
+/** The lines within the braces of a declaration, found in the text without a compiler. */
 function bodyOf(file, declaration) {
   const text = readFileSync(`${root}web/${file}`, "utf8").replace(/\/\*\*.*?\*\//gs, "");
   const [, after] = text.split(declaration);
@@ -21,6 +24,7 @@ function bodyOf(file, declaration) {
   return after.slice(after.indexOf("{"), after.indexOf("\n}")).split("\n");
 }
 
+// The names of an interface's properties in a TypeScript file.
 function propertiesOf(file, type) {
   const step = file.endsWith(".d.ts") ? "    " : "  ";
   const property = new RegExp(`^${step}(?:readonly )?(\\w+)\\??[:(]`);

@@ -1,4 +1,7 @@
-/** Worlds and movers of the npm package are freed by `close`, by `using`, and not in silence. */
+/**
+ * Tests that worlds and movers of the npm package are freed by `close` and `using`, and that a
+ * warning is written if they are garbage collected without it.
+ */
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { test } from "node:test";
@@ -19,7 +22,10 @@ test("disposal_closes_once_what_is_open", () => {
   closed[Symbol.dispose]();
 });
 
-/** What a program writes to its console that makes worlds, closes so many, and forgets all. */
+/**
+ * The number of warnings of a program that makes worlds, closes some of them, and drops all
+ * references.
+ */
 function warningsOf(made, closed) {
   const program = `
     import { load } from "${root}web/package/dist/node.js";

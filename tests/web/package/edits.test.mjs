@@ -1,4 +1,7 @@
-/** Bodies and shapes of the npm package are changed, pushed at points, and asked for single values. */
+/**
+ * Tests edits of bodies and shapes in the npm package, forces at points, conversion of points, and
+ * reading of single values.
+ */
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -16,7 +19,7 @@ function steps(world, count) {
   for (let i = 0; i < count; i++) world.step();
 }
 
-/** A box of 2 by 1 that stands on a floor, which is wide. */
+/** A box of 2 by 1 m on a wide floor. */
 function boxOnFloor(options = {}) {
   const world = engine.createWorld(options);
   const floor = world.createBody();
@@ -105,7 +108,7 @@ test("events_of_a_shape_are_told_as_its_options_and_setEvents_say", () => {
   assert.equal(world.shapeState(shape).events, false);
   world.setTransform(box, [0, 5]);
   world.step();
-  assert.equal(world.events().end.length, 1); // its begin was told
+  assert.equal(world.events().end.length, 1); // its begin event was reported
   const quiet = world.createCircle(world.createBody({ kind: "dynamic", position: [5, 1] }), {
     radius: 0.5,
     events: false,

@@ -1,4 +1,4 @@
-/** Every `@example` of the typings runs, each in a world of its own. */
+/** Runs every `@example` of the typings, each in a world of its own. */
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -8,7 +8,7 @@ const engine = await thud.load();
 const dist = `${root}web/package/dist/`;
 const AsyncFunction = (async () => {}).constructor;
 
-/** [file, what it is of, text]; the interface's name, or else the method's or function's. */
+/** The examples: file, text, and the interface, method or function that each belongs to. */
 function readExamples() {
   const files = readdirSync(dist, { recursive: true }).filter((file) => file.endsWith(".d.ts"));
   return files.flatMap((file) => {
@@ -24,7 +24,7 @@ function readExamples() {
   });
 }
 
-/** What the examples speak of. */
+/** The variables that the examples use. */
 function makeSetting() {
   const world = engine.createWorld();
   const dynamic = { kind: "dynamic", shapes: [{ kind: "circle", radius: 0.5 }] };
@@ -99,7 +99,7 @@ function makeSetting() {
 const joint = (kind, rest) => `world.createJoint({ kind: "${kind}", bodyA, bodyB, ${rest} })`;
 const shape = (rest) => `world.createBody({ kind: "dynamic", shapes: [{ ${rest} }] })`;
 
-/** How an option is given: by the interface that it is of. */
+/** For each interface of options, how an example with one of its options becomes a call. */
 const MAKERS = {
   WorldOptions: (text) => `world.engine.createWorld({ ${text} }).close()`,
   BodyOptions: (text) => `world.createBody({ kind: "dynamic", ${text} })`,
@@ -116,6 +116,7 @@ const MAKERS = {
   SliderOptions: (text) => joint("slider", `at: [4, 5], ${text}`),
 };
 
+// A program that runs the example; an option becomes part of a call.
 function programOf({ of, text }) {
   if (/^\{ kind: /.test(text)) return `world.createJoint(${text})`;
   if (!/^\w+: /.test(text)) return text;
@@ -130,10 +131,10 @@ test("examples_are_found", () => assert.ok(examples.length > 80, `${examples.len
 for (const [i, example] of examples.entries())
   test(`example_${i}_of_${example.file}_runs_${example.text.replace(/\W+/g, "_").slice(0, 60)}`, async () => {
     const setting = makeSetting();
-    // A loop may have nothing to go round for.
+    // A loop may have no iterations, so the methods' existence is checked separately.
     for (const [, name] of example.text.matchAll(/\bworld\.(\w+)/g))
       assert.equal(typeof setting.world[name], "function", `world.${name}`);
-    // What the example names anew is not given.
+    // A variable that the example declares itself is not passed in.
     const isNew = (name) => new RegExp(`const [^=]*\\b${name}\\b.*=`).test(example.text);
     const names = Object.keys(setting).filter((name) => !isNew(name));
     const run = new AsyncFunction(...names, programOf(example));

@@ -1,11 +1,11 @@
-/** A few seeds of the random calls that `./run fuzz js` makes by the million. */
+/** Plays some seeds of the random calls of `./run fuzz js`. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { CALLS, play } from "../../fuzz/calls.mjs";
 import { geometry, thud } from "../support/package.mjs";
 
 const SEEDS = 60;
-/** What is called without a name of its own, or by all who have one. */
+/** Methods that are called under another name, or by all other methods. */
 const NOT_PLAYED = new Set([
   "constructor",
   "shapeIds",

@@ -1,4 +1,4 @@
-/** Gears in the npm package: two joints that turn or move each other. */
+/** Tests gears in the npm package, which connect two joints. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { thud } from "../support/package.mjs";
@@ -9,7 +9,7 @@ function near(value, wanted, tolerance) {
   assert.ok(Math.abs(value - wanted) <= tolerance, `${value}, not ${wanted} ± ${tolerance}`);
 }
 
-/** Two wheels on a wall, and a gear of both. */
+/** Two wheels on a wall with a gear. */
 function train(t, ratio) {
   const world = engine.createWorld({ sleeping: false });
   t.after(() => world.close());

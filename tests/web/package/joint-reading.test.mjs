@@ -1,4 +1,4 @@
-/** Joints in the npm package: what is set and read of them, their events and their handles. */
+/** Tests setting and reading joints in the npm package, their events and their handles. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { near, yard } from "../support/joints.mjs";
@@ -10,7 +10,7 @@ const G = 10;
 const SPRING = { frequency: 3, damping: 0.5, target: 0.25, springForce: 40 };
 const MOTOR = { motorSpeed: 2, motorForce: 8 };
 const LIMITS = { lower: -0.5, upper: 0.75 };
-/** What each kind has of its own, as it is read again. */
+/** The options of each kind, as they must be read back. */
 const ALL = {
   distance: { length: 1.5, along: { ...SPRING, lower: 0.5, upper: 3, ...MOTOR } },
   hinge: { turn: { ...SPRING, ...MOTOR, ...LIMITS } },
@@ -159,7 +159,7 @@ test("step_tells_how_far_joints_are_open", (t) => {
   run(1);
   const { jointGapMax, jointGapMean, jointAngleMax } = world.error();
   assert.deepEqual([jointGapMax, jointGapMean, jointAngleMax], [0, 0, 0]);
-  // They contradict each other, and meet halfway.
+  // The two welds contradict each other, so both stay half open.
   const joints = [-0.5, 0.5].map((angle) => {
     const frameA = { position: [2 * angle, -1], angle };
     return world.createJoint({ kind: "weld", bodyA, bodyB, frameA });

@@ -1,4 +1,7 @@
-/** Joints in the npm package: what is refused throws, names what is wrong and changes nothing. */
+/**
+ * Tests that invalid joints in the npm package throw an error that names the fault, and change
+ * nothing.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { thud } from "../support/package.mjs";

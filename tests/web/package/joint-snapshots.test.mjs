@@ -1,11 +1,14 @@
-/** Joints in the npm package going back in time: to the same bits, in the same world and in a new one. */
+/**
+ * Tests snapshots with joints in the npm package: a restore in the same world and in a new one
+ * continues with the same bits.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { thud } from "../support/package.mjs";
 
 const engine = await thud.load();
 
-/** A joint of every kind, on swinging and driven bodies over ground. */
+/** A joint of every kind between swinging and driven bodies above ground. */
 function linkage(options = {}) {
   const world = engine.createWorld(options);
   const bodyA = world.createBody({ position: [0, 6] });

@@ -1,4 +1,4 @@
-/** Joints in the npm package: every kind against a formula. */
+/** Compares each kind of joint in the npm package with a formula. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { near, yard } from "../support/joints.mjs";
@@ -6,7 +6,10 @@ import { near, yard } from "../support/joints.mjs";
 const DT = 1 / 60;
 const G = 10;
 
-/** Seconds between the first and the last rise of what `read` tells through 0, by their number. */
+/**
+ * The period in seconds: the time between the first and the last upward zero crossing of `read`,
+ * over the number of periods.
+ */
 function periodOf(world, read, seconds) {
   const rises = [];
   for (let i = 0, before = read(); i < seconds / DT; i++) {

@@ -1,6 +1,7 @@
 /**
- * Every form that Tiled writes its maps in: read in C and in TypeScript to the same bits. The maps
- * in tests/levels/maps, made by tools/make_test_levels.py, stand there as JSON and as XML.
+ * Tests that all formats in which Tiled writes maps are read to the same bits in C and in
+ * TypeScript. The maps in tests/levels/maps, as JSON and as XML, are made by
+ * tools/make_test_levels.py.
  */
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -33,7 +34,7 @@ async function problemsOf(content, options) {
   }
 }
 
-/** The same words, whatever the two languages call a number or a fault in XML. */
+/** The text of a problem, which must be the same in both languages. */
 const wordsOf = ({ severity, text }) => `${severity}: ${text}`;
 
 test("there_is_a_map_of_each_form", () => {
@@ -47,7 +48,7 @@ for (const file of files)
 
 for (const file of files)
   test(`level_${file}_has_the_same_problems_in_c_and_typescript`, { skip }, async () => {
-    // Run so that the report is all that comes on standard error.
+    // Standard output is discarded, so that the report on standard error is all that remains.
     const script = `"$0" "$1" --steps 1 --json --skip-unsupported 2>&1 >/dev/null`;
     const args = ["-c", script, thudRun, `${folder}${file}`];
     const told = execFileSync("sh", args, { encoding: "utf8" }).split("\n").filter(Boolean);
@@ -92,7 +93,7 @@ test("map_is_refused_whole_without_skip_and_lists_everything", async () => {
   });
 });
 
-/** A map of one layer of 2 by 2 cells that is packed somehow. */
+/** A map with one layer of 2 by 2 cells and compressed data. */
 const packed = (data, compression = "zlib", size = 2) =>
   JSON.stringify({
     type: "map",
@@ -106,7 +107,7 @@ const packed = (data, compression = "zlib", size = 2) =>
     ],
   });
 const xml = (body) => `<?xml version="1.0"?><map width="2" height="2" tilewidth="9" tileheight="9">${body}</map>`;
-const zeros = "eJxjYGBgAAAABAAB"; // cut short
+const zeros = "eJxjYGBgAAAABAAB"; // truncated
 const bomb = (bytes) => Buffer.from(bytes).toString("base64");
 
 for (const [name, content, expected] of [
@@ -114,7 +115,7 @@ for (const [name, content, expected] of [
   ["zlib_that_is_cut_short", packed(zeros), /do not unpack/],
   ["gzip_that_is_none", packed(zeros, "gzip"), /do not unpack/],
   ["zstd_that_is_none", packed(zeros, "zstd"), /do not unpack/],
-  // A window of 2^41 bytes; a frame that says it holds 2^32 - 1.
+  // A window of 2^41 bytes; a frame that claims to contain 2^32 - 1 bytes.
   ["zstd_of_a_giant_window", packed(bomb([0x28, 0xb5, 0x2f, 0xfd, 0, 0xf8, 1, 0, 0]), "zstd"), /do not unpack/],
   ["zstd_that_claims_more", packed(bomb([0x28, 0xb5, 0x2f, 0xfd, 0xa0, 255, 255, 255, 255, 1, 0, 0]), "zstd"), /do not unpack/],
   ["unknown_packing", packed(zeros, "lzma"), /packed in a way that is not known/],

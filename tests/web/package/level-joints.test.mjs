@@ -1,4 +1,7 @@
-/** Joints of Tiled maps in TypeScript: as data, in the world, and as the C reader has them. */
+/**
+ * Tests joints of Tiled maps in TypeScript: the data that are read, the joints in a world, and that
+ * both are as in the C reader.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { level, readLevelFile, thud } from "../support/package.mjs";
@@ -9,7 +12,7 @@ const { buildLevel, LevelError, readLevel } = level;
 const dynamic = { name: "body", value: "dynamic" };
 const refersTo = (values) =>
   Object.entries(values).map(([name, value]) => ({ name, type: "object", value }));
-/** Two boxes that move, 1 and 2, and ground, 3; with these objects. */
+/** A map with two dynamic boxes, 1 and 2, a static one, 3, and these objects. */
 const mapOf = (...objects) =>
   JSON.stringify({
     type: "map",

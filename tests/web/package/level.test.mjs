@@ -1,4 +1,4 @@
-/** The reader of Tiled maps: what becomes what, and what it says of the rest. */
+/** Tests the reader of Tiled maps: what objects become, and what it reports about the rest. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { ballLevel, level, levelFiles, readLevelFile, thud } from "../support/package.mjs";
@@ -41,7 +41,8 @@ test("rotated_rectangle_turns_clockwise_about_its_top_left_corner", async () => 
   const box = { id: 3, x: 320, y: 160, width: 64, height: 32, rotation: 90 };
   const { shapes, body } = (await readLevel("box", ballLevel([box]))).bodies[2];
   assert.equal(shapes[0].kind, "obb");
-  // Turned by a quarter the box hangs to the left of the corner: its centre is (-0.5, -1) from it.
+  // Turned by 90 degrees about its corner, the box is below and to the left of it: its centre is at
+  // (-0.5, -1) from the corner.
   assert.deepEqual(body.position, [9.5, 9]);
   assert.equal(body.angle, -Math.PI / 2);
 });

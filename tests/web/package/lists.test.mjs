@@ -1,4 +1,7 @@
-/** What there is in a world of the npm package: bodies, shapes, who moved, what a sensor overlaps. */
+/**
+ * Tests the lists of a world in the npm package: bodies, shapes, moved bodies, overlaps of sensors,
+ * pairs of events.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { thud } from "../support/package.mjs";

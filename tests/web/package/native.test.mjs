@@ -1,4 +1,7 @@
-/** Native and wasm, the reader of levels in C and in TypeScript: equal hashes after 300 steps. */
+/**
+ * Tests that the native and the wasm build, and the level readers in C and in TypeScript, give
+ * equal hashes after 300 steps.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { nativeHash, skip } from "../support/native.mjs";

@@ -1,4 +1,7 @@
-/** The npm package refuses options that it does not know, by name; and reads what it was given. */
+/**
+ * Tests that the npm package refuses unknown options by name, and reads back options as they were
+ * given.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { buildLevel, readLevel } from "../../../web/package/dist/level.js";
@@ -14,7 +17,7 @@ const mover = (options) => new thud.Mover(world, { shape: circle, position: [0, 
 const walker = mover({});
 const bounds = { lower: [0, 0], upper: [1, 1] };
 
-/** What is called, the name that nobody knows, and the nearest that somebody does. */
+/** The call, its unknown option, and the nearest known option. */
 const REFUSED = [
   ["createWorld", () => engine.createWorld({ Gravity: [0, -1] }), "Gravity", "gravity"],
   ["quality", () => engine.createWorld({ quality: { substep: 8 } }), "substep", "substeps"],
@@ -51,7 +54,7 @@ const REFUSED = [
 for (const [call, act, name, nearest] of REFUSED)
   test(`${call}_refuses_${name}_by_name_with_the_nearest_known_one`, async () => {
     const { bodies, shapes } = world.stats();
-    // What reads files answers later.
+    // Functions that read files reject later.
     await assert.rejects(async () => act(), (error) => {
       assert.ok(error instanceof thud.ThudError, String(error));
       assert.equal(error.code, "invalid");
@@ -94,7 +97,7 @@ test("shape_is_read_by_the_names_that_it_was_made_with", () => {
   };
   for (const [kind, options] of Object.entries(made)) {
     const { body: _, ...state } = world.shapeState(create[kind](options));
-    // Kept as a cosine and a sine.
+    // The angle is stored as a cosine and a sine.
     if (kind === "obb") assert.ok(Math.abs(state.angle - options.angle) < 1e-8);
     assert.deepEqual(state, { kind, ...options, ...(kind === "obb" && { angle: state.angle }) });
     const { body: __, ...again } = world.shapeState(create[kind](state));

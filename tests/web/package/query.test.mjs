@@ -1,4 +1,4 @@
-/** Queries and movers of the npm package in Node. */
+/** Tests queries and movers of the npm package. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { thud } from "../support/package.mjs";
@@ -14,7 +14,7 @@ function addBox(world, x, y, halfWidth, halfHeight, options = {}) {
   return world.createAabb(body, { halfWidth, halfHeight, ...options.shape });
 }
 
-/** Ground with its top at 0, and three boxes in a row at height 5. */
+/** Ground at height 0, and three boxes in a row at height 5. */
 function boxesInARow() {
   const world = engine.createWorld({ gravity: [0, 0] });
   const ground = world.createBody();
@@ -73,7 +73,7 @@ test("closest_shape_is_told_with_its_distance_and_none_beyond_reach", () => {
   world.close();
 });
 
-/** A walk of so many moves under a gravity of 20. */
+/** Moves a mover this many times under a gravity of 20. */
 function walk(mover, speed, moves, options) {
   let velocity = [0, 0];
   let report;
@@ -144,7 +144,7 @@ test("scripted_walk_ends_at_the_same_bits_as_the_native_one", () => {
   let end;
   for (let i = 0; i < 300; i++)
     end = mover.move([i % 100 < 80 ? 6 : -4, i % 50 < 10 ? 7 : -5], 1 / 64).position;
-  // tests/engine/api/test_mover.c has the same walk and the same end.
+  // tests/engine/api/test_mover.c has the same walk with the same end.
   assert.deepEqual(end, [14.504182945844535, 3.036515603702544]);
   world.close();
 });
@@ -161,7 +161,7 @@ test("mover_out_of_range_is_refused_with_the_message_of_the_log", () => {
   world.close();
 });
 
-/** Boxes of 2 by 2 in a row, each on a body of its own. */
+/** Boxes of 2 by 2 m in a row, each on its own body. */
 function row(count, options = {}) {
   const world = engine.createWorld({ gravity: [0, 0] });
   const bodies = Array.from({ length: count }, (_, i) => world.createBody({ position: [4 * i, 0] }));

@@ -1,4 +1,7 @@
-/** What is out of range is refused by its name and range, and both ends of each range are taken. */
+/**
+ * Tests that values out of range are refused with name and range, and that both ends of each range
+ * are accepted.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import * as ranges from "../../../web/package/dist/checks/ranges.js";
@@ -13,7 +16,7 @@ const body = world.createBody({ kind: "dynamic", shapes: [circle] });
 const other = world.createBody({ kind: "dynamic", shapes: [circle] });
 const ground = world.createBody();
 
-/** A body with one shape, or one shape, comes and goes. */
+/** Creates and destroys a body with one shape, or a shape. */
 const made = (options) => world.destroy(world.createBody({ kind: "dynamic", ...options }));
 const shape = (create, usual) => (options) => {
   const of = world.createBody({ kind: "kinematic" });
@@ -42,7 +45,10 @@ const hinge = (options) => {
   world.destroy(world.createJoint({ kind: "hinge", bodyA: body, bodyB: other, ...options }));
 };
 
-/** The call, what it tells of, its ranges, and how it is made. Of some only one end can be had. */
+/**
+ * The call, the prefix of names in its messages, its ranges, and the function that makes it. Some
+ * list the ends that can be tested.
+ */
 const CALLS = [
   ["createWorld", "", ranges.WORLD_RANGES, (options) => engine.createWorld(options).close()],
   ["createWorld", "quality.", ranges.QUALITY_RANGES, (quality) => engine.createWorld({ quality }).close()],
@@ -124,9 +130,9 @@ for (const [call, path, table, act, ends] of CALLS)
     const whole = ["substeps", "rays"].includes(name);
     const beyond = (end, sign) => (whole ? end + sign : end + sign * Math.max(1e-3 * Math.abs(end), 1e-6));
     const wrong = [NaN, Infinity, most < FINITE ? beyond(most, 1) : NaN];
-    // What is 0, or some least, is refused between.
+    // For a value that is 0 or at least a minimum, one in between is invalid.
     wrong.push(range.above ? least : least <= -FINITE ? NaN : range.orZero ? -1 : beyond(least, -1));
-    // A joint without a place is at the origins of its bodies.
+    // A joint without anchors is attached at the origins of its bodies.
     const pairs = (value) => [[value, 0], [0, value], ...(call === "hinge" ? [] : [value, null])];
     const values = range.pair ? wrong.flatMap(pairs) : wrong;
 
@@ -152,7 +158,7 @@ for (const [call, path, table, act, ends] of CALLS)
       });
   }
 
-/** What no single range tells. */
+/** Refusals that are not about a single range. */
 const OTHERS = [
   [() => world.createBody({ velocity: [1, 0] }), /a static body has no velocity/],
   [() => world.createBody(null), /createBody: options are an object: null/],
@@ -170,7 +176,7 @@ const OTHERS = [
   [() => world.castRays([0, 0, 1, 0, NaN, 0, 1, 0]), /castRays: ray 1: origin must be two numbers/],
   [() => world.castRays([0, 0, 1, 0, 9e8 * SCALE, 0, 9e9, 0]), /castRays: ray 1: translation /],
   [() => world.overlap({ kind: "bounds", lower: [1, 0], upper: [0, 1] }), /overlap: lower must be below/],
-  // What is not a number in a rule is not given.
+  // NaN in a rule means that the field is not given.
   [() => world.setRule(1, 2, { friction: -1 }), /^setRule: friction must be from 0 to 1e6: -1$/],
   [() => world.setRule(1, 2, { restitution: 5 }), /^setRule: restitution must be from 0 to 4: 5$/],
   [() => world.setRule(1, 2, { surfaceSpeed: 1e7 }), /^setRule: surfaceSpeed must be from -4e6 to 4e6: /],

@@ -1,4 +1,7 @@
-/** The package's README: its program runs as a stranger would run it, and prints what it says. */
+/**
+ * Runs the program of the package's README as a user would, and compares what it prints with the
+ * text.
+ */
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import {

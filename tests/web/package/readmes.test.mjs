@@ -1,4 +1,6 @@
-/** What the READMEs show beside the program of the package's own (readme.test.mjs) is as they say. */
+/**
+ * Tests the code and commands in the READMEs, apart from the package's program (readme.test.mjs).
+ */
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
 import {
@@ -25,7 +27,10 @@ const read = (file) => readFileSync(`${root}${file}`, "utf8");
 const blocksOf = (file, language) =>
   [...read(file).matchAll(new RegExp(`^\`\`\`${language}\\n(.*?)^\`\`\``, "gms"))].map(([, text]) => text);
 
-/** What is looked at here or, of the rest, where: embed.c by examples/check.py, CMake by tests/package. */
+/**
+ * The number of code blocks in each file that are tested here, or elsewhere: embed.c by
+ * examples/check.py, CMake by tests/package.
+ */
 const BLOCKS = {
   "README.md": { sh: 1, c: 1, cmake: 1, js: 1 },
   "docs/embedding.md": { cmake: 1 },
@@ -91,7 +96,7 @@ test("definition_of_a_scene_in_the_readme_is_that_of_scenes_in_c", () => {
 
 test("engine_in_two_files_begins_as_the_readme_has_it", () => {
   const [text] = blocksOf("web/package/README.md", "ts");
-  // What a bundler makes of an address, and of where the page is.
+  // A bundler replaces the import by an address; `location` stands for the page's.
   const bundled = text.replace(/^import (\w+) from "thud\/(.*)\?url";$/gm, 'const $1 = "$2";');
   assert.match(bundled, /^const first = .*\nconst rest = /);
   const dist = `${root}web/package/dist`;
@@ -116,7 +121,7 @@ server.close();
   assert.equal(stdout.trim(), "16");
 });
 
-/** The games' folder, and the package's without what is built, as in a clone. */
+/** The games' folder, and the package's folder without what is built, as in a clone. */
 function makeClone() {
   const clone = join(folder, "clone");
   mkdirSync(join(clone, "web"), { recursive: true });
@@ -126,7 +131,7 @@ function makeClone() {
   });
   mkdirSync(join(clone, "web/package"));
   copyFileSync(`${root}web/package/package.json`, join(clone, "web/package/package.json"));
-  // The verb that builds takes minutes; what it makes is here already.
+  // The verb that builds the package takes minutes; its result is copied instead.
   const dist = join(clone, "web/package/dist");
   writeFileSync(join(clone, "run"), `#!/bin/sh\n[ "$*" = package ] && cp -r ${root}web/package/dist ${dist}\n`);
   chmodSync(join(clone, "run"), 0o755);

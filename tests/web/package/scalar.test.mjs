@@ -1,4 +1,7 @@
-/** The engine for browsers without SIMD: the same results, without an instruction of SIMD. */
+/**
+ * Tests the engine for browsers without SIMD: it gives the same results, and contains no SIMD
+ * instruction.
+ */
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -23,7 +26,7 @@ for (const file of levelFiles)
     assert.equal(await hashOf(scalar, file), await hashOf(simd, file));
   });
 
-/** Whether i32x4.add or f32x4.mul occurs, as it is bound to in an engine built for SIMD. */
+/** Whether i32x4.add or f32x4.mul occurs, which any engine built for SIMD contains. */
 function usesSimd(bytes) {
   return [[0xfd, 0xae, 0x01], [0xfd, 0xe6, 0x01]].some((code) => bytes.includes(Buffer.from(code)));
 }

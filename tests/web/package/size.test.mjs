@@ -1,6 +1,7 @@
 /**
- * What a program links: small ones, built for size, that use ever more of the engine. Bounds are
- * what is reached, so that nobody links more by accident; the aims stand beside them.
+ * Measures the linked size of small programs, built for size, that use more and more of the engine.
+ * The bounds are the sizes that are reached, so that an increase is noticed; the aims stand beside
+ * them.
  */
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -11,18 +12,18 @@ import { gzipSync } from "node:zlib";
 import { buildLinkage } from "../support/linkage.mjs";
 import { root, thud } from "../support/package.mjs";
 
-/** Kilobytes (1000 bytes) of the gzipped module: what is reached, and what is aimed at. */
+/** Kilobytes (1000 bytes) of the gzipped module: the bound that is reached, and the aim. */
 const PROGRAMS = [
-  // Sensors that report what passes them take 2 kB of each: a shape's def says only when the program runs
-  // whether it is a sensor, so that no linker can leave them out. Numbers in the reasons of refusals take
+  // Sensors that report what passes them take 2 kB of each: whether a shape is a sensor is known
+  // only at run time, so that no linker can leave them out. Numbers in the reasons of refusals take
   // 0.7 to 0.9 kB of each.
   { name: "circles", bound: 46.9, aim: 12 },
   { name: "boxes", bound: 56.7, aim: 18 },
   { name: "islands", bound: 59.1, aim: 18 },
-  // Queries that leave edits waiting and reasons of refusals take 2 kB.
+  // Queries that leave edits pending, and reasons of refusals, take 2 kB.
   { name: "everything", bound: 91.1, aim: 40 },
-  // Rows solved together, both limits and the bracing of torn joints take 5 kB, joints that yield to static
-  // shapes 3 kB, and the cap of both directions together 0.6 kB.
+  // Joint rows that are solved together, both limits and the bracing of torn joints take 5 kB,
+  // joints that yield to static shapes 3 kB, and the common cap of both directions 0.6 kB.
   { name: "joints", bound: 89.8, aim: 40 },
 ];
 
@@ -45,7 +46,7 @@ function emcc(words) {
       `-I${root}engine/src`,
       ...words,
     ],
-    // Objects are written where it runs.
+    // emcc writes objects to its working directory.
     {
       cwd: build,
       env: { ...process.env, NODE_PATH: helpers },
@@ -54,7 +55,7 @@ function emcc(words) {
   );
 }
 
-/** The whole engine, once for all programs. */
+/** Compiles the whole engine once, for all programs. */
 before(() => emcc(["-c", ...sources]));
 
 function link(name) {
@@ -81,7 +82,7 @@ function hashOf(program) {
   return half(1) + half(0);
 }
 
-/** Of the same linkage, built with the package. */
+/** The hash of the same linkage built with the package. */
 async function linkageHash() {
   const { world } = buildLinkage((await thud.load()).createWorld());
   for (let i = 0; i < STEPS; i++) world.step();

@@ -1,4 +1,7 @@
-/** The numbers between the module and JavaScript have their places from one list, slots.h. */
+/**
+ * Tests that the places of the numbers that module and JavaScript exchange come from one list,
+ * slots.h.
+ */
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";

@@ -1,4 +1,6 @@
-/** Going back in time in the npm package: worlds by their snapshots, movers by their state. */
+/**
+ * Tests restoring earlier states in the npm package: worlds by snapshots, movers by their state.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { buildScene, demoWasm, sceneNames, thud } from "../support/package.mjs";
@@ -14,7 +16,7 @@ function refusedWith(pattern, act) {
   assert.throws(act, (error) => error.code === "invalid" && pattern.test(error.message));
 }
 
-/** Hash and events of so many steps. */
+/** The hash and events of each step. */
 function walk(world, steps) {
   return Array.from({ length: steps }, () => {
     world.step();
@@ -22,7 +24,7 @@ function walk(world, steps) {
   });
 }
 
-/** Hills with some balls and boxes over them. */
+/** Hills with balls and boxes above them. */
 function yard(options = {}) {
   const world = engine.createWorld(options);
   const points = Array.from({ length: 33 }, (_, i) => [i - 16, (i % 5) * 0.3]);
@@ -115,7 +117,7 @@ test("bytes_that_are_no_snapshot_for_the_world_throw_and_change_nothing", () => 
   throwsCode("stale", () => world.restore(snapshot));
 });
 
-/** A mover on a platform that carries it up and to the right. */
+/** A mover on a platform that moves up and to the right. */
 function lift() {
   const world = engine.createWorld();
   const platform = world.createBody({ kind: "kinematic", velocity: [2, 1] });

@@ -1,4 +1,4 @@
-/** The engine in two files, which the page loads one after the other. */
+/** Tests the engine in two wasm files, which the page loads one after the other. */
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -6,7 +6,7 @@ import { thud } from "../support/package.mjs";
 
 const file = (name) => new URL(`../../../web/package/dist/thud-${name}.wasm`, import.meta.url);
 
-/** A pile with everything in it that the first file has no need of. */
+/** The hash of a pile that uses features of the second file. */
 function hashOf(engine) {
   const world = engine.createWorld({ quality: "exact", detection: "swept" });
   const ground = world.createBody();

@@ -1,4 +1,4 @@
-/** Ground in the npm package: looking it up, standing on it, digging it up. */
+/** Tests terrain in the npm package: heights and normals, placing feet, and edits. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { thud } from "../support/package.mjs";
@@ -13,7 +13,7 @@ function throwsCode(code, act) {
   assert.throws(act, (error) => error instanceof thud.ThudError && error.code === code);
 }
 
-/** A valley between two hills, with its body at (100, 50). */
+/** A valley between two hills, on a body at (100, 50). */
 function valley(kind = "irregular") {
   const world = engine.createWorld();
   const ground = world.createBody({ position: [100, 50] });

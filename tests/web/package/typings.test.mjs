@@ -1,4 +1,7 @@
-/** The typings are read by projects whose own library of JavaScript is older, and checked by them. */
+/**
+ * Tests that the typings compile in projects with older JavaScript libraries (`lib`), and that they
+ * report a wrong call.
+ */
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
@@ -30,7 +33,7 @@ export function play(world: World): BodyId | string {
 }
 `;
 
-/** What the compiler says of a program. */
+/** The compiler's messages for a program. */
 function compile(lib, program) {
   const compilerOptions = {
     target: "ES2018",

@@ -1,4 +1,7 @@
-/** Values that JavaScript would turn into numbers are refused by field, value and what it may be. */
+/**
+ * Tests that values which JavaScript would convert to numbers are refused with the field, the value
+ * and what is allowed.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { thud } from "../support/package.mjs";
@@ -19,7 +22,7 @@ const GROUP = "must be a whole number from -2147483648 to 2147483647";
 const ZERO = { category: 0, mask: 0 };
 const TEXT = "; in quotes it is a text";
 
-/** What is refused, and what is told. */
+/** Calls that are refused, and the messages. */
 const REFUSED = [
   ...["category", "mask"].flatMap((name) =>
     [NaN, Infinity, 0.5, 2 ** 33, 2 ** 32, -(2 ** 31) - 1, true, null].map((value) => [
@@ -140,7 +143,8 @@ test("milliseconds_are_refused_and_time_that_passed_is_not", (t) => {
     act((elapsed, ...rest) => fresh.advance(elapsed, ...rest), () => fresh.stats().steps);
     fresh.close();
   };
-  // The first call of a young program, and otherwise the second: no more than one slips through.
+  // In the first second of a program the first call is refused, otherwise the second: at most one
+  // is accepted.
   now = 900;
   run((advance, steps) => {
     assert.throws(() => advance(16.7), told);
@@ -152,7 +156,8 @@ test("milliseconds_are_refused_and_time_that_passed_is_not", (t) => {
     now += 16.7;
     assert.throws(() => advance(16.7), told);
   });
-  // A page in the background is told of once a minute, and runs on; so does what is ten times as fast.
+  // A page in the background is called once a minute, and runs on; so does a program at ten times
+  // the speed.
   run((advance, steps) => {
     for (let i = 1; i <= 5; i++) {
       now += 60_000;
@@ -162,7 +167,7 @@ test("milliseconds_are_refused_and_time_that_passed_is_not", (t) => {
     now += 200;
     advance(2);
   });
-  // All of it is played: nothing is dropped.
+  // Time beyond maxSteps is kept and played later.
   run((advance, steps) => {
     for (let i = 1; i <= 3; i++) advance(5, 301);
     assert.ok(steps() >= 899, `${steps()}`);

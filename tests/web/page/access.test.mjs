@@ -1,4 +1,6 @@
-/** The page enlarged, by keyboard, for screen readers, on paper, and in strong colours. */
+/**
+ * Tests the page zoomed, with the keyboard, for screen readers, on paper, and with high contrast.
+ */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import {
@@ -22,7 +24,7 @@ before(async () => {
 });
 after(() => visitor.close());
 
-/** A window of 1440 by 900 pixels is so large to who zooms in. */
+/** The viewport of a window of 1440 by 900 pixels at that zoom. */
 const ZOOMED_TWICE = { viewport: { width: 720, height: 450 }, deviceScaleFactor: 2 };
 const ZOOMED_FOUR_TIMES = { viewport: { width: 360, height: 225 }, deviceScaleFactor: 4 };
 const SIZES = [
@@ -42,7 +44,7 @@ async function open(search, options, prepare) {
   return opened;
 }
 
-/** What lies over something else, or out of sight. */
+/** The controls that overlap each other or are outside of the window. */
 function misplaced(page) {
   return page.evaluate(() => {
     const parts = [...document.querySelectorAll("#scenes-button, #hud, #rail button, #controls")]
@@ -94,7 +96,7 @@ test("scene_that_waits_for_who_wants_less_motion_says_so_and_how_it_runs", async
   await close();
 });
 
-/** Of two boxes. */
+/** Whether two boxes overlap. */
 const meet = (a, b) =>
   a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 
@@ -110,7 +112,7 @@ for (const [size, options] of [
     const notice = await artillery.page.locator("#notice").boundingBox();
     const message = await artillery.page.locator("#message").boundingBox();
     const { width, height } = options.viewport;
-    // The two buttons are painted into the scene, left and right of its middle, in its upper half.
+    // The two buttons are painted into the scene, left and right of its centre, in the upper half.
     const buttons = { x: 0.2 * width, y: message.y + message.height + 20, width: 0.6 * width };
     assert.ok(!meet(notice, { ...buttons, height: 0.5 * height - buttons.y }), "the notice is over them");
     await artillery.close();
@@ -134,13 +136,13 @@ test("full_screen_and_the_whole_scene_are_two_buttons", async () => {
   await close();
 });
 
-/** The names of all that Tab goes to from the scene until it comes back to it. */
+/** The names of all elements that Tab reaches from the scene until it returns to the scene. */
 async function tabAround(page) {
   const names = [];
   await page.focus("#overlay");
   for (let presses = 0; presses < 60; presses++) {
     await page.keyboard.press("Tab");
-    // A row that scrolls is at its place with the next picture.
+    // A row that scrolls is in place two animation frames later.
     const stop = await page.evaluate(async () => {
       await new Promise(requestAnimationFrame);
       await new Promise(requestAnimationFrame);
@@ -193,7 +195,7 @@ test("focus_returns_to_where_it_was_when_panel_or_hint_closes", async () => {
   await focused("#dock .close");
   await page.keyboard.press("Enter");
   await focused("[data-panel=options]");
-  // Whoever is elsewhere stays there.
+  // A focus that is elsewhere stays there.
   await page.keyboard.press("Enter");
   await focused("#dock-title");
   await page.focus("#restart");
@@ -223,9 +225,9 @@ test("failure_comes_over_an_open_dialog_and_gives_the_focus_back", async () => {
 });
 
 test("running_scene_says_nothing_by_itself_and_what_is_noticed_is_said", async () => {
-  // A machine that cannot keep up would say so: this display waits for it.
+  // A slow machine would make the page report slow motion: this display waits for it.
   const { page, close } = await open("", DESKTOP, display(60));
-  // What the scene is about is said once, after the first picture.
+  // The scene's description is announced once, after the first frame.
   await untilTold(page, "As many balls leave");
   await page.evaluate(() => {
     window.changes = [];
@@ -262,7 +264,7 @@ test("reader_s_own_text_size_enlarges_controls_with_it", async () => {
   const before = await sizes();
   await page.evaluate(() => {
     const style = new CSSStyleSheet();
-    // Half as large again as usual.
+    // 93.75 % instead of the usual 62.5 %: half as large again.
     style.replaceSync(":root { font-size: 93.75% }");
     document.adoptedStyleSheets.push(style);
     dispatchEvent(new Event("resize"));
@@ -276,7 +278,7 @@ test("reader_s_own_text_size_enlarges_controls_with_it", async () => {
 });
 
 test("forced_colours_and_more_contrast_show_what_is_chosen", async () => {
-  // Without motion colours are at once what they will be.
+  // With reduced motion, colours change without a transition.
   const { page, close } = await open("&panel=options", { ...DESKTOP, reducedMotion: "reduce" });
   const ground = (selector) =>
     page.evaluate((one) => getComputedStyle(document.querySelector(one)).backgroundColor, selector);

@@ -1,6 +1,6 @@
 /**
- * What a visitor comes for, in every browser that the page is tested in: each has its own reading
- * of policies, modules in workers and clocks. Everything else of the page is tested in one.
+ * Tests the main features of the page in each browser, because browsers differ in content security
+ * policies, modules in workers and clocks. Everything else is tested in one browser.
  */
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
@@ -26,7 +26,7 @@ import { ballLevel } from "../support/package.mjs";
 import { until, untilOverlay } from "../support/wait.mjs";
 import { table, untilMeasured } from "../support/versus.mjs";
 
-/** Measuring takes all settings of a scene through their steps. */
+/** Milliseconds; a measurement runs all settings of a scene. */
 const LONG = { timeout: 300_000 };
 
 for (const browser of BROWSERS)
@@ -104,7 +104,7 @@ for (const browser of BROWSERS)
       await stepBy(page, 120);
       const held = await drawn(page);
       const pixels = Math.sqrt(start.count / Math.PI);
-      // As far to the side as up to the rod's upper end: it points to the mouse.
+      // The rod is as far to the side as up, and points to the mouse.
       const length = 4 * pixels;
       const reach = Math.hypot(400, length);
       near(held.x - start.x, (400 * length) / reach, 0.15 * length, "x");
@@ -160,7 +160,7 @@ for (const browser of BROWSERS)
       await page.click(".code-run");
       await page.locator(".code-trouble", { hasText: "on purpose" }).waitFor();
       await page.waitForSelector(".cm-lint-marker-error");
-      // And a text that imports its neighbours.
+      // A text that imports a neighbouring module.
       await type(page, IMPORTING);
       await page.click(".code-run");
       await untilBodies(page, 1);
@@ -207,7 +207,7 @@ export default function ({ createWorld }) {
 }
 `;
 
-/** Firefox has no touch and no phone's way of laying out, but any size of its window. */
+/** Firefox cannot emulate touch and mobile layout, but any size of its window. */
 function sized(browser, options) {
   const { isMobile, hasTouch, ...rest } = options;
   return browser === "firefox" ? rest : options;
@@ -217,7 +217,7 @@ function untilTitle(page, wanted) {
   return until(() => page.title(), (title) => wanted.test(title), String(wanted));
 }
 
-/** A game, paused after its first step. */
+/** Opens a game, paused after its first step. */
 async function openGame(visitor, name) {
   const opened = await visitor.open(`?scene=${name}&paused=1`);
   await stepBy(opened.page, 1);
@@ -231,7 +231,7 @@ async function hold(page, key) {
   await page.keyboard.up(key);
 }
 
-/** Steps on until the game says something. */
+/** Makes steps until the game shows this message. */
 async function untilSaid(page, wanted) {
   const message = () => page.textContent("#message");
   for (let i = 0; i < 40 && !wanted.test(await message()); i++) await stepBy(page, 30);

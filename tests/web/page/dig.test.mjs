@@ -1,4 +1,4 @@
-/** Digging on the page, by mouse and by finger. */
+/** Tests digging on the page, with the mouse and with a finger. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { DESKTOP, openVisitor, PHONE, pressed, stepBy, untilRunning } from "../support/page.mjs";
@@ -10,7 +10,7 @@ before(async () => {
 });
 after(() => visitor.close());
 
-/** The topmost CSS pixel of the ground's line, the darkest thing in the column at x. */
+/** The top of the ground's line at x in CSS pixels, found as the darkest pixel of the column. */
 function groundTop(page, x) {
   return page.evaluate((column) => {
     const canvas = document.getElementById("backdrop");
@@ -26,7 +26,7 @@ function groundTop(page, x) {
   }, x);
 }
 
-/** Until the ground's line at x lies lower than it did. */
+/** Waits until the ground's line at x is at least this much lower than before. */
 function untilDug(page, x, before, least) {
   return until(() => groundTop(page, x), (now) => now > before + least, `at ${x} as at ${before}`);
 }

@@ -1,4 +1,4 @@
-/** What goes wrong gives a clear message and a way on. */
+/** Tests that failures show a clear message and a way to continue. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import {
@@ -62,11 +62,11 @@ test("missing_second_file_of_the_engine_is_said_and_loading_again_offered", asyn
     page.route("**/thud-rest*.wasm", (route) => route.fulfill({ status: 404, body: "not here" }));
   const { page, close } = await visitor.open("", DESKTOP, block);
   assert.match(await failureText(page), /part of the engine is missing/i);
-  // The scene runs behind the failure until it needs what is missing. The visitor has not paused it.
+  // The scene runs behind the message until it needs what is missing; it is not paused.
   await page.waitForSelector("#pause[aria-pressed=true]");
   assert.equal(await page.evaluate(() => location.search), "?scene=brick_wall");
   await page.unroute("**/thud-rest*.wasm");
-  // Only a new page counts.
+  // Wait for a new page, not for a response to the old one.
   const loaded = page.waitForEvent("load");
   const rest = page.waitForResponse("**/thud-rest*.wasm");
   await page.click("#failure button");
@@ -110,7 +110,7 @@ test("level_with_a_polygon_runs_without_it_and_says_so", async () => {
 });
 
 test("webgl2_draws_and_its_loss_leaves_canvas_2d", async () => {
-  // A small picture: the processor draws it.
+  // A small viewport, because WebGL runs in software here.
   const options = { viewport: { width: 640, height: 480 } };
   const { page, errors, close } = await visitorWithWebgl.open("?scene=cradle&paused=1", options);
   await stepBy(page, 1);

@@ -1,4 +1,4 @@
-/** The gallery: searched, gone through by keys, and left with a scene running. */
+/** Tests the gallery: search, keyboard navigation, and starting a scene from it. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { DESKTOP, openVisitor, PHONE, untilRunning } from "../support/page.mjs";
@@ -14,12 +14,12 @@ async function openGallery(options = DESKTOP) {
   const opened = await visitor.open("?scene=pyramid&size=10", options);
   await untilRunning(opened.page);
   await opened.page.click("#scenes-button");
-  // The list comes after the first picture, and may come after the dialog that it is for.
+  // The list is loaded after the first frame, and may be filled in after the dialog has opened.
   await untilFocused(opened.page, "pyramid");
   return opened;
 }
 
-/** Names of the scenes that are offered. */
+/** The names of the visible scenes. */
 function offered(page) {
   return page.evaluate(() =>
     [...document.querySelectorAll("[data-entry]")]
@@ -78,7 +78,7 @@ test("gallery_opens_at_the_running_scene_and_arrows_go_from_card_to_card", async
   await page.keyboard.press("ArrowLeft");
   await page.keyboard.press("ArrowLeft");
   assert.equal(await focused(page), all[at - 1]);
-  // The first cards of every row stand under each other, however many rows a group has.
+  // The first cards of all rows are below each other, in every group.
   for (let row = 0; row < 6 && (await focused(page)) !== all[0]; row++)
     await page.keyboard.press("ArrowUp");
   assert.equal(await focused(page), all[0]);

@@ -1,4 +1,4 @@
-/** The games, by keys and by touch: what a player holds is what happens. */
+/** Tests the games with keys and with touch: what a player holds must take effect. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { DESKTOP, figure, openVisitor, PHONE, stepBy, untilRunning } from "../support/page.mjs";
@@ -10,7 +10,7 @@ before(async () => {
 });
 after(() => visitor.close());
 
-/** A game, paused after its first step. */
+/** Opens a game, paused after its first step. */
 async function openGame(name, options = DESKTOP) {
   const opened = await visitor.open(`?scene=${name}&paused=1`, options);
   await stepBy(opened.page, 1);
@@ -18,7 +18,7 @@ async function openGame(name, options = DESKTOP) {
   return opened;
 }
 
-/** A figure of the game; steps that `stepBy` has made are in it. */
+/** A value from the game's figures, up to date with the steps of `stepBy`. */
 function figureOf(page, label) {
   return page.evaluate((wanted) => {
     const terms = [...document.querySelectorAll("#figures dt")];
@@ -34,7 +34,7 @@ function message(page) {
   return page.textContent("#message");
 }
 
-/** Fingers on buttons of the pad. */
+/** Simulates fingers on buttons of the pad. */
 async function fingers(page) {
   const touch = await page.context().newCDPSession(page);
   const middleOf = async (key) => {
@@ -57,7 +57,7 @@ async function fingers(page) {
   };
 }
 
-// Two coins lie on the way to a block two metres high, and one above it.
+// Two coins are on the way to a block that is two metres high, and one is above it.
 
 test("platformer_right_key_takes_the_coins_on_the_ground_and_space_leaps_to_the_next", async () => {
   const { page, errors, close } = await openGame("platformer_game");
@@ -65,7 +65,7 @@ test("platformer_right_key_takes_the_coins_on_the_ground_and_space_leaps_to_the_
   await page.keyboard.down("ArrowRight");
   await stepBy(page, 150);
   assert.equal(await coins(page), 2);
-  // Onto the block, and up to the coin.
+  // Jump onto the block, and to the coin.
   for (let i = 0; i < 3; i++) {
     await page.keyboard.down("Space");
     await stepBy(page, 30);
@@ -135,7 +135,7 @@ test("pad_is_for_games_alone_and_hidden_where_there_is_a_keyboard", async () => 
   }
 });
 
-/** Steps on until the game says something. */
+/** Makes steps until the game shows this message. */
 async function untilSaid(page, wanted) {
   for (let i = 0; i < 40 && !wanted.test(await message(page)); i++) await stepBy(page, 30);
   assert.match(await message(page), wanted);
@@ -190,7 +190,10 @@ test("artillery_with_another_tool_than_the_hand_takes_that", async () => {
   await close();
 });
 
-/** A place of the world on the canvas; the bridge builder's view is 18 by 15.5 around (4, 1.2). */
+/**
+ * The place of a world point on the canvas; the bridge builder's view is 18 by 15.5 m around (4,
+ * 1.2).
+ */
 async function onScreen(page, x, y) {
   const { top, bottom, width } = await page.evaluate(() => {
     const boxOf = (id) => document.getElementById(id).getBoundingClientRect();
@@ -265,8 +268,8 @@ test("level_with_a_walker_on_a_phone_has_pad_and_tools_a_game_the_pad_and_the_ha
 
 test("view_follows_the_figure_of_the_platformer_and_stands_while_it_stands", async () => {
   const { page, errors, close } = await openGame("platformer_game", PHONE);
-  // The view goes gently: it has come when nothing has changed for so many pictures, and for
-  // so long, that nothing is left of the way.
+  // The view moves smoothly: it has arrived when the picture has not changed for ten frames and for
+  // 1.5 s.
   const backdrop = () =>
     page.evaluate(async () => {
       const see = () => document.querySelector("#backdrop").toDataURL();

@@ -1,4 +1,7 @@
-/** Joints on the page: drawn where there are some, at no cost elsewhere, with what they bear. */
+/**
+ * Tests joints on the page: they are drawn with their forces, and scenes without joints do not load
+ * the code for it.
+ */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { choose, openVisitor, PHONE, stepBy } from "../support/page.mjs";
@@ -67,7 +70,7 @@ test("overlay_of_joints_adds_forces_and_the_panel_tells_gaps", async () => {
 test("versus_shows_the_gaps_of_both_and_the_joints_of_both", async () => {
   const { page, errors, close } = await visitor.open("?scene=chain&panel=versus&paused=1");
   await untilBox2D(page);
-  // The first thirty steps of both do not count.
+  // The first thirty steps of both engines are not measured.
   await stepBy(page, 45);
   await untilMeasured(page);
   const rows = await until(

@@ -1,4 +1,6 @@
-/** Where things stand on screens of many sizes, and what is told at a glance and in words. */
+/**
+ * Tests the page's layout on many screen sizes, and the figures and texts that describe the scene.
+ */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import {
@@ -26,12 +28,12 @@ const SIZES = [
   ["small_phone", phone(360, 640)],
   ["lying_phone", phone(844, 390)],
 ];
-/** What a visitor reads or touches. */
+/** The elements that a visitor reads or touches. */
 const PARTS =
   "#scenes-button, #hud, #rail button, #figures, #message, #hint, #pad button, " +
   "#controls button, #time, #time-label";
 
-/** Of what is visible: name and box. */
+/** Name and box of each visible one. */
 function boxes(page) {
   return page.evaluate((parts) =>
     [...document.querySelectorAll(parts)]
@@ -103,10 +105,10 @@ for (const scene of ["brick_wall", "artillery", "bridge_builder"])
     await close();
   });
 
-/** Inks of both tanks, in the dark theme and in the light one (web/src/draw/palette.ts). */
+/** The colours of both tanks in the dark and the light theme (web/src/draw/palette.ts). */
 const TANKS = [[255, 157, 92], [108, 196, 255], [181, 72, 12], [31, 99, 184]];
 
-/** In CSS pixels from the top: how low one of the colours is drawn over the bodies. */
+/** The lowest CSS pixel, from the top, in which one of the colours is drawn on the overlay. */
 function lowestOf(colours) {
   const canvas = document.getElementById("overlay");
   const { width, height } = canvas;
@@ -176,7 +178,7 @@ test("hint_is_shown_once_and_goes_for_good_when_a_body_is_dragged", async () => 
   await close();
 });
 
-/** The cradles' figures come with the first picture, and push the hint down on a phone. */
+/** The cradle's figures appear with the first frame, and move the hint down on a phone. */
 const HINTED = [
   ["tall_stack", "desktop", DESKTOP],
   ["tall_stack", "phone", PHONE],
@@ -199,7 +201,7 @@ for (const [scene, size, options] of HINTED)
         const first = data.findIndex((value, i) => i % 4 === 3 && value >= 128);
         return Math.floor(first / 4 / width) * (innerHeight / height);
       });
-    // The view begins 8 below it.
+    // The view begins 8 pixels below the hint.
     const top = hint.y + hint.height + 8;
     await until(highest, (y) => y >= top, `below ${top}`);
     await close();
@@ -253,11 +255,11 @@ test("hint_makes_room_for_an_open_panel", async () => {
 });
 
 test("figures_are_numbers_with_units_and_the_help_explains_each", async () => {
-  // So large that a step takes longer than the clock's tick on any machine.
+  // The scene is so large that a step takes longer than the clock's resolution on any machine.
   const { page, close } = await visitor.open("?scene=pyramid&size=60&paused=1");
   await stepBy(page, 60);
   const text = (name) => page.textContent(`[data-value="${name}"]`);
-  // The first steps do not count as slow ones, and the figures may be of a picture before the last.
+  // The first steps are not counted as slowest, and the figures may be those of an earlier frame.
   for (const name of ["ms", "slowest"])
     assert.match(
       await until(() => text(name), (shown) => /\d/.test(shown), `figure of ${name}`),

@@ -1,4 +1,7 @@
-/** After one visit the page needs no network; a new build takes over when the visitor agrees. */
+/**
+ * Tests that the page works without a network after one visit, and that a new build replaces the
+ * old one when the visitor agrees.
+ */
 import assert from "node:assert/strict";
 import { readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -18,10 +21,10 @@ before(async () => {
 });
 after(() => browser.close());
 
-/** Chromium looks for a newer build only when it has nothing better to do: nothing moves. */
+/** A paused scene: Chromium looks for a newer build only while the page is idle. */
 const STANDING = "?scene=cradle&paused=1";
 
-/** A visitor of their own, without what earlier ones have kept. */
+/** A page in a new browser context, which has no data of earlier visits. */
 async function newVisitor(t) {
   const context = await browser.newContext();
   t.after(() => context.close());
@@ -30,7 +33,7 @@ async function newVisitor(t) {
   return context.newPage();
 }
 
-/** A page without a network, after one visit. */
+/** A page that was visited once and whose server is then closed. */
 async function visitedOnce(t) {
   const { url, cut } = await serve(t, createStaticServer(copyOfPage(t)));
   const page = await newVisitor(t);
@@ -105,14 +108,14 @@ test("new_build_waits_for_the_visitor_and_then_replaces_the_old_one", async (t) 
   assert.notDeepEqual(present, former);
 });
 
-/** As it was once: in Firefox no worker can import then. */
+/** The policy of an earlier release, under which no worker can import modules in Firefox. */
 const FORMER_POLICY =
   "default-src 'none'; script-src 'self' blob: 'unsafe-eval'; connect-src 'self'; worker-src 'none'";
 
 test("policy_of_a_new_build_replaces_the_former_one_in_firefox", async (t) => {
   const folder = copyOfPage(t);
   await writeServiceWorker(folder, FORMER_POLICY);
-  // The policy is the service worker's alone.
+  // The plain server sends no policy; only the service worker does.
   const { url } = await serve(t, createPlainServer(folder));
   const firefox = await launch("firefox", { webgl: false });
   t.after(() => firefox.close());
@@ -127,7 +130,7 @@ test("policy_of_a_new_build_replaces_the_former_one_in_firefox", async (t) => {
   await page.goto(url + STANDING);
   const again = page.waitForEvent("load");
   await page.getByRole("button", { name: /reload/i }).click();
-  await again; // nothing else may be gone to before
+  await again; // another page.goto would interrupt the reload
   await page.waitForFunction(() => caches.keys().then(({ length }) => length === 1));
   await page.goto(`${url}?scene=platformer_game`);
   await untilRunning(page);

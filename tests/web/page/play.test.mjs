@@ -1,4 +1,7 @@
-/** The page in a real browser: what a visitor sees and does, by mouse, touch and keyboard. */
+/**
+ * Tests the page in a browser, by mouse, touch and keyboard: running, dragging, camera, tools,
+ * scenes, settings, overlays, layout on a phone, and accessibility by axe.
+ */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import {
@@ -23,12 +26,12 @@ before(async () => {
 });
 after(() => visitor.close());
 
-/** Where the ball is drawn, once it is near that x. */
+/** Waits until the ball is drawn within `tolerance` pixels of `x`; returns its place. */
 function drawnNear(page, x, tolerance, what) {
   return until(() => drawn(page), (ball) => Math.abs(ball.x - x) <= tolerance, `${what}, not ${x}`);
 }
 
-/** A page with the one ball, at rest where it starts. */
+/** Opens the page with the level of one ball, paused after its first step. */
 async function openBall(options = DESKTOP) {
   const opened = await visitor.open("?scene=cradle&paused=1", options);
   await openLevel(opened.page, "ball.tmj", ballLevel());
@@ -78,7 +81,8 @@ test("dragging_with_a_finger_moves_a_body_on_a_phone", async () => {
     });
   await send("touchStart", start.x, start.y);
   await page.waitForSelector("#overlay[data-mode=pull]");
-  // A finger's move is answered before the page gets it, which is with the next picture.
+  // The browser acknowledges a touch move before it dispatches the event, which it does with the
+  // next frame.
   await page.evaluate(() =>
     addEventListener("pointermove", () => (window.moved = true), { once: true }),
   );

@@ -1,4 +1,7 @@
-/** The page under its own rules: nothing from elsewhere, nothing that its policy has to stop. */
+/**
+ * Tests the page's content security policy: the page requests nothing from another host and
+ * violates no directive, and code in a worker of the page cannot reach another host.
+ */
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { createServer } from "node:http";
@@ -20,7 +23,9 @@ before(async () => {
 });
 after(() => Promise.all(Object.values(browsers).map((browser) => browser.close())));
 
-/** A page that writes down each request, breach of its policy, and word of trouble. */
+/**
+ * Opens a page that records its requests, and its errors, warnings and violations of the policy.
+ */
 async function openWatched(t, browser = "chromium") {
   const context = await browsers[browser].newContext();
   t.after(() => context.close());
@@ -100,7 +105,10 @@ test("manifest_is_valid_and_its_icons_have_their_sizes", async (t) => {
   }
 });
 
-/** What a stranger's code may try from a worker; answers with what came of each. */
+/**
+ * The code of a worker that tries each way to reach another host or to run code; it posts the names
+ * of those that worked.
+ */
 const PROBE = `
 const NESTED = "onmessage = ({ data }) => fetch(data + 'nested', { mode: 'no-cors' })" +
   ".then(() => postMessage(true), () => postMessage(false))";
@@ -134,7 +142,10 @@ onmessage = async ({ data: host }) => {
   postMessage(reached);
 };`;
 
-/** What code in a worker of the page can do, and which of its requests another host has seen. */
+/**
+ * Runs PROBE in a worker of the page; returns the names of what worked and the requests that
+ * another host received.
+ */
 async function probeFrom(t, create, browser, offline) {
   const folder = copyOfPage(t);
   writeFileSync(join(folder, "probe.js"), PROBE);
@@ -176,6 +187,7 @@ async function probeFrom(t, create, browser, offline) {
   return { reached, seen };
 }
 
+// The tries of PROBE that must work.
 const FREE = ["compile", "own", "assemble", "home"];
 
 for (const browser of BROWSERS) {
@@ -192,7 +204,7 @@ for (const browser of BROWSERS) {
   });
 }
 
-/** What isConfined says of the probe on a first visit to a host. */
+/** The result of isConfined for PROBE on a first visit to a host. */
 async function confinedOn(t, create, prepare = async () => {}) {
   const folder = copyOfPage(t);
   const source = new URL("../../../web/src/offline/confine.ts", import.meta.url).pathname;

@@ -1,4 +1,4 @@
-/** Every scene, level and game of the page runs 300 steps. */
+/** Tests that every scene, level and game of the page runs 300 steps without an error. */
 import assert from "node:assert/strict";
 import { readdirSync } from "node:fs";
 import { after, before, test } from "node:test";
@@ -11,11 +11,11 @@ before(async () => {
 });
 after(() => visitor.close());
 
-/** Nothing is asked of the picture, which a larger window makes dear to draw. */
+/** A small window, which is cheap to draw; the tests do not look at the picture. */
 const SMALL = { viewport: { width: 640, height: 480 } };
 /**
- * Sizes of scenes that have thousands of bodies: what the page does with them does not depend on the
- * number. As many steps of the usual size are made when the page is built (web/tools/hashes.mjs).
+ * Smaller sizes for scenes with thousands of bodies: the behaviour of the page does not depend on
+ * the number. Building the page runs as many steps at the usual sizes (web/tools/hashes.mjs).
  */
 const FEWER = {
   asleep: 1000,
@@ -32,7 +32,7 @@ const FEWER = {
   tumbler_half: 200,
 };
 const OWN_LEVEL = "own_level";
-/** Has shapes without a world. */
+/** A scene that has shapes but no bodies. */
 const BODILESS = "geometry";
 const names = readdirSync(new URL("../../../web/public/scenes", import.meta.url))
   .filter((file) => file.endsWith(".js"))

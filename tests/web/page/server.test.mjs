@@ -1,4 +1,7 @@
-/** The static server: types, nothing outside its folder, and the next port when one is taken. */
+/**
+ * Tests the static server: content types, compression, no file from outside its folder, and the
+ * next port when one is in use.
+ */
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
@@ -14,7 +17,7 @@ import { createStaticServer } from "../../../web/tools/static-server.mjs";
 const script = fileURLToPath(new URL("../../../web/tools/serve.mjs", import.meta.url));
 const folder = fileURLToPath(new URL("../../../web/dist", import.meta.url));
 
-/** Without the tidying of paths that fetch does. */
+/** Requests a path as it is; fetch would normalize it. */
 function get(port, path, method = "GET", headers = {}) {
   return new Promise((done, fail) => {
     request({ port, path, method, headers, host: "127.0.0.1" }, (response) => {

@@ -1,4 +1,4 @@
-/** What a first visit loads before it shows a running scene is small. */
+/** Tests that a first visit loads less than a bound before it shows a running scene. */
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -10,7 +10,7 @@ import { copyOfPage, serve } from "../support/built-page.mjs";
 import { PATIENCE, untilRunning } from "../support/page.mjs";
 import { until } from "../support/wait.mjs";
 
-/** Kilobytes of 1000 bytes, gzipped, without Box2D. */
+/** Kilobytes of 1000 bytes, gzipped, without Box2D. Chosen. */
 const BOUND = 150;
 
 test(`first_picture_loads_less_than_${BOUND}_kB`, async (t) => {
@@ -20,10 +20,12 @@ test(`first_picture_loads_less_than_${BOUND}_kB`, async (t) => {
   t.after(() => browser.close());
   const context = await browser.newContext();
   context.setDefaultTimeout(PATIENCE);
-  // What is kept for later visits is fetched after the first picture, and is no part of it.
+  // Files that the service worker caches for later visits are fetched after the first picture and
+  // do not count.
   await context.addInitScript(() => delete Navigator.prototype.serviceWorker);
   const page = await context.newPage();
-  // Nor is the rest of the engine, which never comes here: the picture does without it.
+  // Nor does the rest of the engine count. Its requests get no answer here: the first picture must
+  // not need it.
   const held = new Set();
   const pictures = () => performance.getEntriesByName("first picture").length;
   const picturesBefore = [];

@@ -1,4 +1,7 @@
-/** The systems that a visitor can choose and see: detection, broadphases, Minkowski sums. */
+/**
+ * Tests the choice and the display of detections, broadphases and Minkowski sums, on a desktop and
+ * on a phone.
+ */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { DESKTOP, near, openVisitor, PHONE, stepBy } from "../support/page.mjs";
@@ -12,7 +15,9 @@ before(async () => {
 });
 after(() => visitor.close());
 
-/** Pixels of the overlay that are nearly of a colour, and the middle of them on the page. */
+/**
+ * The number of the overlay's pixels that are close to a colour, and their mean place on the page.
+ */
 function coloured(page, [red, green, blue]) {
   return page.evaluate(
     ([r, g, b]) => {
@@ -39,12 +44,12 @@ function coloured(page, [red, green, blue]) {
 const SUM = [124, 245, 196];
 const OVERLAPPING = [255, 143, 163];
 
-/** What the address says of a setting; null for the usual one. */
+/** A setting in the address; null if it has its usual value. */
 function chosen(page, set) {
   return page.evaluate((name) => new URLSearchParams(location.search).get(name), set);
 }
 
-/** Goes by the key for the next detection or broadphase until the address has the wanted one. */
+/** Presses the key for the next detection or broadphase until the address has the wanted value. */
 async function choose(page, set, value) {
   for (let i = 0; i < 5; i++) {
     const before = await chosen(page, set);
@@ -58,7 +63,10 @@ async function choose(page, set, value) {
   assert.equal(await chosen(page, set), value);
 }
 
-/** The same in a scene that stands somewhere later than at its beginning, where it goes back to. */
+/**
+ * Chooses a value and waits for step 0: the choice restarts the scene. The scene must be at a later
+ * step before.
+ */
 async function chooseAnew(page, set, value) {
   await choose(page, set, value);
   await untilStep(page, 0);
@@ -105,7 +113,7 @@ test("keys_toggle_pairs_and_motions_and_go_through_detections", async () => {
   await page.keyboard.press("9");
   await untilOverlay(page, (count) => count === 0, "pairs after all");
   await page.keyboard.press("m");
-  // The picture of a step that was asked for later has what was switched on before.
+  // A picture requested after an overlay was switched shows the change.
   await stepBy(page, 1);
   assert.equal((await overlay(page)).count, 0, "a stack at rest has motions");
   for (const name of ["overlap", "continuous", "bisect", "swept"]) {
@@ -120,7 +128,7 @@ for (const [size, options] of SIZES)
   test(`four_ways_of_detection_show_swept_volumes_on_a_${size}`, async () => {
     const { page, errors, close } = await visitor.open("?scene=detection&paused=1", options);
     await stepBy(page, 30);
-    // The scene writes its lanes' names over it, too.
+    // The scene draws the names of its lanes in the overlay as well.
     const { count: all } = await overlay(page);
     await page.keyboard.press("m");
     const { count: names } = await untilOverlay(page, (count) => count < all, "motions after all");
@@ -138,10 +146,10 @@ for (const [size, options] of SIZES)
     const apart = await coloured(page, SUM);
     assert.ok(apart.count > 1000, `${apart.count} pixels of the sums`);
     assert.equal((await coloured(page, OVERLAPPING)).count, 0);
-    // The view is 17 m high about (0.4, 0), or as wide as what moves; the upper pair's first shape
-    // is at (-0.8, 4), its second one at (2.3, 6).
+    // The view is 17 m high and centred at (0.4, 0), or as wide as the moving bodies; the first
+    // shape of the upper pair is at (-0.8, 4), the second at (2.3, 6).
     const [top, bottom] = await page.evaluate(() => [
-      // A first visitor's hint has its own room below the top.
+      // The hint for first visits takes up space below the top bar.
       Math.max(
         ...["#top", "#hint"].map((id) => document.querySelector(id).getBoundingClientRect().bottom),
       ) + 8,

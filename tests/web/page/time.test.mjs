@@ -1,4 +1,7 @@
-/** Time on the page: pause, step, slow motion, rewinding, and other futures. */
+/**
+ * Tests time on the page: pause, single steps, slow motion, rewinding, and commands after
+ * rewinding.
+ */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import {
@@ -13,7 +16,7 @@ import {
 import { untilStep } from "../support/wait.mjs";
 
 const SIZES = [["desktop", DESKTOP], ["phone", PHONE]];
-/** More than ten seconds. */
+/** Steps: more than ten seconds. */
 const LONG = 660;
 
 let visitor;
@@ -22,7 +25,7 @@ before(async () => {
 });
 after(() => visitor.close());
 
-/** A scene that stands still, beside the panel that tells the state's hash. */
+/** Opens a paused scene with the panel that shows the hash of the state. */
 async function openStill(scene, options = DESKTOP) {
   const opened = await visitor.open(`?scene=${scene}&paused=1&panel=inside`, options);
   await opened.page.waitForSelector("[name=inside]", { state: "attached" });
@@ -34,7 +37,9 @@ function stepOf(page) {
   return page.evaluate(() => Number(document.querySelector("#hud").dataset.steps));
 }
 
-/** The number of pictures that are made until so many of them are, or so many more steps. */
+/**
+ * The number of pictures drawn until it is `most`, or until the scene has made `steps` more steps.
+ */
 function countPictures(page, most, steps = Infinity) {
   return page.evaluate(
     ([end, more]) =>
@@ -52,7 +57,7 @@ function countPictures(page, most, steps = Infinity) {
   );
 }
 
-/** The hash that the panel tells of a step. */
+/** The hash that the panel shows, once it shows that of `step`. */
 async function hashAt(page, step) {
   await page.waitForFunction(
     (wanted) => document.querySelector("#hash-now dd")?.textContent === String(wanted),
@@ -61,7 +66,10 @@ async function hashAt(page, step) {
   return page.textContent("#hash-now > div:nth-child(2) dd");
 }
 
-/** By the slider, which a phone's panel covers. What was asked for before has come then. */
+/**
+ * Moves the slider to a step by an event, because a phone's panel covers the slider. Steps
+ * requested before have been made when it returns.
+ */
 async function scrubTo(page, step) {
   await page.evaluate((value) => {
     const slider = document.getElementById("time");
@@ -76,7 +84,7 @@ test("pause_stops_time_and_a_step_is_one_step", async () => {
   await untilRunning(page);
   await page.click("#pause");
   assert.ok(await pressed(page, "pause"));
-  // Steps that were under way when it was pressed still come, before the beginning is shown again.
+  // Steps that were requested before the pause still arrive, and do so before step 0 is shown.
   await scrubTo(page, 0);
   await countPictures(page, 20);
   assert.equal(await stepOf(page), 0);
@@ -95,7 +103,8 @@ test("slow_motion_takes_many_pictures_for_few_steps", async () => {
   await untilRunning(page);
   const steps = 12;
   const pictures = await countPictures(page, Infinity, steps);
-  // A picture makes up for 0.1 s of the display's time at most: 0.6 steps at a tenth of the speed.
+  // A picture advances time by at most 0.1 s of the display's time: 0.6 steps at a tenth of the
+  // speed.
   assert.ok(pictures >= steps / 0.6 - 4, `${pictures} pictures`);
   await close();
 });
@@ -112,7 +121,7 @@ for (const [size, options] of SIZES)
     assert.equal(await hashAt(page, 20), early);
     await page.keyboard.press("z");
     await untilStep(page, 19);
-    // On again: what was there is shown, and then made anew.
+    // Step forward from the past: recorded steps are shown first, later steps are computed again.
     await scrubTo(page, 300);
     await stepBy(page, LONG - 300);
     assert.equal(await hashAt(page, LONG), late);
@@ -178,7 +187,7 @@ test("rewind_check_runs_the_visitor_s_own_past_again", async () => {
   await page.waitForSelector("#rewound[data-verdict]");
   const text = await page.innerText("#rewound");
   assert.match(text, new RegExp(`Same bits: steps 0 to 160 came out as before, ${hash}`));
-  // And it leaves everything as it was.
+  // The check leaves the scene and its past unchanged.
   await stepBy(page, 1);
   await page.keyboard.press("z");
   await untilStep(page, 160);

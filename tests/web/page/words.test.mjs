@@ -1,4 +1,4 @@
-/** What the page says: how to play, by keys or by touch, and labels that a stranger understands. */
+/** Tests the page's texts: instructions for keys or for touch, and plain labels. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { DESKTOP, openVisitor, PHONE, stepBy } from "../support/page.mjs";
@@ -9,7 +9,7 @@ before(async () => {
 });
 after(() => visitor.close());
 
-/** What only somebody with a keyboard can follow. */
+/** Matches instructions that need a keyboard. */
 const OF_KEYBOARDS = /arrow keys|Space|Enter|\bkeys?\b|\bA D\b/i;
 
 const PLAYED = [
@@ -27,7 +27,7 @@ for (const [scene, deeds] of PLAYED)
       [PHONE, /Buttons: ← → to /, OF_KEYBOARDS],
     ]) {
       const { page, errors, close } = await visitor.open(`?scene=${scene}&paused=1`, options);
-      // It goes by itself, and its words stay.
+      // The notice fades out by itself, but its text remains in the document.
       await page.locator("#notice", { hasText: deeds }).waitFor({ state: "attached" });
       const notice = await page.textContent("#notice");
       assert.match(notice, told);
@@ -68,7 +68,7 @@ test("help_says_how_to_move_jump_fire_and_pause_and_what_a_touch_screen_has", as
   await close();
 });
 
-/** Where words stand, and which. */
+/** [panel, selector of the element, text that it must contain] */
 const LABELS = [
   ["versus", "#versus", /Share of 16\.7 ms/],
   ["trade", ".trade", /Overlap limit/],

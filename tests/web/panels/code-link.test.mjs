@@ -1,4 +1,7 @@
-/** Code that comes with a link from somebody else: asked about, and confined to this page. */
+/**
+ * Tests code in a link: the page asks before it runs code from another person, and such code cannot
+ * reach other hosts.
+ */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { inflateRawSync } from "node:zlib";
@@ -21,7 +24,7 @@ test("code_goes_with_the_address_with_letters_of_any_language", async () => {
   await untilBodies(page, 7);
   await page.waitForFunction(() => location.hash.startsWith("#code="));
   const address = await page.evaluate(() => location.search + location.hash);
-  // One's own code runs again; somebody else is asked first.
+  // The visitor's own code runs again without a question; another visitor is asked first.
   await page.reload();
   await untilBodies(page, 7);
   const other = await openCode(visitor, address);
@@ -41,7 +44,7 @@ for (const [name, options] of Object.entries(SIZES))
     assert.match(await page.innerText(".code-offer"), /by somebody else/);
     await untilText(page, boxes(9));
     await untilBodies(page, 14);
-    // The address of the scene without it may come first.
+    // The address may at first be that of the scene without the code.
     await page.waitForFunction(() => location.hash.startsWith("#code="));
     const kept = await page.evaluate(() => location.hash.replace("#code=", ""));
     assert.equal(String(inflateRawSync(Buffer.from(kept, "base64url"))), boxes(9));
@@ -87,7 +90,7 @@ test("damaged_code_of_a_link_is_told", async () => {
   await close();
 });
 
-/** Tells what it reached, each by its name. */
+/** Scene code that collects the names of everything it could reach. */
 const PROBE = `
   const reached = [];
   for (const name of ["XMLHttpRequest", "WebSocket", "EventSource", "WebTransport", "Worker",

@@ -1,4 +1,7 @@
-/** The code panel: the running scene's text, changed, run again, and kept. */
+/**
+ * Tests the code panel: it shows the running scene's code, runs changed code, reports errors at
+ * their line, and keeps the text.
+ */
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
@@ -119,7 +122,7 @@ test("error_in_update_is_told_at_its_line_and_the_next_run_goes_on", async () =>
 
 test("error_in_update_is_told_when_the_panel_was_closed", async () => {
   const { page, close } = await openCode(visitor, "?scene=sketch&panel=code");
-  // While it stands no step is made before the panel is closed.
+  // A paused scene makes no step before the panel is closed.
   await page.click("#pause");
   await type(page, boxes(3, { update: "throw new Error('late');" }));
   await run(page);
@@ -151,7 +154,7 @@ test("loop_without_an_end_leads_back_and_keeps_the_text", async () => {
     await run(page);
     assert.match(await failureText(page), /does not answer/);
   });
-  // No frame has come of the loop, so that the figures are still those of the scene before it.
+  // The endless loop sent no frame, so the figures are still those of the scene before; mark them.
   await page.evaluate(() => (document.querySelector("#hud").dataset.steps = "none"));
   await page.click("#failure button");
   await untilRunning(page);
@@ -255,7 +258,8 @@ test("imported_files_are_shown_read_only_in_tabs", async () => {
   const { page, close } = await openCode(visitor, "?scene=artillery&panel=code&paused=1");
   await page.click('[role="tab"]:has-text("tanks.js")');
   await untilStatus(page, "Read only");
-  // Of a long file the editor draws a part, and maybe another one later; typing is at its start.
+  // The editor renders only part of a long file and may render another part later; the test types
+  // at the start.
   const firstLine = () => page.locator(".code-editor .cm-line").first().textContent();
   const before = await firstLine();
   await page.locator(".code-editor .cm-content").focus();
@@ -278,9 +282,9 @@ test("keyboard_alone_opens_types_runs_and_leaves", async () => {
   for (let i = 0; i < 12 && !(await inEditor()); i++) await page.keyboard.press("Tab");
   assert.ok(await inEditor(), "Tab reaches the editor");
   await page.keyboard.press("Control+Home");
-  // Letters are no shortcuts here, and Tab indents.
+  // In the editor letters are not shortcuts, and Tab indents.
   await page.keyboard.type("// pause, reset: p r l");
-  // Time for a completion to be offered, which Enter would take: in a comment none is.
+  // Wait long enough for a completion to be offered, which Enter would accept; comments offer none.
   await page.waitForTimeout(400);
   await page.keyboard.press("Enter");
   await page.keyboard.press("Tab");

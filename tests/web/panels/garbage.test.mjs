@@ -1,4 +1,7 @@
-/** What no address and no scene should say, and what nobody should do so quickly: the page goes on. */
+/**
+ * Tests that the page keeps running with invalid addresses, invalid or endless scene code, and
+ * scenes chosen in quick succession.
+ */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { linkOf, openCode, run, troubleOf, type, untilStatus } from "../support/code.mjs";
@@ -66,7 +69,8 @@ test("scene_that_is_slow_and_not_stuck_runs_in_the_end_without_a_click", async (
     return { world: createWorld() };
   };`;
   const { page, errors, close } = await visitor.open(linkOf(code));
-  // Seen by the page itself: it may be there for a shorter time than a busy machine takes to look.
+  // The page itself records that the message was shown: it may be visible for less time than a busy
+  // machine needs to look.
   await page.evaluate(() => {
     const failure = document.querySelector("#failure");
     const observer = new MutationObserver(() => (failure.dataset.seen = "true"));
@@ -88,7 +92,8 @@ test("code_that_keeps_ever_more_objects_is_ended_at_a_limit_and_the_page_goes_ba
     world: createWorld(),
     update() { kept.push({}); },
   });`;
-  // What the browser would find after many seconds: beyond a gigabyte from the third time on.
+  // Stands in for the browser's measurement, which takes many seconds: above a gigabyte from the
+  // third call on.
   const measured = (page) =>
     page.addInitScript(() => {
       let times = 0;
@@ -109,7 +114,7 @@ test("code_that_keeps_ever_more_objects_is_ended_at_a_limit_and_the_page_goes_ba
 });
 
 test("of_scenes_chosen_at_once_the_last_runs", async () => {
-  // The first waits for its level until the second runs.
+  // The first scene's level is held back until the second scene runs.
   let send;
   const held = new Promise((done) => (send = done));
   const slow = async (page) => {

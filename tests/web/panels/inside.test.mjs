@@ -1,4 +1,7 @@
-/** The panel Inside: overlays, a body's state, the step's stages, and the check of the state's bits. */
+/**
+ * Tests the panel Inside: overlays, the state of a body, the stages of a step, and the comparison
+ * of the state's hashes.
+ */
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
@@ -52,7 +55,7 @@ test("overlays_of_other_scenes_draw_and_follow_their_keys", async () => {
     const box = page.locator(`[name=overlay-${name}]`);
     await page.$$eval(".overlays input:checked", (inputs) => inputs.forEach((input) => input.click()));
     await stepBy(page, steps);
-    // What the scene itself writes.
+    // The pixels that the scene itself draws in the overlay.
     const { count: plain } = await overlay(page);
     await page.keyboard.press(key);
     assert.ok(await box.isChecked(), `${name} is not ticked by its key`);
@@ -79,7 +82,10 @@ test("body_that_is_kept_is_shown_with_its_nearest_neighbour_s_sum", async () => 
 test("sleeping_bodies_are_dimmed_while_that_is_ticked", async () => {
   const { page, close } = await openInside("show", "scene=asleep&size=100&paused=1", DESKTOP);
   await stepBy(page, 120);
-  /** How red the bodies are, together; those that sleep are red to yellow when they are awake. */
+  /**
+   * The summed redness of the drawn bodies; the sleeping bodies have colours from red to yellow
+   * while they are awake.
+   */
   const light = () =>
     page.evaluate(() => {
       const { width, height } = document.getElementById("bodies");
@@ -224,7 +230,7 @@ test("step_tells_what_bisection_missed_and_from_which_speed_on_it_may", async ()
     ({ step, "bisection’s speed limit": limit }) => step === "5" && Number(limit) > 0,
     "a limit",
   );
-  // Walls are 2 cm thick: 1.2 m/s at 60 Hz.
+  // The walls are 2 cm thick, so the limit is 1.2 m/s at 60 Hz.
   near(Number(facts["bisection’s speed limit"]), 1.2, 0.01, "limit");
   assert.ok(Number(facts["bodies too fast for bisection"]) > 0);
   assert.equal(facts["bodies held back"], "0");
@@ -301,7 +307,8 @@ test("check_of_another_choice_has_hashes_but_no_reference", async () => {
 });
 
 test("check_tells_where_a_machine_begins_to_differ", async () => {
-  // A machine of other bits: the workers' answers of step 180 and later are changed.
+  // Simulates a machine with other results: the hashes in the workers' answers change from step 180
+  // on.
   const prepare = (opening) =>
     opening.addInitScript(() => {
       const { Worker: Real } = window;

@@ -1,4 +1,7 @@
-/** Levels of the visitor's own: maps of every form with the files beside them, and what is told. */
+/**
+ * Tests levels that the visitor opens from files: maps in every format with the files they refer
+ * to, and the reported problems.
+ */
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
@@ -69,12 +72,12 @@ test("all_that_a_level_does_without_is_listed_and_stays_at_hand", async () => {
     problems.map(({ text }) => text).sort(),
   );
   await page.click("#notes .close");
-  // Later, when the line is gone.
+  // The list is still available after the notice has gone.
   await page.click("#scenes-button");
   await page.click("#notes-button");
   assert.equal((await lines()).length, problems.length);
   await page.click("#notes .close");
-  // Another scene has nothing to say.
+  // Another scene has no problems to report.
   await page.click("#scenes-button");
   await page.click('[data-entry="towers"]');
   await page.waitForFunction(() => document.querySelector("#notes-button").hidden);

@@ -1,4 +1,7 @@
-/** The table of who meets whom in the panel Values: clicked, by keys, told to all. */
+/**
+ * Tests the table of rules between categories in the panel Values: by mouse, by keys, and with its
+ * announcements for screen readers.
+ */
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { DESKTOP, openVisitor, runAxeInBothThemes } from "../support/page.mjs";

@@ -1,4 +1,7 @@
-/** A level of the visitor's own: read or refused, in the address, and where Back leads. */
+/**
+ * Tests a level that the visitor opens from a file: it is read or refused, is kept in the address,
+ * and the browser's Back leaves it.
+ */
 import assert from "node:assert/strict";
 import { randomBytes } from "node:crypto";
 import { after, before, describe, test } from "node:test";
@@ -16,7 +19,7 @@ import { ballLevel } from "../support/package.mjs";
 import { drawnFrames } from "../support/versus.mjs";
 import { until } from "../support/wait.mjs";
 
-/** More than any address carries, since chance cannot be packed. */
+/** A level that is too large for an address: its random data do not compress. */
 function largeLevel() {
   const level = JSON.parse(ballLevel());
   const value = randomBytes(40_000).toString("base64");
@@ -28,7 +31,7 @@ function untilTitle(page, wanted) {
   return until(() => page.title(), (title) => wanted.test(title), String(wanted));
 }
 
-/** What the clipboard gets, and what is told of it. */
+/** Shares the scene; returns the link in the clipboard and the notice. */
 async function share(page) {
   await page.keyboard.press("o");
   await page.click("#share");
@@ -171,7 +174,7 @@ for (const browser of BROWSERS)
       await page.click("#scenes-button");
       await page.click('[data-entry="tumbler"]');
       await page.waitForFunction(() => location.search.includes("tumbler"));
-      // To unpack the level takes until it is let go.
+      // Unpacking the level waits until window.letGo is called.
       await page.evaluate(() => {
         const { DecompressionStream: Original } = window;
         const held = new Promise((done) => (window.letGo = done));

@@ -1,4 +1,7 @@
-/** The panel Trade: knobs, the plane, the measured series and how heavy a scene can be. */
+/**
+ * Tests the panel Trade: its settings, the chart of time and overlap, the measured series, and the
+ * search for the largest size at full speed.
+ */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import {
@@ -19,7 +22,7 @@ before(async () => {
 });
 after(() => visitor.close());
 
-/** Two engines at many sizes: a slow machine measures on for a while. */
+/** For measurements of two engines at many sizes, which take minutes on a slow machine. */
 const LONG = { timeout: 300_000 };
 
 async function openTrade(search, options = DESKTOP) {
@@ -40,7 +43,7 @@ function untilAddress(page, name, value) {
   );
 }
 
-/** Waits until a running scene has made so many more steps. */
+/** Waits until a running scene has made `steps` more steps. */
 async function untilLater(page, steps) {
   const before = await page.evaluate(() => Number(document.querySelector("#hud").dataset.steps));
   await page.waitForFunction(
@@ -49,7 +52,10 @@ async function untilLater(page, steps) {
   );
 }
 
-/** Of the figures, which are refreshed a few times a second; "< 0.0001" counts as that. */
+/**
+ * Waits until a figure is within bounds; "< 0.0001" is read as 0.0001. Figures are refreshed a few
+ * times per second.
+ */
 function untilFigure(page, name, least, most) {
   return page.waitForFunction(
     ([key, from, to]) => {
@@ -128,7 +134,7 @@ test("trade_tells_what_detection_missed_since_the_start_and_what_bisection_costs
   assert.ok(await page.isHidden("#detection-count"));
   await stepBy(page, 5);
   await page.waitForSelector("#detection-count:has-text('faster than bisection’s limit of 1.20 a second')");
-  // What a setting costs is measured here: no figure of another device is told as fact.
+  // Costs are measured on this device; no text may state a cost measured on another one.
   for (const value of ["overlap", "continuous", "bisect", "swept", "auto"]) {
     const title = await page.getAttribute(`label:has(> [name="detection"][value="${value}"])`, "title");
     assert.doesNotMatch(title, /\d+(\.\d+)? times/, value);
@@ -178,7 +184,10 @@ test("size_by_the_slider_starts_the_scene_with_as_many_bodies", async () => {
   await close();
 });
 
-/** A stack that is awake for a second only, run when the panel is there that heeds its steps. */
+/**
+ * Runs a stack that is awake for only about a second; the panel is open first so that it sees all
+ * steps.
+ */
 async function runStack() {
   const opened = await openTrade("?scene=tall_stack&paused=1");
   await opened.page.click("#pause");
@@ -192,7 +201,8 @@ test("each_setting_leaves_its_point_and_a_click_goes_back_to_it", async () => {
   await page.waitForSelector('.live-plane .dot[aria-label^="draft:"]');
   await page.click(".tried summary");
   assert.equal(await page.locator(".tried tbody tr").count(), 2);
-  // Figures change a few times a second: under the pointer, and while it is pressed.
+  // Figures are refreshed a few times per second, also while the pointer is over the point or
+  // pressed.
   const point = page.locator('.live-plane .dot[aria-label^="default:"] .reach');
   const detail = () => page.innerText(".live-plane .plane-detail");
   const pointAt = async () => {
@@ -204,7 +214,7 @@ test("each_setting_leaves_its_point_and_a_click_goes_back_to_it", async () => {
   await until(pointAt, told, "told of the point");
   await untilLater(page, 30);
   assert.match(await detail(), /^default: /);
-  // Meanwhile the scales may have moved it, as they may between the aim and the press.
+  // A change of the scales may have moved the point, and may do so again before the press.
   const pressOnPoint = async () => {
     await page.mouse.up();
     await pointAt();
@@ -221,7 +231,7 @@ test("each_setting_leaves_its_point_and_a_click_goes_back_to_it", async () => {
 });
 
 test("box2d_leaves_its_point_beside_thuds_while_it_is_wanted", async () => {
-  // Which never sleeps: steps in which either engine does are no point.
+  // The tumbler never sleeps: steps in which either engine sleeps give no point.
   const { page, errors, close } = await openTrade("?scene=tumbler&size=60");
   await page.waitForSelector(".live-plane .dot.thud", LONG);
   assert.equal(await page.locator(".live-plane .dot.box2d").count(), 0);
@@ -256,6 +266,7 @@ test("points_are_one_stop_of_the_tab_key_and_arrows_go_between_them", async () =
 const cells = (page) =>
   page.locator(".result tbody tr").evaluateAll((rows) => rows.map((row) => row.innerText));
 
+// Selectors of two sections of the panel: the measured series, and the search for the largest size.
 const MEASURE = "[aria-labelledby=measure-heading]";
 const HEAVIER = "[aria-labelledby=heavier-heading]";
 
@@ -267,7 +278,7 @@ test("measure_compares_both_engines_and_its_link_shows_the_same_figures", async 
   const measured = await cells(page);
   assert.equal(measured.length, 14);
   assert.equal(measured.filter((row) => row.startsWith("Box2D")).length, 7);
-  // Circles in a row touch and hardly overlap; thud's bounce before they would, Box2D's after.
+  // Circles in a row touch and hardly overlap: thud's bounce before they overlap, Box2D's after.
   assert.ok(measured.some((row) => row.startsWith("Box2D") && !/none\s+none/.test(row)), measured.join());
   assert.equal(await pressed(page, "pause"), false);
   const download = page.waitForEvent("download");
@@ -296,7 +307,7 @@ test("without_Box2D_thud_is_measured_alone_and_told_so", async () => {
   await close();
 });
 
-/** So large that no machine is done before it is told to stop. */
+/** So large that no machine finishes the measurement before the test cancels it. */
 const LONG_TO_MEASURE = "?scene=pyramid&size=100";
 
 test("another_scene_ends_a_measurement", async () => {

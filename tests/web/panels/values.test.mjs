@@ -1,4 +1,7 @@
-/** The panel Values in the geometry of two shapes: dragged, set by keys, read out, in each browser. */
+/**
+ * Tests the panel Values in the scene geometry: two shapes are dragged and set by keys, and the
+ * panel shows their geometry, in each browser.
+ */
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import {
@@ -13,13 +16,13 @@ import {
 } from "../support/page.mjs";
 import { until, untilOverlay, untilStill } from "../support/wait.mjs";
 
-/** Firefox has no touch and no phone's way of laying out, but any size of its window. */
+/** Options for a browser: Firefox has no emulation of touch and phones, but any window size. */
 function sized(browser, options) {
   const { isMobile, hasTouch, ...rest } = options;
   return browser === "firefox" ? rest : options;
 }
 
-/** What is read out under a box that is ticked: a name and its value. */
+/** The value with that name in the list under a ticked box. */
 function reading(page, control, name) {
   return page.evaluate(([list, wanted]) => {
     const terms = [...document.querySelectorAll(`[data-readings="${list}"] dt`)];
@@ -31,7 +34,7 @@ function untilRead(page, control, name, wanted) {
   return until(() => reading(page, control, name), (value) => wanted.test(value), name);
 }
 
-/** Pixels a world unit in these tests. */
+/** The camera's scale, pixels per world unit. */
 const SCALE = 26;
 
 async function openRoom(visitor, browser, options) {
@@ -42,7 +45,10 @@ async function openRoom(visitor, browser, options) {
   return opened;
 }
 
-/** Places of the world on the screen, whose middle is that of what controls leave free. */
+/**
+ * A function from the world to the page: the camera's centre is the middle of the area that the
+ * controls leave free.
+ */
 async function placesOf(page) {
   const [x, y] = await page.evaluate(() => {
     const box = (id) => document.getElementById(id).getBoundingClientRect();
@@ -111,7 +117,7 @@ for (const browser of BROWSERS)
 
     test("sum_and_bounds_are_drawn_where_they_are_ticked", async () => {
       const { page, errors, close } = await openRoom(visitor, browser, DESKTOP);
-      // Around a box its OBB would be the box itself.
+      // The OBB around a box would be the box itself.
       await choose(page, "set-kindA", "circle");
       await untilRead(page, "closest", "Distance", /^(?!3\.27)\d\.\d\d$/);
       await stepBy(page, 1);

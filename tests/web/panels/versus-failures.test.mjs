@@ -1,4 +1,7 @@
-/** Versus when something fails or comes late: it is told, and the scene goes on. */
+/**
+ * Tests the panel Versus when Box2D or WebGL fails or loads late: the page reports it, and the
+ * scene goes on.
+ */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import {
@@ -27,11 +30,12 @@ before(async () => {
 });
 after(() => visitor.close());
 
+// The property of a level's object that makes its body dynamic.
 const MOVES = [{ name: "body", type: "string", value: "dynamic" }];
 
 test("box2d_that_does_not_come_is_told_and_the_scene_goes_on", async () => {
   let blocked = true;
-  // A scene that does not sleep before Box2D comes after all: asleep nothing is measured.
+  // A scene that does not fall asleep before Box2D is loaded: nothing is measured while it sleeps.
   const { page, close } = await visitor.open("?scene=tumbler&size=60", DESKTOP, async (page) => {
     await page.context().route(BOX2D, (route) => (blocked ? route.abort() : route.continue()));
   });
@@ -51,7 +55,7 @@ test("box2d_that_does_not_come_is_told_and_the_scene_goes_on", async () => {
   await close();
 });
 
-/** Keeps Box2D's files until what it returns is called. */
+/** Holds back Box2D's files until the returned function is called. */
 async function holdBox2D(page) {
   let letGo;
   const held = new Promise((resolve) => (letGo = resolve));
@@ -71,7 +75,7 @@ test("link_to_the_panel_waits_for_box2d_and_both_begin_at_the_start", async () =
     DESKTOP,
     async (page) => {
       letGo = await holdBox2D(page);
-      // However slow this machine is, the page's patience does not end.
+      // Long timeouts of the page do not expire, however slow the machine is.
       await page.addInitScript(() => {
         const { setTimeout } = window;
         window.setTimeout = (act, after) => setTimeout(act, after >= 5000 ? 1e6 : after);
@@ -95,7 +99,7 @@ test("link_to_the_panel_runs_without_box2d_when_that_takes_long", async () => {
     DESKTOP,
     async (page) => {
       letGo = await holdBox2D(page);
-      // The page waits for a tenth of its five seconds.
+      // The page's timeout of five seconds is shortened to a tenth.
       await page.addInitScript(() => {
         const { setTimeout } = window;
         window.setTimeout = (act, after) => setTimeout(act, after === 5000 ? 500 : after);
@@ -125,7 +129,7 @@ test("closing_the_panel_as_the_worker_ends_leaves_no_error_behind", async () => 
   );
   await untilBox2D(page);
   await page.evaluate(() => {
-    // It never hears of the end, as if it were busy with a step without one.
+    // The worker does not receive the request to end, as if it were busy with an endless step.
     window.made.postMessage = () => {};
     document.querySelector("#dock .close").click();
     window.made.dispatchEvent(new ErrorEvent("error", { message: "out of breath" }));
@@ -138,7 +142,7 @@ test("closing_the_panel_as_the_worker_ends_leaves_no_error_behind", async () => 
 
 test("world_too_wide_for_box2d_is_told_of", async () => {
   const { page, errors, close } = await visitor.open("?scene=cradle&paused=1&panel=versus");
-  // In pixels, 32 of which are a metre.
+  // Pixels: 32 of them are a metre.
   const away = { id: 3, x: 32e7, y: 0, width: 64, height: 64, ellipse: true };
   const level = ballLevel([{ ...away, properties: MOVES }]);
   await openLevel(page, "wide.tmj", level);
@@ -151,7 +155,7 @@ test("world_too_wide_for_box2d_is_told_of", async () => {
   await close();
 });
 
-/** The processor draws what WebGL does: less of it. */
+/** A small window, because the tests render WebGL on the processor. */
 const SMALL_DESKTOP = { viewport: { width: 1024, height: 640 } };
 
 for (const [size, options] of [["desktop", SMALL_DESKTOP], ["phone", PHONE]])

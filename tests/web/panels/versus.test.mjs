@@ -1,4 +1,4 @@
-/** Versus on the page: both engines are drawn, driven and measured. */
+/** Tests the panel Versus: both engines are drawn, take commands, and are measured. */
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import {
@@ -29,9 +29,9 @@ before(async () => {
 });
 after(() => visitor.close());
 
-/** More than the 30 that only warm up, and too few for what stands still to fall asleep. */
+/** More than the 30 steps of the warm-up, and too few for resting bodies to fall asleep. */
 const STEPS_THAT_COUNT = 45;
-/** More than there are from one look at the overlap to the next where a look takes long. */
+/** More than the 60 steps that may lie between two measurements of the overlap (web/src/box2d). */
 const STEPS_TO_LOOK_AGAIN = 61;
 
 for (const [size, options] of [["desktop", DESKTOP], ["phone", PHONE]])
@@ -156,12 +156,13 @@ test("box2d_is_fetched_when_the_panel_opens_and_not_before", async () => {
 });
 
 test("table_tells_times_overlap_energy_and_bodies_of_both", async () => {
-  // So large that a step takes longer than the clock's tick on any machine.
+  // So large that a step takes longer than the clock's resolution on any machine.
   const search = "?scene=pyramid&size=40&panel=versus&paused=1";
   const { page, errors, close } = await visitor.open(search);
   await untilBox2D(page);
   await stepBy(page, STEPS_THAT_COUNT);
-  // The pyramid, and the ground; figures come a few times a second, of the steps that are made then.
+  // The pyramid's boxes and the ground. Figures are refreshed a few times per second, from the
+  // steps made since.
   const all = ({ Bodies, Awake }) => `${Bodies}; ${Awake}` === "821,821; 820,820";
   await untilMeasured(page);
   const rows = await until(() => table(page), all, "bodies of both");
@@ -219,7 +220,7 @@ test("overlap_of_bodies_asleep_is_the_same_over_the_scene_and_in_the_panel", asy
     const [over, awake] = [Number(await value("deepest")), await value("awake")];
     return { verdict, awake, over, panel: Number(panel) };
   };
-  // Either may be refreshed first.
+  // Either of the two texts may be refreshed first.
   const sleeps = ({ verdict, awake, over, panel }) =>
     /All bodies sleep in .* now/.test(verdict) &&
     awake === "0" &&
@@ -318,7 +319,7 @@ test("page_that_is_not_isolated_tells_of_means", async () => {
 for (const [size, options] of [["desktop", DESKTOP], ["phone", PHONE]])
   test(`axe_finds_no_serious_violation_in_versus_on_${size}`, async () => {
     const { page, close } = await visitor.open("?scene=tall_stack&panel=versus&paused=1", options);
-    // The stack is awake for a second only.
+    // The stack is awake for only about a second, so it starts when Box2D is loaded.
     await untilBox2D(page);
     await page.keyboard.press("p");
     await untilMeasured(page);

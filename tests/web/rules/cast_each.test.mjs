@@ -1,4 +1,4 @@
-/** Casts that tell hit by hit, in the npm package. */
+/** Tests castRayEach and castShapeEach of the npm package, which call a function for each hit. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { thud } from "../support/package.mjs";
@@ -6,7 +6,7 @@ import { thud } from "../support/package.mjs";
 const engine = await thud.load();
 const CIRCLE = { kind: "circle", radius: 0.5 };
 
-/** Four boxes in a row, whose left faces are 2, 6, 10 and 14 from the origin. */
+/** Four boxes in a row; their left faces are 2, 6, 10 and 14 from the origin. */
 function row() {
   const world = engine.createWorld();
   const box = { halfWidth: 1, halfHeight: 1 };
@@ -14,7 +14,10 @@ function row() {
   return { world, boxes };
 }
 
-/** The places in the row of what a ray of 20 is told of, with what is answered to each. */
+/**
+ * The boxes, by their place in the row, for which a ray of length 20 calls `answer`; its return
+ * value is the answer to the hit.
+ */
 function told({ world, boxes }, answer, filter) {
   const hits = [];
   world.castRayEach([0, 0], [20, 0], (hit) => (hits.push(hit), answer(hit, hits.length)), filter);
@@ -92,7 +95,7 @@ test("inside_a_hit_the_world_is_asked_and_not_stepped_restored_or_closed", () =>
   });
   assert.deepEqual(all, [0, 1, 2, 3]);
   assert.deepEqual(inner, [2, boxes[0].index, 2, boxes[0].index, 2, boxes[0].index, 2, boxes[0].index]);
-  // What an inner one throws, and nobody catches, comes out of the outer.
+  // An exception that an inner cast's listener throws leaves the outer cast as well.
   const thrower = () => {
     throw new RangeError("mine");
   };

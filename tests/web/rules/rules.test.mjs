@@ -1,4 +1,4 @@
-/** Rules between kinds of shapes, listeners and the filter of pairs, in the npm package. */
+/** Tests rules between categories, listeners and the pair filter in the npm package. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { thud } from "../support/package.mjs";
@@ -17,7 +17,7 @@ function box(world, kind, category, position, halfWidth, halfHeight) {
   return { body, shape };
 }
 
-/** A player on the ground, under a plank whose top is at 2.1. */
+/** A player on the ground under a plank; the plank's top is at y = 2.1. */
 function yard(options = {}) {
   const world = engine.createWorld(options);
   const ground = box(world, "static", GROUND, [0, -1], 20, 1);

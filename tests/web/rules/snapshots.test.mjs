@@ -1,4 +1,4 @@
-/** Rules go back in time with their world, in the npm package. */
+/** Tests that snapshots of the npm package include the rules between categories. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { thud } from "../support/package.mjs";
@@ -6,7 +6,7 @@ import { thud } from "../support/package.mjs";
 const engine = await thud.load();
 const [GROUND, PLANK, PLAYER, CRATE] = [1, 2, 4, 8];
 
-/** Players and crates over a belt and a plank. */
+/** Players and crates above a conveyor belt and a plank. */
 function yard(options = {}) {
   const world = engine.createWorld(options);
   const box = { halfWidth: 0.4, halfHeight: 0.4 };
@@ -37,6 +37,7 @@ function rulesOf(world) {
   return kinds.flatMap((a) => kinds.map((b) => world.rule(a, b)));
 }
 
+// Makes steps; returns the hash and the impulses after each.
 function walk(world, steps) {
   return Array.from({ length: steps }, () => {
     world.step();

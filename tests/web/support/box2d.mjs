@@ -1,13 +1,19 @@
-/** What the tests of the page's Box2D side share: its sources, bundled, and small worlds. */
+/**
+ * Support for the tests of the page's Box2D side: its bundled sources, and functions for small
+ * worlds.
+ */
 import assert from "node:assert/strict";
 import { rmSync } from "node:fs";
 import { createRequire } from "node:module";
 import { demoWasm, root, thud } from "./package.mjs";
 
-// Vite brings esbuild.
+// esbuild is a dependency of Vite.
 const require = createRequire(createRequire(`${root}web/package.json`).resolve("vite"));
 
-/** The sources' exports. They import Box2D by paths that are right in a folder of web/ only. */
+/**
+ * Bundles and imports the sources. `folder` must lie in web/, because their imports of Box2D are
+ * relative.
+ */
 export async function importRival(folder) {
   const bundle = `${folder}/rival-${process.pid}.mjs`;
   const sources = ["follow", "load", "ruler", "world"].map((name) => `box2d/${name}`);
@@ -35,7 +41,10 @@ export const engine = await thud.load(demoWasm);
 
 const BLOCK = { halfWidth: 0.5, halfHeight: 0.5 };
 
-/** A watched thud world with its rival; `use` also gets what `build` returned. */
+/**
+ * Builds a watched thud world and its Box2D copy (`rival`), calls `use`, and closes the copy; `use`
+ * also gets the return value of `build`.
+ */
 export function withRival(options, build, use) {
   const world = engine.createWorld(options);
   const known = rivalry.watch(world, options);
@@ -49,6 +58,8 @@ export function withRival(options, build, use) {
   }
 }
 
+// {}) => Steps both engines; `command` is called before each step, after the rival has read the
+// world's changes.
 export function step(world, rival, steps, command = () => {}) {
   for (let i = 0; i < steps; i++) {
     rival.sync();

@@ -1,4 +1,4 @@
-/** Copies of the built page, served as various hosts do, for the tests of its delivery. */
+/** Copies of the built page and servers for them, for the tests of caching, policy and size. */
 import { cpSync, mkdtempSync, rmSync } from "node:fs";
 import { createServer } from "node:http";
 import { tmpdir } from "node:os";
@@ -7,7 +7,7 @@ import { fileURLToPath } from "node:url";
 import { listenFrom } from "../../../web/tools/serve.mjs";
 import { createStaticServer } from "../../../web/tools/static-server.mjs";
 
-/** A copy of dist that a test may change; it goes with the test `t`. */
+/** A copy of web/dist that the test may change; it is removed when the test `t` ends. */
 export function copyOfPage(t) {
   const folder = mkdtempSync(join(tmpdir(), "thud-page-"));
   t.after(() => rmSync(folder, { recursive: true, force: true }));
@@ -17,7 +17,7 @@ export function copyOfPage(t) {
 
 /** Serves a folder until the test ends or `cut` is called. */
 export async function serve(t, server, under = "/") {
-  // Each server would pack all files anew, of which a service worker keeps copies.
+  // Without compression: each server would compress every file again for the service worker.
   server.prependListener("request", ({ headers }) => delete headers["accept-encoding"]);
   const port = await listenFrom(server, 0);
   const cut = () => {
@@ -28,7 +28,9 @@ export async function serve(t, server, under = "/") {
   return { url: `http://127.0.0.1:${port}${under}`, cut };
 }
 
-/** A host that sends files with their types and nothing else, as most static hosts do. */
+/**
+ * A server that sends only the headers Content-Type and Content-Encoding, as most static hosts do.
+ */
 export function createPlainServer(folder) {
   const full = createStaticServer(folder);
   return createServer((request, response) => {
@@ -42,7 +44,9 @@ export function createPlainServer(folder) {
   });
 }
 
-/** Until the page's service worker has kept all the build's files and is in control. */
+/**
+ * Waits until the page's service worker has cached all files of the build and controls the page.
+ */
 export function untilOffline(page) {
   return page.waitForFunction(() => navigator.serviceWorker.controller?.state === "activated");
 }

@@ -1,9 +1,12 @@
-/** What the tests of the code panel share: opening it, typing into it, what it tells. */
+/** Support for the tests of the code panel: opening it, typing into it, reading its reports. */
 import { deflateRawSync } from "node:zlib";
 import { DESKTOP } from "./page.mjs";
 import { until } from "./wait.mjs";
 
-/** A scene with the code panel open and its editor filled; breaches of its policy are errors. */
+/**
+ * Opens a scene with the code panel and waits until its editor is filled; violations of the policy
+ * count as errors.
+ */
 export async function openCode(visitor, search, options = DESKTOP) {
   const opened = await visitor.open(search, options, async (page) => {
     await page.addInitScript(() =>
@@ -17,8 +20,8 @@ export async function openCode(visitor, search, options = DESKTOP) {
 }
 
 /**
- * Until the editor has that text, or one that matches a pattern. Only for texts that are short enough
- * to be drawn as a whole.
+ * Waits until the editor has that text, or one that matches a pattern. Only for texts short enough
+ * to be rendered completely.
  */
 export function untilText(page, wanted) {
   const lines = () => page.locator(".code-editor .cm-line").allTextContents();
@@ -26,14 +29,14 @@ export function untilText(page, wanted) {
   return until(async () => (await lines()).join("\n"), is, `not ${wanted}`);
 }
 
-/** Puts another text in place of all that is in the editor, by a paste. */
+/** Replaces all of the editor's text, by a paste event. */
 export async function type(page, text) {
   await page.locator(".code-editor .cm-content").focus();
   await page.keyboard.press("Control+a");
   await page.locator(".code-editor .cm-content").evaluate((editor, pasted) => {
     const clipboardData = new DataTransfer();
     clipboardData.setData("text/plain", pasted);
-    // What Firefox makes an event of it calls by other names.
+    // Firefox's constructor of the event takes other names.
     const firefox = { dataType: "text/plain", data: pasted };
     const init = { clipboardData, ...firefox, bubbles: true, cancelable: true };
     editor.dispatchEvent(new ClipboardEvent("paste", init));
@@ -44,7 +47,7 @@ export async function run(page) {
   await page.click(".code-run");
 }
 
-/** A scene of some boxes that says which one it is. */
+/** The code of a scene with `count` circles that shows a message. */
 export function boxes(count, { message = "boxes", update = "" } = {}) {
   return `export default function ({ createWorld }) {
   const world = createWorld();
@@ -63,6 +66,7 @@ export function boxes(count, { message = "boxes", update = "" } = {}) {
 `;
 }
 
+// Waits until the code panel's status has exactly that text.
 export function untilStatus(page, text) {
   return page.waitForFunction(
     (wanted) => document.querySelector(".code-status").textContent === wanted,
@@ -70,17 +74,21 @@ export function untilStatus(page, text) {
   );
 }
 
+// Waits for an error report of the code panel; returns its text.
 export async function troubleOf(page) {
   await page.waitForSelector(".code-trouble:not([hidden])");
   return page.innerText(".code-trouble");
 }
 
-/** Until the line of that number has a mark in the gutter. */
+/** Waits until the line with that number has an error marker in the gutter. */
 export function untilMarked(page, line) {
   return until(() => markedLine(page), (marked) => marked === line, `not ${line}`);
 }
 
-/** NaN where none has; all at one moment, as the editor may yet scroll to the place. */
+/**
+ * The number of the line with a marker, NaN if there is none. It is read in one call, because the
+ * editor may still scroll.
+ */
 function markedLine(page) {
   return page.locator(".code-editor").evaluate(({ shadowRoot }) => {
     const boxOf = (element) => element.getBoundingClientRect();
@@ -96,6 +104,7 @@ function markedLine(page) {
   });
 }
 
+// The address of a scene with code in it, as the page makes it.
 export function linkOf(text, scene = "sketch") {
   return `?scene=${scene}#code=${deflateRawSync(text).toString("base64url")}`;
 }

@@ -1,15 +1,21 @@
 /**
- * Contexts of a browser that serve one test after another. A second page of the same context, in a
- * process that is still there, compiles neither the page's scripts nor the engine again, which is
- * most of what opening it costs. It finds nothing that the first has left behind but that.
+ * Browser contexts that several tests use one after another. A second page in the same context and
+ * process compiles neither the page's scripts nor the engine again, which is most of the cost of
+ * opening it. Other data of the earlier page is cleared.
  */
 
-/** Pictures a second of the tests' display: to draw by software is most of what a scene costs. */
+/**
+ * Pictures per second in the tests: rendering on the processor is most of a scene's cost. Chosen.
+ */
 const HERTZ = 20;
 
-/** Calls what asks for pictures only so often. Runs in the page, before its own scripts. */
+/**
+ * Limits how often requestAnimationFrame calls its callbacks. Runs in the page, before the page's
+ * scripts.
+ */
 function slowDisplay(hertz) {
-  // A display's pictures come a little early or late.
+  // The shortest interval in milliseconds; it allows for a frame that comes up to half a 60 Hz
+  // frame early.
   const least = 1000 / hertz - 1000 / 120;
   const next = window.requestAnimationFrame.bind(window);
   let asked = new Map();
@@ -36,18 +42,18 @@ function slowDisplay(hertz) {
 }
 
 /**
- * A display of so many pictures a second by its own clock, `window.clock`, whatever the machine's is.
- * The next picture is due when the physics worker has answered all that it was asked: no picture is
- * late, and a scene is in time, however slow the machine is. With `pause` it waits for nobody, and
- * there are so many milliseconds from one to the next in truth.
+ * A display with `hertz` pictures per second by its own clock, `window.clock`, independent of the
+ * machine. The next picture is due when the physics worker has answered all requests, so no picture
+ * is late, however slow the machine is. With `pause` the display does not wait for the worker, and
+ * that many milliseconds of real time lie between pictures.
  */
 export function display(hertz, pause = null) {
   return (page) => page.addInitScript(ownDisplay, [hertz, pause]);
 }
 
-/** Runs in the page, before its own scripts. */
+/** Runs in the page, before the page's scripts. */
 function ownDisplay([hertz, pause]) {
-  /** What the worker has not answered yet. */
+  /** The number of requests that the worker has not answered yet. */
   let open = 0;
   const { Worker: Real } = window;
   window.Worker = class extends Real {
@@ -80,8 +86,8 @@ function ownDisplay([hertz, pause]) {
 }
 
 /**
- * Panels let the scene shine through them blurred: by software that is as much work as all else of a
- * picture, and no test looks at it. Runs in the page, before its own scripts.
+ * Removes the blur behind panels: rendering it on the processor takes as long as the rest of the
+ * picture, and no test looks at it. Runs in the page, before the page's scripts.
  */
 function withoutBlur() {
   const style = new CSSStyleSheet();
@@ -89,27 +95,34 @@ function withoutBlur() {
   document.adoptedStyleSheets.push(style);
 }
 
-/** Makes pictures of a context's pages cheap: before any page of it is opened. */
+/** Makes the pictures of a context's pages cheap; call it before any page is opened. */
 export async function drawLightly(context) {
   await context.addInitScript(slowDisplay, HERTZ);
   await context.addInitScript(withoutBlur);
 }
 
-/** Takes contexts of `browser` for the page at `url`, whose waits may take so many milliseconds. */
+/**
+ * Provides contexts of `browser` for the page at `url`; waits in them time out after `patience`
+ * milliseconds.
+ */
 export function contextsOf(browser, url, patience) {
-  /** Contexts that no test has at present, by their options. */
+  /** Contexts that no test uses at present, by their options. */
   const free = new Map();
 
   async function make(options) {
     const context = await browser.newContext(options);
     context.setDefaultTimeout(patience);
-    // When a first visit's service worker takes over is chance: page/offline.test.mjs waits for it.
+    // The moment at which a first visit's service worker takes control varies; only
+    // page/offline.test.mjs tests it.
     await context.addInitScript(() => delete Navigator.prototype.serviceWorker);
     await drawLightly(context);
     return context;
   }
 
-  /** With a page of the same origin that stays: with it stays the process. */
+  /**
+   * A context with a page of the same origin that stays open, which keeps the browser's process
+   * alive.
+   */
   async function makeLasting(options) {
     const context = await make(options);
     const stays = await context.newPage();
@@ -118,13 +131,15 @@ export function contextsOf(browser, url, patience) {
   }
 
   return {
-    /** A context of a test's own, to change as it likes. */
+    /** A new context for one test, which may change it. */
     async own(options) {
       const context = await make(options);
       return { context, giveBack: () => context.close() };
     },
 
-    /** One that an earlier test may have had. Who needs two at once gets two. */
+    /**
+     * A context that earlier tests may have used. A second one is made while the first is in use.
+     */
     async shared(options) {
       const key = JSON.stringify(options);
       const kept = free.get(key) ?? (await makeLasting(options));
@@ -135,7 +150,7 @@ export function contextsOf(browser, url, patience) {
         async giveBack() {
           const pages = context.pages().filter((page) => page !== stays);
           await Promise.all(pages.map((page) => page.close()));
-          // What is kept for one tab, such as drafts, went with it.
+          // sessionStorage, such as drafts, ended with its tab.
           await stays.evaluate(() => localStorage.clear());
           if (free.has(key)) await context.close();
           else free.set(key, kept);

@@ -1,11 +1,11 @@
-/** What the tests of the panel Inside share. */
+/** Support for the tests of the panel Inside. */
 import { ballLevel } from "./package.mjs";
 import { choose, DESKTOP, drawn, openLevel, stepBy } from "./page.mjs";
 
-/** Steps until the ball of a level rests. */
+/** The number of steps after which the level's ball rests. */
 export const RESTING = 240;
 
-/** Opens the panel beside a scene that stands still, at one of its parts. */
+/** Opens the panel at one of its parts, beside a paused scene. */
 export async function openPanel(visitor, part, search, options) {
   const opened = await visitor.open(`?${search}&panel=inside`, options);
   await opened.page.waitForSelector("[name=inside]", { state: "attached" });
@@ -17,7 +17,10 @@ export function show(page, part) {
   return choose(page, "inside", part);
 }
 
-/** The one ball of a level, at rest, with the pointer over it; `extra` is in the level as well. */
+/**
+ * Opens the level of one ball, which rests, with the pointer over the ball; `extra` objects are
+ * added to the level.
+ */
 export async function hoverBall(visitor, extra = []) {
   const opened = await openPanel(visitor, "body", "scene=cradle&paused=1", DESKTOP);
   const { page } = opened;
@@ -30,7 +33,7 @@ export async function hoverBall(visitor, extra = []) {
   return { ...opened, ball };
 }
 
-/** Names and values of a list. */
+/** The names and values of a list, as an object. */
 export function listed(page, selector) {
   return page.$$eval(`${selector} > div`, (rows) =>
     Object.fromEntries(rows.map((row) => [...row.children].map((cell) => cell.textContent))),

@@ -1,4 +1,4 @@
-/** Worlds for tests of joints, in few words. */
+/** Short functions that build worlds for the tests of joints. */
 import assert from "node:assert/strict";
 import { thud } from "./package.mjs";
 
@@ -8,6 +8,7 @@ export function near(value, wanted, tolerance, what = "") {
   assert.ok(Math.abs(value - wanted) <= tolerance, `${what} ${value}, not ${wanted} ± ${tolerance}`);
 }
 
+// A world without sleeping, and functions that add static hooks, balls and boxes to it or run it.
 export function yard(t, options = {}) {
   const world = engine.createWorld({ sleeping: false, ...options });
   t.after(() => world.close());

@@ -1,6 +1,6 @@
 /**
- * A linkage with every kind of joint. tests/web/link/joints.c builds the same in C, and both have to
- * come out with the same bits.
+ * Builds a linkage with every kind of joint. tests/web/link/joints.c builds the same in C, and both
+ * must give the same hash.
  */
 export function buildLinkage(world) {
   const circle = { radius: 0.375, offset: [0.25, 0] };

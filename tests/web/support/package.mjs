@@ -1,4 +1,7 @@
-/** What the tests of web/ share: the package as built, the page's module. */
+/**
+ * Support for all tests in tests/web: the built package, the demo module with the built-in scenes,
+ * and levels.
+ */
 import { readdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { fileURLToPath } from "node:url";
@@ -17,7 +20,7 @@ export function readLevelFile(file) {
   return readFileSync(`${root}assets/levels/${file}`, "utf8");
 }
 
-/** Names of the built-in scenes, in the order of the module. */
+/** The names of the built-in scenes, in the order of the demo module. */
 export function sceneNames(engine) {
   return Array.from({ length: engine.exports.api_scene_count() }, (_, i) => {
     return engine.text(engine.exports.api_scene_name(i));
@@ -30,13 +33,13 @@ export function buildScene(engine, index, options = {}) {
   return new thud.World(engine, {}, engine.slots[0]);
 }
 
-/** The source of axe-core, which is one of web's packages. */
+/** The source of axe-core, which is a package of web/. */
 export function axeSource() {
   const require = createRequire(new URL("../../../web/package.json", import.meta.url));
   return readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 }
 
-/** A map of 20 by 15 metres: flat ground at height 2, and a ball of radius 1 at (10, 10). */
+/** A map of 20 by 15 metres: flat ground at y = 2 and a ball of radius 1 at (10, 10). */
 export function ballLevel(extra = []) {
   return JSON.stringify({
     type: "map",

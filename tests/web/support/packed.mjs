@@ -1,6 +1,6 @@
 /**
- * The npm package as a stranger gets it: packed, installed into a project of its own, bundled by
- * whatever is tried, run in Node or in a browser, and asked for its bits.
+ * Packs the npm package, installs it into a new project, bundles it, runs it in Node or a browser,
+ * and returns the state that it computes.
  */
 import { execFileSync, spawnSync } from "node:child_process";
 import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -14,12 +14,14 @@ import { listenFrom } from "../../../web/tools/serve.mjs";
 import { PATIENCE } from "./page.mjs";
 import { root } from "./package.mjs";
 
-/** What a page of the package needs to be allowed, and no more. */
+/** The content security policy for a page with the package: what the package needs and no more. */
 export const POLICY =
   "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'; worker-src 'self'; " +
   "img-src data:";
 
-/** A ball falls onto a box: one module for every host, and what it says of the world. */
+/**
+ * The program for every host: a ball falls onto a box; returns what the package tells of the world.
+ */
 const RUN = `import { load, ThudError } from "thud";
 import { buildLevel, readLevel } from "thud/level";
 
@@ -50,7 +52,7 @@ const LEVEL = JSON.stringify({
 });
 `;
 
-/** In a page: once beside it and once in a worker. */
+/** The page's program runs it once in the page and once in a worker. */
 const MAIN = `import { run } from "./run.js";
 
 const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
@@ -79,7 +81,7 @@ const PAGE = `<!doctype html>
 <script type="module" src="main.js"></script>
 `;
 
-/** A folder with the package installed in it from its tarball, and with the programs above. */
+/** A folder with the package installed from its tarball and with the programs above. */
 export function makeProject() {
   const folder = mkdtempSync(join(tmpdir(), "thud-packed-"));
   const npm = (words, cwd) =>
@@ -88,7 +90,7 @@ export function makeProject() {
     npm(["pack", "--json", "--pack-destination", folder], `${root}web/package`),
   );
   write(folder, { "package.json": JSON.stringify({ name: "try", private: true, type: "module" }) });
-  // Its optional packages are those that the page has.
+  // The optional packages come from web/, because npm works offline here.
   npm(["install", "--offline", "--omit=optional", "--no-audit", "--no-fund", filename], folder);
   for (const name of ["fzstd", "@rgrove/parse-xml"])
     cpSync(`${root}web/node_modules/${name}`, join(folder, "node_modules", name), { recursive: true });
@@ -109,7 +111,7 @@ export function write(folder, texts) {
   }
 }
 
-/** What the program says where a command runs it. */
+/** Runs a command and returns the JSON that the program prints. */
 export function tell(command, words, folder) {
   const { status, stdout, stderr, error } = spawnSync(command, words, { cwd: folder, encoding: "utf8" });
   if (status !== 0) throw new Error(`${command} ${words.join(" ")}: ${error ?? stderr.slice(-2000)}`);
@@ -123,7 +125,7 @@ const TYPES = {
   ".wasm": "application/wasm",
 };
 
-/** A host of one folder that sends every file with the policy. */
+/** Serves a folder, with the policy on every file. */
 export async function host(folder, policy = POLICY) {
   const server = createServer((request, response) => {
     const path = new URL(request.url, "http://any").pathname;
@@ -143,7 +145,7 @@ export async function host(folder, policy = POLICY) {
   return { url: `http://127.0.0.1:${port}/`, close };
 }
 
-/** Opens pages and hears what they say, and what they complain of. */
+/** A browser that opens pages; `tell` returns a page's result and its errors. */
 export async function openBrowser(name) {
   const browser = await launch(name, { webgl: false });
   return {
@@ -167,7 +169,7 @@ export async function openBrowser(name) {
   };
 }
 
-/** Of tests/web/bundlers, and installed there. */
+/** The folder tests/web/bundlers, where the bundlers are installed. */
 export const bundlers = fileURLToPath(new URL("../bundlers/", import.meta.url));
 const require = createRequire(`${bundlers}package.json`);
 
@@ -175,7 +177,7 @@ export function bring(name) {
   return import(pathToFileURL(require.resolve(name)).href);
 }
 
-/** The code that the package's README has for a host, in the row of its table that names it. */
+/** The code for a host in the table of the package's README. */
 export function recipeOf(name) {
   const readme = readFileSync(`${root}web/package/README.md`, "utf8");
   const row = [...readme.matchAll(/^\| ([^|]+) \| (.+) \|$/gm)].find(([, who]) =>

@@ -1,4 +1,6 @@
-/** A visitor's browser for the tests of the page. */
+/**
+ * Support for the tests of the page: a browser with the served page, and what visitors do and see.
+ */
 import assert from "node:assert/strict";
 import { DESKTOP, launch, servePage } from "../../../web/tools/browser.mjs";
 import { contextsOf } from "./contexts.mjs";
@@ -7,15 +9,14 @@ import { axeSource } from "./package.mjs";
 export { BROWSERS, DESKTOP, PHONE, stepBy } from "../../../web/tools/browser.mjs";
 
 /**
- * Milliseconds that a wait may take. It ends as soon as what is waited for is there; until then a
- * slow machine compiles the engine, fetches a panel, or draws a picture a second.
+ * The timeout of waits, milliseconds. A wait ends as soon as its condition holds; a slow machine
+ * needs long to compile the engine, fetch a panel or draw. Chosen.
  */
 export const PATIENCE = 120_000;
 
 /**
- * A browser and the served page; every page that is opened collects its errors. One that `prepare`
- * makes ready has a context of its own, and so has every page of Firefox, which gains nothing by
- * sharing them.
+ * Starts a browser and serves the page; every opened page collects its errors. A page with
+ * `prepare` has its own context, and so has every page in Firefox, where sharing saves no time.
  */
 export async function openVisitor({ webgl = false, browser: name = "chromium" } = {}) {
   const server = await servePage();
@@ -47,16 +48,20 @@ export async function openVisitor({ webgl = false, browser: name = "chromium" } 
   };
 }
 
+// Waits until the scene has made a step.
 export async function untilRunning(page) {
-  // A page that is being loaded again has no figures for a moment.
+  // A page that is being reloaded has no figures for a moment.
   await page.waitForFunction(() => Number(document.querySelector("#hud")?.dataset.steps) > 0);
 }
 
-/** What the page waits for a worker that does not answer (web/src/page/client.ts), and here. */
+/**
+ * Milliseconds after which the page reports a worker that does not answer (web/src/page/client.ts),
+ * and the shorter time in these tests.
+ */
 const STUCK = 8000;
 const STUCK_HERE = 800;
 
-/** Meanwhile a worker counts as stuck ten times sooner. */
+/** Runs `act` with the shorter time: the page reports a stuck worker ten times sooner. */
 export async function impatiently(page, act) {
   await page.evaluate(
     ([usual, here]) => {
@@ -69,19 +74,19 @@ export async function impatiently(page, act) {
   await page.evaluate(() => (window.setTimeout = window.patientTimeout));
 }
 
-/** Opens a level as a visitor does, by a file, and waits until it is there. */
+/** Opens a level from a file, as a visitor does, and waits until it is loaded. */
 export async function openLevel(page, name, text) {
   await page.waitForSelector("[data-entry]", { state: "attached" });
   const buffer = Buffer.from(text);
   await page.setInputFiles("#level-file", { name, mimeType: "application/json", buffer });
 }
 
-/** Where the drawn bodies are: the middle and the number of pixels that are not empty. */
+/** The mean place and the number of the canvas's pixels whose alpha is at least `least`. */
 export function drawn(page, id = "bodies", least = 128) {
   return page.evaluate(([canvasId, leastAlpha]) => {
     const canvas = document.getElementById(canvasId);
     const { width, height } = canvas;
-    // Read from a copy, which the browser may keep where reading is quick.
+    // Reads a copy, because the browser may keep the copy in memory where reading is fast.
     const copy = Object.assign(document.createElement("canvas"), { width, height });
     const context = copy.getContext("2d", { willReadFrequently: true });
     context.drawImage(canvas, 0, 0);
@@ -99,27 +104,29 @@ export function drawn(page, id = "bodies", least = 128) {
 }
 
 /**
- * Chooses a radio button as a visitor does: by its label, which covers it. The press waits until the
- * label has come to rest, as panels glide and grow while their figures come in.
+ * Chooses a radio button by its label, which covers it, as a visitor does. The press waits until
+ * the label stands still, because panels move and grow.
  */
 export function choose(page, name, value) {
   return page.check(`label:has(> [name="${name}"][value="${value}"])`);
 }
 
+// Whether the toggle button is pressed.
 export async function pressed(page, id) {
   return (await page.getAttribute(`#${id}`, "aria-pressed")) === "true";
 }
 
+// A number in the page's figures, by its name.
 export async function figure(page, name) {
   return Number((await page.textContent(`[data-value="${name}"]`)).replace(/,/g, ""));
 }
 
-/** Until screen readers are told. */
+/** Waits until the text is announced to screen readers. */
 export function untilTold(page, text) {
   return page.waitForSelector(`#status:has-text("${text}")`, { state: "attached" });
 }
 
-/** Until the figures tell so many bodies. */
+/** Waits until the figures show so many bodies. */
 export function untilBodies(page, count) {
   return page.waitForSelector(`[data-value=bodies]:text-is("${count}")`, { state: "attached" });
 }
@@ -134,13 +141,13 @@ export function near(actual, expected, tolerance, what) {
 }
 
 /**
- * What axe finds serious in the page or a part of it. Evaluated by the driver, so that the page's
- * own policy need not allow it.
+ * Serious violations that axe finds in the page or a part of it. The driver evaluates axe, so the
+ * page's policy need not allow it.
  */
 export async function runAxe(page, within = "html") {
   if (!(await page.evaluate(() => "axe" in window))) await page.evaluate(axeSource());
   return page.evaluate(async (part) => {
-    // What is still fading in has not the contrast that it will have.
+    // Elements that fade in do not have their final contrast yet.
     for (const animation of document.getAnimations())
       if (animation.effect.getComputedTiming().endTime < Infinity) animation.finish();
     const { violations } = await window.axe.run(part, { resultTypes: ["violations"] });
@@ -150,7 +157,7 @@ export async function runAxe(page, within = "html") {
   }, within);
 }
 
-/** The same in light and in dark colours. */
+/** Runs axe in the light and in the dark theme. */
 export async function runAxeInBothThemes(page, within) {
   const found = [];
   for (const colorScheme of ["light", "dark"]) {

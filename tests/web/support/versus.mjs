@@ -1,14 +1,17 @@
-/** What the tests of the panel Versus share. */
+/** Support for the tests of the panel Versus. */
 import { DESKTOP, openLevel } from "./page.mjs";
 import { ballLevel } from "./package.mjs";
 import { until } from "./wait.mjs";
 
 export const BOX2D = /\/Box2D\.[\w-]+\.(js|wasm)$/;
 
-/** The middle of each of two bodies that are drawn: those of thud and of Box2D, apart or not. */
+/**
+ * The mean places of the two drawn bodies, one of thud and one of Box2D; empty if they are not
+ * apart.
+ */
 export function middles(page) {
   return page.evaluate(async () => {
-    // What WebGL has drawn can be read in the same frame of the display only.
+    // A WebGL canvas can be read only in the frame in which it was drawn.
     window.dispatchEvent(new Event("resize"));
     await new Promise(requestAnimationFrame);
     const canvas = document.getElementById("bodies");
@@ -20,7 +23,7 @@ export function middles(page) {
     const pixels = [];
     for (let i = 3; i < data.length; i += 4)
       if (data[i] >= 128) pixels.push([((i - 3) / 4) % width, Math.floor((i - 3) / 4 / width)]);
-    // The widest gap, across or down, parts the two.
+    // The widest gap, horizontal or vertical, separates the two bodies.
     let [gap, axis, part] = [0, 0, 0];
     for (const k of [0, 1]) {
       const places = [...new Set(pixels.map((pixel) => pixel[k]))].sort((a, b) => a - b);
@@ -39,6 +42,7 @@ export function middles(page) {
   });
 }
 
+// Waits until the panel has loaded Box2D.
 export async function untilBox2D(page) {
   await page.waitForSelector("#versus .verdict");
   await page.waitForFunction(
@@ -46,7 +50,7 @@ export async function untilBox2D(page) {
   );
 }
 
-/** One ball that stands still over flat ground, in both. */
+/** Opens the level of one ball above flat ground, paused, in both engines. */
 export async function openBoth(visitor, options = DESKTOP) {
   const opened = await visitor.open("?scene=cradle&paused=1", options);
   await openLevel(opened.page, "ball.tmj", ballLevel());
@@ -62,7 +66,7 @@ export function untilTwo(page) {
   return until(() => middles(page), ({ length }) => length === 2, "two bodies");
 }
 
-/** The table's rows, by their heading: the texts of thud's and Box2D's cells. */
+/** The table's rows by their heading: the texts of the cells of thud and Box2D. */
 export function table(page) {
   return page.$$eval("#versus-table tbody tr", (rows) =>
     Object.fromEntries(
@@ -74,6 +78,7 @@ export function table(page) {
   );
 }
 
+// Waits for `count` frames of the display.
 export function drawnFrames(page, count) {
   return page.evaluate(
     (frames) =>
@@ -85,6 +90,7 @@ export function drawnFrames(page, count) {
   );
 }
 
+// Waits until the panel's table has a step time.
 export async function untilMeasured(page) {
   await page.waitForFunction(
     () => / ms$/.test(document.querySelector("#versus-table tbody td")?.textContent),

@@ -1,13 +1,16 @@
-/** Waiting for what is wanted, with a message: however slow a machine is, or how quick. */
+/** Waits for conditions, and fails with a message. */
 import assert from "node:assert/strict";
 import { drawn, PATIENCE } from "./page.mjs";
 
-/** A page that stands still between two tries has not failed. */
+/**
+ * The minimum number of tries, even after the timeout: a page that is stalled between two tries has
+ * not failed.
+ */
 const LEAST_TRIES = 20;
 /** Milliseconds between two tries. */
 const PAUSE = 50;
 
-/** Asks until the answer is as wanted, and returns it. */
+/** Calls `ask` until `wanted` holds for its answer, and returns the answer. */
 export async function until(ask, wanted, what) {
   const end = Date.now() + PATIENCE;
   for (let tries = 0; ; tries++) {
@@ -19,17 +22,17 @@ export async function until(ask, wanted, what) {
   }
 }
 
-/** Pixels of the overlay, faint ones too, of the picture that is drawn. */
+/** The overlay's pixels, including faint ones: their number and mean place. */
 export function overlay(page) {
   return drawn(page, "overlay", 17);
 }
 
-/** Waits until the overlay's number of pixels is as wanted. */
+/** Waits until the overlay has a wanted number of pixels. */
 export function untilOverlay(page, wanted, what) {
   return until(() => overlay(page), ({ count }) => wanted(count), what);
 }
 
-/** Waits until nothing glides or fades into its place any more. */
+/** Waits until no finite animation is running. */
 export function untilStill(page) {
   return page.waitForFunction(() =>
     document
@@ -39,14 +42,16 @@ export function untilStill(page) {
   );
 }
 
-/** Waits until the figures over the scene are told; the scene's words come with the same picture. */
+/**
+ * Waits until the figures over the scene are shown; the scene's texts come with the same picture.
+ */
 export function untilFigures(page) {
   return page.waitForFunction(() =>
     /\d/.test(document.querySelector("[data-value=bodies]")?.textContent),
   );
 }
 
-/** Waits until the picture is that of a step, and of no other. */
+/** Waits until the picture shows that step. */
 export function untilStep(page, step) {
   return page.waitForFunction(
     (wanted) => document.querySelector("#hud").dataset.steps === String(wanted),

@@ -1,4 +1,4 @@
-/** The artillery duel, played step by step as the page's worker does. */
+/** Tests the game Artillery, step by step as the page's worker runs it. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { CRATER } from "../../../web/public/scenes/artillery/blast.js";
@@ -8,7 +8,7 @@ import { thud } from "../support/package.mjs";
 const engine = await thud.load();
 const NO_KEYS = { left: false, right: false, up: false, down: false, fire: false, restart: false };
 
-/** A game and the means to play it. `eachStep` sees the scene after every step. */
+/** A game and functions to play it. `eachStep` gets the scene after every step. */
 async function open({ seed = 0, eachStep = () => {} } = {}) {
   const { scene } = await buildScene(engine, "artillery", { seed });
   const { world } = scene;
@@ -31,7 +31,7 @@ async function open({ seed = 0, eachStep = () => {} } = {}) {
   return { scene, world, run, until, press };
 }
 
-/** The first player's turn against another player, in still air. */
+/** The first player's turn against another player, without wind. */
 async function openAiming(options) {
   const game = await open(options);
   game.run(120);
@@ -40,22 +40,22 @@ async function openAiming(options) {
   return game;
 }
 
-/** Where a body stands, by its slot. */
+/** The position of a body, by its slot. */
 function place(world, slot) {
   return world.poses().slice(4 * slot, 4 * slot + 2);
 }
 
-/** The shell's slot comes first in `hidden`, then those of the tanks. */
+/** The position of a tank; `hidden` has the shell's slot first, then those of the tanks. */
 function tankPlace({ scene, world }, i) {
   return place(world, scene.hidden[1 + i]);
 }
 
-/** The ground, which is alone at the edge of the field. */
+/** The shape of the ground, found by a ray at the edge of the field, where nothing else is. */
 function groundOf(world) {
   return world.castRay([-59.5, 1000], [0, -2000]).shape;
 }
 
-/** Fires and gives the places of the shell until it lands; the last is where. */
+/** Fires, and returns the shell's positions until it lands; the last is where it lands. */
 function fly(game) {
   const { scene, world, run } = game;
   run(1, { fire: true });
@@ -76,7 +76,7 @@ test("shot_without_wind_flies_the_parabola", async () => {
   assert.ok(places.length > 100);
   const radians = (70 * Math.PI) / 180;
   for (const i of [30, 100]) {
-    const [t0, t] = [1 / 60, (i + 1) / 60]; // the first place is that after a step
+    const [t0, t] = [1 / 60, (i + 1) / 60]; // the first position is that after one step
     const across = 20 * Math.cos(radians) * (t - t0);
     const up = 20 * Math.sin(radians) * (t - t0) - 5 * (t * t - t0 * t0);
     assert.ok(Math.abs(places[i][0] - places[0][0] - across) < 0.05);
@@ -104,7 +104,7 @@ test("shell_leaves_a_crater_where_it_hit", async () => {
   const { x0, spacing, heights } = world.terrain(shape);
   const [x, y] = fly(game).at(-1);
   const vertex = Math.round((x - x0) / spacing);
-  // It may have met a crate, a metre above the ground.
+  // The shell may have hit a crate, one metre above the ground.
   const left = world.groundAt(shape, x0 + vertex * spacing).height;
   assert.ok(left < heights[vertex] - 0.5);
   assert.ok(Math.abs(left - (y - CRATER)) < 0.1, `${left} is left under ${y}`);
@@ -114,7 +114,7 @@ test("shell_leaves_a_crater_where_it_hit", async () => {
 test("direct_hit_takes_health_from_the_tank_alone_that_it_meets", async () => {
   const game = await openAiming();
   const { tanks } = game.scene.state;
-  tanks[0].angle = 90; // straight up, and back onto the tank that fired
+  tanks[0].angle = 90; // straight up, so that it falls back onto the tank that fired
   fly(game);
   assert.ok(game.scene.state.tanks[0].health < 60);
   assert.equal(game.scene.state.tanks[1].health, 100);

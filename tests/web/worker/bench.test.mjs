@@ -1,4 +1,7 @@
-/** The race of thud and Box2D as WebAssembly: both have the same bodies, every figure is one. */
+/**
+ * Tests the benchmark of thud and Box2D as WebAssembly: both have the same bodies, and every figure
+ * is finite.
+ */
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
 import { readFileSync, rmSync } from "node:fs";

@@ -1,4 +1,7 @@
-/** The page's Box2D side follows what becomes of a thud world and what is done to its bodies. */
+/**
+ * Tests that the page's Box2D copy (`rival`) follows changes of the thud world and commands to its
+ * bodies.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
@@ -28,7 +31,7 @@ const {
   watchWorlds,
 } = rivalry;
 
-/** Takes a body by the hand, as the session does, in both. */
+/** Takes hold of a body in both engines, as the page's session does. */
 function hold(world, rival, known, slot, anchor, [x, y]) {
   known.forwardTo(rival);
   const held = takeHold(world, { slot, anchor, x: 0, y: 0 }, known.options.lengthScale ?? 1);
@@ -140,7 +143,7 @@ test("bodies_that_come_and_go_do_so_in_the_rival_under_the_slot_of_thud", () => 
     rival.sync();
     assert.ok(Number.isNaN(heightOf(rival, first)));
     assert.ok(!rival.isValid(first));
-    // Its slot is free from the next step on.
+    // A destroyed body's slot is free from the next step on.
     step(world, rival, 1);
     const second = addBall(world, [4, 6], { radius: 0.3 });
     assert.equal(second.index, first.index);
@@ -271,7 +274,7 @@ test("size_and_kind_that_change_at_once_do_so_in_the_rival", () => {
 
 test("character_pushes_the_rivals_box_as_it_pushes_thuds", () => {
   withRival({ gravity: [0, 0] }, (world) => addBox(world, [1, 0.2]), (world, rival, box, known) => {
-    // Without a body of its own: all that moves the box is the push.
+    // The mover has no body of its own, so only its push moves the box.
     const shape = { kind: "aabb", halfWidth: 0.3, halfHeight: 0.3 };
     const options = { shape, position: [0, 0], up: [0, 0], pushForce: 12 };
     const mover = new thud.Mover(world, options);
@@ -285,7 +288,7 @@ test("character_pushes_the_rivals_box_as_it_pushes_thuds", () => {
     near(rivals.position[0], thuds.position[0], 1e-3);
     near(rivals.velocity[0], thuds.velocity[0], 1e-3);
     near(rivals.angularVelocity, thuds.angularVelocity, 1e-3);
-    // Out of its way it is not touched.
+    // Out of the mover's reach, the box is not pushed.
     rival.setTransform(box, [-9, 0]);
     rival.setVelocity(box, [0, 0]);
     run(30);
@@ -342,7 +345,7 @@ test("settings_changed_before_or_beside_the_rival_hold_for_it", () => {
     world.setVelocity(ball, [0, 3]);
     step(world, rival, 1);
     near(heightOf(rival, ball) - rival.poses(0)[4 * ball.index + 1], 0.03, 1e-6);
-    // So slow that it falls asleep where it may, and stops.
+    // So slow that the ball falls asleep, and stops, if sleeping is on.
     const drift = (sleeping) => {
       world.setSleeping(sleeping);
       world.setVelocity(ball, [0.01, 0]);
@@ -411,7 +414,8 @@ test("unwatched_world_is_looked_through_for_changes", () => {
 });
 
 test("worlds_closed_make_room_for_others", () => {
-  // Box2D holds 128 worlds at most, and a world beyond them is none: nothing in it falls.
+  // Box2D allows 128 worlds at most; creating more returns an invalid world, in which nothing
+  // falls.
   const world = engine.createWorld();
   const ball = addBall(world, [0, 0]);
   for (let i = 0; i < 200; i++) {

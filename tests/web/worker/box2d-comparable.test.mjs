@@ -1,4 +1,4 @@
-/** What thud and Box2D run beside each other is the same scene, or what Box2D lacks of it is told. */
+/** Tests that thud and Box2D run the same scene, or that the page reports what Box2D lacks. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openSession, SCENES } from "../../../web/tools/scenes.mjs";
@@ -19,7 +19,7 @@ const { Box2DWorld, knownOf, missesOf, Ruler, setUp, watchWorlds } = rivalry;
 const watched = await thud.load(demoWasm);
 watchWorlds(watched);
 
-/** As a game has it: the rival hears of all that is done. */
+/** As on the page: the rival receives every change while it runs. */
 function beside(options, build, use) {
   withRival(options, build, (world, rival, built, known) => {
     known.forwardTo(rival);
@@ -49,7 +49,7 @@ test("whatever_a_world_can_do_is_followed_or_harmless_or_told", () => {
     "what restore does",
     "wind",
   ]);
-  // Nobody has heard of it.
+  // The recorder does not know this method.
   assert.deepEqual(missesOf(new Set(["flyAway"])), ["what flyAway does"]);
   world.close();
 });
@@ -195,7 +195,7 @@ test("spring_of_a_wheels_turn_and_limits_of_a_weld_are_told", () => {
   });
 });
 
-/** Ball and ground of two kinds, the ball within. */
+/** A ball that overlaps the ground; the two have different categories. */
 function buildPair(world) {
   const ground = addGround(world, { kind: "flat" }, { category: 2 });
   return { ground, ball: addBall(world, [0, 0.2], { category: 4 }) };
@@ -211,7 +211,7 @@ for (const [name, allow] of [
     const build = (world) => {
       const pair = buildPair(world);
       allow(world, pair);
-      // What stands deep in the ground itself counts.
+      // A box in the ground has no rule, so its overlap counts.
       pair.box = addBox(world, [5, 0.35]);
       return pair;
     };
@@ -220,7 +220,7 @@ for (const [name, allow] of [
       step(world, rival, 1);
       ruler.sync();
       const overlap = ruler.penetration(world.poses(1, 0, 0), 0, 0);
-      // The ball is 0.3 deep, the box at most 0.15; the listener lets that pass too.
+      // The ball overlaps by 0.3, the box by at most 0.15; the listener lets both pass.
       if (name === "listener") assert.equal(overlap, 0);
       else assert.ok(overlap > 0.05 && overlap < 0.16, `overlap ${overlap}`);
       assert.equal(rival.misses.length, 1);
@@ -232,6 +232,7 @@ function has(world, shapes, body) {
   return shapes.some((shape) => world.bodyOf(shape).index === body.index);
 }
 
+// A prologue that lets all pairs of the rows pass.
 function vetoAll(rows, count) {
   const { length, collide } = thud.LISTENED_ROW;
   for (let row = 0; row < count; row++) rows[row * length + collide] = 0;
@@ -261,7 +262,7 @@ test("overlap_counts_again_what_is_not_let_through_any_more", () => {
   });
 });
 
-/** What each scene has that Box2D does not get; all others are the same in both. */
+/** What Box2D lacks in each scene; all other scenes are the same in both. */
 const LACKING = {
   boats: ["water"],
   clock: ["gears"],

@@ -1,4 +1,7 @@
-/** The page's Box2D side has the joints of a thud world, and both are measured by one rule. */
+/**
+ * Tests that the page's Box2D copy has the joints of a thud world, and that both are measured
+ * alike.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { addBall, addBox, near, step, withRival } from "../support/box2d.mjs";
@@ -6,7 +9,10 @@ import { addBall, addBox, near, step, withRival } from "../support/box2d.mjs";
 const UP = [0, 1];
 const SOFT = { frequency: 2, damping: 1 };
 
-/** What hangs on a wall, with where it is to be after two seconds, in both, and how nearly. */
+/**
+ * Bodies that hang on a wall: start, joint, place after two seconds or null (the same in both), and
+ * tolerance.
+ */
 const HUNG = {
   rod: [[2, 6], { kind: "distance", from: [0, 6], to: [2, 6], length: 2 }, null],
   rope: [[0, 5], { kind: "distance", from: [0, 6], to: [0, 5], along: { upper: 3 } }, [0, 3]],

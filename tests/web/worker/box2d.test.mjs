@@ -1,4 +1,6 @@
-/** The page's Box2D side: what is built of a thud world moves, weighs and is measured as there. */
+/**
+ * Tests that the page's Box2D copy of a thud world moves, weighs and is measured as the thud world.
+ */
 import assert from "node:assert/strict";
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -102,7 +104,7 @@ test("free_fall_in_pixels_follows_the_parabola", () => {
   withRival(options, build, (world, rival, ball) => {
     step(world, rival, 60);
     near(rival.poses()[4 * ball.index], 164, 0.1);
-    // Semi-implicit Euler with 4 substeps: h g t / 2 below the parabola.
+    // Semi-implicit Euler with 4 substeps is h g t / 2 below the parabola.
     near(heightOf(rival, ball), 1000 - 160 - 320 / 240 / 2, 0.1);
     near(rival.bodyState(ball).velocity[1], -320, 0.1);
     near(rival.poses(0)[4 * ball.index], 164 - 64 / 60, 0.1);
@@ -321,7 +323,10 @@ test("box2d_that_is_missing_is_named_in_the_error", async () => {
   await assert.rejects(loadBox2D(), /^Error: Box2D could not be loaded: .*Box2D\.deluxe\.mjs/);
 });
 
-/** A box that falls on a block beside the place, and where it lies after a second. */
+/**
+ * Drops a box onto a block at `x` and pushes it after a second; returns the state and the measures
+ * of Box2D's box, with places relative to `x`.
+ */
 function dropAt(x) {
   let lain;
   const build = (world) => {

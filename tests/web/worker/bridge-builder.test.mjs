@@ -1,4 +1,4 @@
-/** The bridge builder, played step by step as the page's worker does. */
+/** Tests the game Bridge builder, step by step as the page's worker runs it. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { LEVELS, placeOf, ROAD_HALF } from "../../../web/public/scenes/bridge_builder/levels.js";
@@ -8,7 +8,7 @@ import { thud } from "../support/package.mjs";
 const engine = await thud.load();
 const NO_KEYS = { left: false, right: false, up: false, down: false, fire: false, restart: false };
 
-/** The road, and for each gorge what carries it: lines from place to place of the grid. */
+/** The road over each gorge and the beams that carry it: lines between points of the grid. */
 const ROADS = LEVELS.map(({ columns }) => [[0, 0], [columns, 0]]);
 const PROPS = [
   [[[0, -1], [1, 0]], [[4, -1], [3, 0]], [[1, 0], [2, -1]], [[2, -1], [3, 0]], [[2, -1], [2, 0]]],
@@ -24,7 +24,7 @@ const PROPS = [
   ],
 ];
 
-/** A game and the means to play it. */
+/** A game and functions to play it. */
 async function open({ level = 0, eachStep = () => {} } = {}) {
   const { scene } = await buildScene(engine, "bridge_builder");
   scene.state.level = level;
@@ -98,7 +98,7 @@ for (const level of LEVELS.keys())
     assert.match(scene.paint().message, /breaks/);
     game.until(({ phase }) => phase === "lost", 900);
     assert.match(scene.paint().message, /gave way/);
-    // Back at the plan, what broke first is told and shown.
+    // In the plan, the game reports and shows in red what broke first.
     const isRed = ({ ink, halfHeight }) => ink === "bad" && halfHeight === ROAD_HALF;
     const red = () => scene.paint().marks.filter(isRed);
     game.press("fire");
@@ -160,7 +160,7 @@ test("taps_go_on_from_beam_to_beam_and_a_tap_on_a_beam_removes_it", async () => 
   const game = await open();
   for (const place of [[0, 0], [1, 1], [2, 1], [3, 1]]) game.tap(place);
   assert.equal(beamsOf(game), 3);
-  game.tap([3, 1]); // lets go of it
+  game.tap([3, 1]); // a tap on the last point ends the line
   game.tap([1.5, 1]);
   assert.equal(beamsOf(game), 2);
   game.press("left");
@@ -219,7 +219,7 @@ test("bridge_game_goes_the_same_way_from_copies_of_its_state_and_taken_back", as
       return { hash: world.hash(), state: structuredClone(scene.state) };
     };
     const first = end();
-    game.press("fire"); // the bridge that is gone comes back with the past
+    game.press("fire"); // going back in time restores the destroyed bridge
     world.restore(saved.bytes);
     scene.state = structuredClone(saved.state);
     assert.deepEqual(end(), first);

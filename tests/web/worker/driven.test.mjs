@@ -1,4 +1,4 @@
-/** What is played with keys among the scenes of joints: crane, bridge and cars. */
+/** Tests the scenes with joints that are played with keys: crane, bridge and cars. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { buildScene, runScene } from "../../../web/tools/scenes.mjs";
@@ -14,7 +14,7 @@ function hold(scene, keys, steps) {
   }
 }
 
-/** Bodies of the world that move, in the order of their making. */
+/** The dynamic bodies of the world, in the order of creation. */
 function moving({ world }) {
   const { count, handles } = world.shapeTable();
   const bodies = new Map();
@@ -42,7 +42,7 @@ test("crane_lays_its_lintel_lets_go_and_takes_hold_again", async () => {
   assert.ok(hook()[1] > 8.5);
   assert.ok(Math.abs(lintel()[1] - laid) < 0.02);
 
-  hold(scene, { fire: true }, 5); // nothing is near
+  hold(scene, { fire: true }, 5); // nothing is within reach
   assert.deepEqual(scene.state.straps, []);
   hold(scene, { down: true }, 130);
   hold(scene, { fire: true }, 5);

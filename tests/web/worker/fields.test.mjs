@@ -1,4 +1,7 @@
-/** Scenes of water, wind and explosions: what a visitor does in them, and what Box2D is told of. */
+/**
+ * Tests the scenes with water, wind and explosions: input by a visitor, and the report that Box2D
+ * lacks water and wind.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { buildScene, openSession, runScene } from "../../../web/tools/scenes.mjs";

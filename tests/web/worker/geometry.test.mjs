@@ -1,4 +1,4 @@
-/** Two shapes without a world: the package's calls, and the scene that shows them. */
+/** Tests the package's geometry of two shapes without a world, and the scene that shows it. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { buildScene, openSession } from "../../../web/tools/scenes.mjs";

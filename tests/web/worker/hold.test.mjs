@@ -1,4 +1,7 @@
-/** The visitor's hand is a joint: it pulls sleeping bodies, no harder than they weigh, and ends cleanly. */
+/**
+ * Tests dragging in the page: a joint pulls the body, wakes it, pulls no harder than in proportion
+ * to its weight, and is removed cleanly.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { importTypeScript, openSession } from "../../../web/tools/scenes.mjs";
@@ -9,7 +12,9 @@ const { setUp } = await importTypeScript("src/worker/stage.ts");
 const { USUAL } = await importTypeScript("src/page/url.ts");
 const engine = await thud.load();
 
-/** A session of bodies that a test makes: `build` gets the world, and returns what `use` gets. */
+/**
+ * Opens a session with bodies of the test: `build` gets the world, and `use` gets its return value.
+ */
 async function withSession(build, use, { update, options = {} } = {}) {
   let built;
   const module = {

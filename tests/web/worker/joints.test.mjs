@@ -1,4 +1,7 @@
-/** Scenes with joints as the page's worker has them: going back in time, and what it tells of them. */
+/**
+ * Tests scenes with joints in the page's session: going back in time, and the states that it
+ * reports.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { importTypeScript, random } from "../../../web/tools/scenes.mjs";
@@ -11,13 +14,14 @@ const { USUAL } = await importTypeScript("src/page/url.ts");
 const { JointFrames } = await importTypeScript("src/worker/joint-frames.ts");
 const engine = await thud.load();
 
+// Opens a session that runs the scene function.
 function open(scene) {
   const request = { name: "own", seed: 0, choices: USUAL };
   const module = { default: scene, title: "", about: "", menu: null };
   return setUp(1, module, engine, request, () => "", { loadMover: async () => thud.Mover });
 }
 
-/** A scene that makes, sets, breaks and destroys joints as it goes. */
+/** A scene that creates, changes, breaks and destroys joints while it runs. */
 function busy({ createWorld }) {
   const { world, wall, links, weld } = buildLinkage(createWorld());
   const state = { made: null };
@@ -33,7 +37,7 @@ function busy({ createWorld }) {
   return { world, state, update };
 }
 
-/** Everything that there is to tell of a moment. */
+/** The hash and all readable values of the joints at the present step. */
 function told({ world, hash }) {
   const joints = world.joints();
   const states = joints.map((joint) => [world.jointState(joint), world.jointOptions(joint)]);

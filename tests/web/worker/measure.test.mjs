@@ -1,10 +1,12 @@
-/** What the page measures in a worker of its own, and how it tells two engines apart, in Node. */
+/**
+ * Tests the page's measurements, which run in a worker, and its comparison of two engines, in Node.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { importTypeScript, openSession } from "../../../web/tools/scenes.mjs";
 import { thud } from "../support/package.mjs";
 
-// The page's clock is as fine as its isolation from other pages allows.
+// The page uses a fine clock only when it is isolated from other origins.
 globalThis.self = globalThis;
 globalThis.crossOriginIsolated = true;
 
@@ -16,7 +18,10 @@ const { resultText } = await importTypeScript("src/panels/trade/result.ts");
 const { MEANING, verdict } = await importTypeScript("src/panels/versus/words.ts");
 const engine = await thud.load();
 
-/** A laboratory whose steps take as long as `secondsOf` says of a scene's n-th step, from 1. */
+/**
+ * A laboratory with simulated worlds: a step takes secondsOf(step from 1, size, number of the
+ * session) seconds.
+ */
 function laboratoryWith(secondsOf) {
   let opened = 0;
   const open = async ({ size = 1 }) => {
@@ -52,7 +57,7 @@ test("heavier_tells_the_slowest_second_of_what_is_held_and_not_the_last", async 
   assert.ok(Math.abs(held.milliseconds - 12) < 1e-9, `${held.milliseconds} ms`);
 });
 
-/** The first session is that of warming up; each try of a size has one more. */
+/** The first session is the warm-up; each try of a size opens one more. */
 test("heavier_tries_a_miss_again_and_what_it_held_once_more", async () => {
   const sizes = { means: "bodies", usual: 64, least: 1, most: 64 };
   const heaviest = async (secondsOf) => {
@@ -62,9 +67,9 @@ test("heavier_tries_a_miss_again_and_what_it_held_once_more", async () => {
   const fast = 0.0001;
   const slow = 1;
   assert.deepEqual(await heaviest(() => fast), [64, null]);
-  // A hiccup while 16 is tried for the first time; 8 was the second session.
+  // One slow try at 16, the third session; 8 was the second.
   assert.deepEqual(await heaviest((_, size, number) => (number === 3 ? slow : fast)), [64, null]);
-  // Held once by luck, 64 is not held again.
+  // 64 is held once by chance and not again.
   const once = (_, size, number) => (size === 64 && number > 5 ? slow : fast);
   assert.deepEqual(await heaviest(once), [32, 64]);
   assert.deepEqual(await heaviest(() => slow), [null, 1]);
@@ -90,7 +95,7 @@ test("p99_of_a_measured_series_is_without_the_scene_s_start", async () => {
 
 const compared = (penetration) => ({ penetration, energy: 0, bodies: 100 });
 
-/** So many steps, with bodies awake in each engine. */
+/** `count` steps of samples, with times and numbers of awake bodies of each engine. */
 function sampled(from, count, [thudTime, awake], [box2dTime, box2dAwake], depths = [0.001, 0.004]) {
   return Array.from({ length: count }, (_, i) => ({
     step: from + i,

@@ -1,4 +1,7 @@
-/** Overlays draw what the engine has, where it has it: what the page strokes and fills is recorded. */
+/**
+ * Tests that overlays draw the engine's contacts, bounds, pairs, cells and islands in the right
+ * places, by recording the page's strokes and fills.
+ */
 import assert from "node:assert/strict";
 import { beforeEach, test } from "node:test";
 import { importTypeScript, openSession } from "../../../web/tools/scenes.mjs";
@@ -9,12 +12,16 @@ const { LIGHT } = await importTypeScript("src/draw/palette.ts");
 const { Frames } = await importTypeScript("src/worker/frames.ts");
 const engine = await thud.load(demoWasm);
 
-/** CSS pixels a unit. */
+/** CSS pixels per world unit. */
 const SCALE = 16;
 const ORIGIN = [1, 2];
+// Half the width of the drawn region, world units.
 const REACH = 100;
 
-/** Contours of a path, in the world's units: circles by their middle, others by their corners. */
+/**
+ * Records the contours of a path in world units: a circle by its centre, other contours by their
+ * corners.
+ */
 globalThis.Path2D = class {
   contours = [];
   moveTo(x, y) {
@@ -41,7 +48,7 @@ beforeEach(async (t) => {
   for (let i = 0; i < 20; i++) session.makeStep();
 });
 
-/** All contours that some overlays stroke and fill. */
+/** All contours that the overlays stroke and fill. */
 function drawnBy(...overlays) {
   const lower = ORIGIN.map((x) => x - REACH);
   const upper = ORIGIN.map((x) => x + REACH);
@@ -55,7 +62,7 @@ function drawnBy(...overlays) {
   return found;
 }
 
-/** Of every contact: the middle of its points, and the normal. */
+/** The mean point and the normal of every contact. */
 function contactPoints() {
   const { world } = session;
   const found = new Map();

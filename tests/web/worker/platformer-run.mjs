@@ -1,13 +1,15 @@
 /**
- * A run through the level of the game "Platformer" that takes every coin: what a player holds, and
- * until when. `at` is what the player sees: { x, y, vx, vy } of the figure's middle, whether it is
- * standing, the phase of the game, and the lifts' states from left to right.
+ * A scripted run through the level of the game Platformer that takes every coin. Each leg has the
+ * keys that are held and the condition that ends it. The condition gets `at`: { x, y, vx, vy } of
+ * the figure's centre, whether it is standing, the phase of the game, and the states of the lifts
+ * from left to right.
  */
 import { findLifts } from "../../../web/public/scenes/platformer_game/lifts.js";
 
 const KEY_NAMES = ["left", "right", "up", "down", "fire", "restart"];
 const LONGEST_LEG = 15 * 60; // steps
 
+// (at) => at.x >= x; => Conditions that end a leg.
 const after = (x) => (at) => at.x >= x;
 const before = (x) => (at) => at.x <= x;
 const above = (y) => (at) => at.y >= y;
@@ -31,7 +33,7 @@ export const WAY = {
     ["right", after(21)],
     ["right up", after(24)],
   ],
-  // Planks up, with the one at the side, and down through one.
+  // Jumps up the planks, with the one at the side, and drops down through one.
   planks: [
     ["right", after(35)],
     ["up", above(7)],
@@ -75,7 +77,7 @@ export const WAY = {
     ["right", after(92.5)],
     ["right", stands],
   ],
-  // The crate, to the wall, and from it up.
+  // Pushes the crate to the wall and climbs the wall from it.
   crate: [
     ["right", after(108.2)],
     ["left", before(106.5)],
@@ -107,7 +109,7 @@ export const WAY = {
     ["right up", after(117.6)],
     ["", stands],
   ],
-  // The cliff, over spikes on planks, and the chasm.
+  // Climbs the cliff, crosses spikes on planks, and jumps over the chasm.
   cliff: [
     ["right", after(124)],
     ["right up", after(126)],
@@ -131,7 +133,7 @@ export const WAY = {
     ["up", stands],
     ["right up", after(153)],
   ],
-  // Down, over the crates, over the last spikes, up the stairs to the flag.
+  // Goes down, over the crates and the last spikes, and up the stairs to the flag.
   down: [
     ["right", after(159)],
     ["right", after(172.5)],
@@ -151,7 +153,7 @@ export const WAY = {
 };
 export const RUN = Object.values(WAY).flat();
 
-/** Makes steps with these keys, named with spaces between. */
+/** Makes `steps` steps with these keys held; their names are separated by spaces. */
 export function hold(scene, keys, steps) {
   const names = keys.split(" ");
   const held = Object.fromEntries(KEY_NAMES.map((name) => [name, names.includes(name)]));
@@ -161,7 +163,7 @@ export function hold(scene, keys, steps) {
   }
 }
 
-/** What `at` is above. */
+/** The state that the conditions of a run get. */
 export function look(scene, lifts = liftsOf(scene)) {
   const { place, velocity, ground } = scene.state.figure;
   return {
@@ -175,12 +177,14 @@ export function look(scene, lifts = liftsOf(scene)) {
   };
 }
 
-/** Without the figure's own body, which is hidden. */
+/** The lifts, without the figure's own body, which is hidden. */
 function liftsOf({ world, hidden }) {
   return findLifts(world).filter(({ body }) => !hidden.includes(body.index));
 }
 
-/** Drives a scene by a run; each leg lasts at most 15 s. Returns the keys of every step. */
+/**
+ * Plays a run; a leg that lasts longer than 15 s throws an error. Returns the keys of every step.
+ */
 export function drive(scene, run) {
   const lifts = liftsOf(scene);
   const inputs = [];

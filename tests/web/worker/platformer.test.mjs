@@ -1,4 +1,7 @@
-/** The game "Platformer" and its level: every coin and the flag are within reach, by its rules. */
+/**
+ * Tests the game Platformer and its level: a scripted run takes every coin and reaches the flag,
+ * and the game follows its rules.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { findBodies } from "../../../web/public/scenes/platformer_game/bodies.js";
@@ -8,17 +11,17 @@ import { level, readLevelFile, thud } from "../support/package.mjs";
 
 const PLANK = 2;
 const COIN = 4;
-const FEET = 0.75; // below the figure's middle
+const FEET = 0.75; // metres below the figure's centre
 
 const engine = await thud.load();
 const map = await level.readLevel("adventure", readLevelFile("adventure.tmj"));
 const coins = map.bodies.filter(({ shapes: [{ material }] }) => material.category === COIN);
 
-/** The game; with a place, its figure stands there. */
+/** Starts the game; with a place, the figure stands there. */
 async function start(place, choices = {}) {
   const { scene } = await buildScene(engine, "platformer_game", { choices });
   if (place) {
-    // As a player gets elsewhere at once: hurt, and back to a checkpoint.
+    // Moves the figure as the game does after a lost life: back to a checkpoint, here `place`.
     Object.assign(scene.state, { home: place, phase: "hurt", hurtFor: 1000 });
     hold(scene, "", 1);
   }
@@ -66,7 +69,7 @@ test("same_inputs_give_the_same_hash_and_state", async () => {
   const second = await start();
   for (const keys of inputs) hold(second, keys, 1);
   assert.equal(second.world.hash(), first.world.hash());
-  // Handles, which the mover's memory has, differ between worlds.
+  // The mover's memory contains handles, which differ between worlds.
   const played = ({ state }) => ({ ...state, figure: { ...state.figure, mover: null } });
   assert.deepEqual(played(second), played(first));
   assert.ok(first.state.taken.length > 20, "it gets somewhere");
@@ -95,11 +98,11 @@ test("state_restored_in_mid_run_leads_to_the_same_end", async () => {
 
 test("spikes_cost_a_life_and_lead_back_to_the_checkpoint_with_the_coins_kept", async () => {
   const scene = await start();
-  drive(scene, WAY.firstSteps); // over the first pit at last
+  drive(scene, WAY.firstSteps); // until the first pit is crossed
   hold(scene, "right", 30);
   hold(scene, "", 30);
   const taken = [...scene.state.taken];
-  hold(scene, "left", 60); // back into it
+  hold(scene, "left", 60); // back into the pit
   assert.equal(scene.state.phase, "hurt");
   assert.match(scene.paint().message, /2 lives left/);
   hold(scene, "", 60);
@@ -111,7 +114,7 @@ test("spikes_cost_a_life_and_lead_back_to_the_checkpoint_with_the_coins_kept", a
 });
 
 test("last_life_lost_ends_the_game_and_restart_begins_it_anew", async () => {
-  const scene = await start([24, 4]); // above spikes, for every life
+  const scene = await start([24, 4]); // above spikes, where every life is lost
   drive(scene, [["", ({ phase }) => phase === "over"]]);
   assert.equal(figures(scene).Lives, "0");
   assert.match(scene.paint().message, /^Game over/);
@@ -131,7 +134,8 @@ test("moving_platform_carries_the_figure_across_the_pit", async () => {
   const later = look(scene);
   assert.equal(later.standing, true);
   assert.ok(later.x > x + 3, `from ${x} to ${later.x}`);
-  // It moves before the step and the lift in it: one step of the lift's speed lies between.
+  // The figure moves before the step and the lift in it, so they differ by one step of the lift's
+  // speed.
   assert.ok(Math.abs(later.x - later.lifts[0].position[0] - offset) < 0.06);
   scene.world.close();
 });
@@ -155,7 +159,7 @@ test("wall_is_too_high_without_the_crate_and_not_with_it", async () => {
   assert.ok(look(scene).x < 110, "the wall stops it");
   drive(scene, [
     ["left", ({ x }) => x < 105],
-    ["left up", ({ x }) => x < 100.5], // over the crate
+    ["left up", ({ x }) => x < 100.5], // jump over the crate
     ["right", ({ x }) => x > 108.1],
     ["", ({ standing }) => standing],
   ]);
@@ -216,7 +220,7 @@ test("grass_lies_on_what_stands_still_and_under_nothing_that_does", async () => 
       assert.ok(solid(x, y - 0.05), `nothing below (${x}, ${y})`);
       assert.ok(!solid(x, y + 0.05), `covered at (${x}, ${y})`);
     }
-  // Where the figure stands as the game begins.
+  // The place where the figure starts.
   const [x, y] = map.spawn;
   assert.ok(grass.some(({ points: [[left, top], [right]] }) =>
     left < x && x < right && y - top < 2 && y > top));

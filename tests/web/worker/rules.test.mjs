@@ -1,4 +1,7 @@
-/** Scenes of rules between kinds: equal to those of C, and what a visitor does in them. */
+/**
+ * Tests the scenes with rules between categories: they have the hashes of the C scenes, and respond
+ * to the visitor.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { buildScene, openSession, runScene } from "../../../web/tools/scenes.mjs";

@@ -1,6 +1,7 @@
 /**
- * The page's scenes: those of demo/scenes draw equal random numbers and after two seconds have the
- * native engine's hashes, as tests/golden/hashes.txt has them; the others do what they are to show.
+ * Tests the page's scenes: those of demo/scenes draw the same random numbers as in C and after two
+ * seconds have the native hashes of tests/golden/hashes.txt; the others behave as their
+ * descriptions say.
  */
 import assert from "node:assert/strict";
 import { existsSync, readFileSync, readdirSync } from "node:fs";
@@ -37,7 +38,7 @@ test("random_numbers_are_those_of_the_C_scenes", () => {
     const chance = random(seed);
     return [chance(0, 1), chance(0, 1), chance(0, 1)];
   };
-  // Printed by demo/scene/random.h; the last seed is the largest whole number there is.
+  // Printed by demo/scene/random.h; the last seed is the largest safe integer.
   assert.deepEqual(first(0), [0.88331080821364261, 0.43152799704850997, 0.026433771592597743]);
   assert.deepEqual(first(1), [0.5665615751722809, 0.74578175726270113, 0.97100275358679622]);
   assert.deepEqual(
@@ -48,7 +49,7 @@ test("random_numbers_are_those_of_the_C_scenes", () => {
 
 test("registry_has_every_scene_module_and_no_other", () => {
   const files = readdirSync(`${root}web/public/scenes`).filter((file) => file.endsWith(".js"));
-  // What runs a level that a visitor drops onto the page is no scene of the list.
+  // own_level, which runs a level from the visitor's file, is not in the list.
   const names = SCENES.map(({ name }) => name);
   assert.deepEqual([...names, "own_level"].map((name) => `${name}.js`).sort(), files.sort());
   for (const name of Object.keys(THUMBNAILS)) assert.ok(names.includes(name), name);
@@ -184,6 +185,7 @@ function positions(world) {
   return slots.map((slot) => [poses[4 * slot], poses[4 * slot + 1]]);
 }
 
+// The state of the body whose shape is last in the shape table.
 function lastBody(world) {
   const { count, handles } = world.shapeTable();
   const [index1, generation] = handles.slice(4 * count - 2);

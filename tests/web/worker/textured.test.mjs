@@ -1,4 +1,7 @@
-/** The scene of textured ground: what feet stand on is what the ground's weights say. */
+/**
+ * Tests the scene with textured ground: the texture and friction under a foot follow from the
+ * engine's weights of the ground's points.
+ */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { coordinatesOf, TEXTURE, textureAt } from "../../../web/public/scenes/textured/texture.js";
@@ -20,12 +23,12 @@ test("texture_goes_along_the_line_by_the_engine_s_weights", () => {
   assert.deepEqual([v, row, TEXTURE[row].name], [2.5, 2, "Ice"]);
   assert.deepEqual(weights, [0.5, 0.5]);
   near(textureAt(world, band, 3.25).u, 5.25);
-  // A foot on the end of a band may touch it a little beyond.
+  // A foot at the end of a band may touch slightly beyond it.
   near(textureAt(world, band, 4.01).u, 6);
   world.close();
 });
 
-/** What the page writes below the ground, and where. */
+/** The texts that the scene writes below the ground, with their places. */
 function signsOf(scene) {
   return scene.paint().marks.flatMap(({ x, y, text }) => {
     const [, name, friction] = text?.match(/^(\w+), friction ([\d.]+)$/) ?? [];
@@ -38,7 +41,7 @@ test("ground_has_the_friction_that_is_written_below_it", async () => {
   const signs = signsOf(scene);
   assert.deepEqual(new Set(signs.map(({ name }) => name)), new Set(TEXTURE.map(({ name }) => name)));
   for (const { x, y, name, friction } of signs) {
-    const ground = scene.world.castRayAll([x, y + 3], [0, -6]).at(-1); // a walker stands above
+    const ground = scene.world.castRayAll([x, y + 3], [0, -6]).at(-1); // below any walker
     assert.equal(scene.world.shapeState(ground.shape).friction, Math.fround(friction), name);
   }
   scene.world.close();

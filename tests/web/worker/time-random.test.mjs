@@ -1,6 +1,6 @@
 /**
- * Going back in time in every scene of the page: whatever a visitor does and wherever the scene
- * goes, a step of the past comes out with the bits that it had.
+ * Tests going back in time in every scene of the page: with random input and random seeks, a step
+ * of the past has its first hash again.
  */
 import assert from "node:assert/strict";
 import { test } from "node:test";
@@ -8,21 +8,23 @@ import { openSession, random, SCENES, THUMBNAILS } from "../../../web/tools/scen
 import { thud } from "../support/package.mjs";
 
 const STEPS = 300;
-/** Steps from one noted hash to the next. */
+/** The number of steps between two recorded hashes. */
 const EVERY = 30;
+// The number of random seeks per scene. Chosen.
 const SEEKS = 12;
 const KEYS = ["left", "right", "up", "down", "fire", "restart"];
-/** Large scenes run with so many things at most, so that the test stays short. */
+/** The largest size of a scene here, so that the test is short. Chosen. */
 const MOST = 60;
 
 const engine = await thud.load();
 
+// The slot of a random body; 0 if there is none.
 function slotOfBody(world, chance) {
   const { rows, count } = world.shapeTable();
   return count > 0 ? rows[10 * Math.floor(chance(0, count))] : 0;
 }
 
-/** Something that a visitor may do with pointer, tool or keys. */
+/** A random command of the pointer, a tool or the keys. */
 function randomCommand({ world, scene }, chance) {
   const { x = 0, y = 5, height = 20 } = scene.view ?? {};
   const at = { x: x + chance(-0.5, 0.5) * height, y: y + chance(-0.5, 0.5) * height };
@@ -40,6 +42,7 @@ function randomCommand({ world, scene }, chance) {
   return commands[Math.floor(chance(0, commands.length))]();
 }
 
+// {}) => Steps to `end` and records every EVERY-th hash; `commands` is called before each step.
 function runTo(session, end, hashes, commands = () => {}) {
   while (session.step < end) {
     if (session.step % EVERY === 0) hashes.set(session.step, session.hash.hash);
@@ -59,7 +62,7 @@ for (const { name } of SCENES)
     });
     for (let i = 0; i < SEEKS; i++) {
       const step = EVERY * Math.floor(chance(0, STEPS / EVERY));
-      // What was not stepped on from is no part of the past.
+      // A command without a step after it does not become part of the past.
       if (chance(0, 1) < 0.3) session.do(randomCommand(session, chance));
       assert.ok(session.seek(step));
       assert.equal(session.hash.hash, hashes.get(step), `step ${step}`);

@@ -1,13 +1,13 @@
-//! Rapier 2D for the benchmark, as C sees it (rapier.h): a world is made body by body, stepped,
-//! and read back in the order of creation. Rapier's defaults, but for what the caller says.
+// Rapier 2D for the benchmark, behind the C interface of rapier.h: worlds are created body by body,
+// stepped, and read in the order of creation. Everything else has Rapier's defaults.
 
 use rapier2d::prelude::*;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::slice;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-/// Rapier does not report its memory, so that its allocator does. One thread only: a load and a
-/// store are enough, and cost nothing beside an allocation.
+// An allocator that counts, because Rapier does not report its memory. There is one thread only, so
+// that a load and a store suffice instead of an atomic addition.
 struct Counting;
 
 static HELD: AtomicUsize = AtomicUsize::new(0);
@@ -101,8 +101,7 @@ pub unsafe extern "C" fn rapier_destroy(world: *mut World) {
     drop(unsafe { Box::from_raw(world) });
 }
 
-/// # Safety
-/// Both point to what their types say, as in all functions below.
+// `world` and `body` must be valid pointers, as in all functions below.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn rapier_add_body(world: *mut World, body: *const Body) {
     let (world, body) = unsafe { (&mut *world, &*body) };
@@ -126,7 +125,8 @@ pub unsafe extern "C" fn rapier_add_body(world: *mut World, body: *const Body) {
     world.bodies.push(handle);
 }
 
-/// Friction mixes as the geometric mean and restitution as the larger, as in the other engines.
+// Friction is combined as the geometric mean and restitution as the maximum, as in the other
+// engines.
 fn add(world: &mut World, collider: ColliderBuilder, shape: &Shape) {
     let groups = InteractionGroups::new(
         Group::from_bits_retain(shape.category),
@@ -210,7 +210,7 @@ pub unsafe extern "C" fn rapier_read(world: *const World, out: *mut State) {
     }
 }
 
-/// What all worlds hold at the moment.
+// The bytes that all worlds hold at present.
 #[unsafe(no_mangle)]
 pub extern "C" fn rapier_bytes() -> usize {
     HELD.load(Relaxed)
