@@ -212,7 +212,9 @@ export class WorldJoints extends WorldViews {
    * All joints for drawing, as views into wasm memory, valid until the next call of the engine:
    * anchors and axes with the bodies at `alpha` between the last two steps, relative to the origin,
    * both as in `poses`; limits and forces.
-   * @throws {ThudError} "invalid" for alpha outside [0, 1]; "memory".
+   * It has no joints (count 0) where alpha is outside [0, 1] or the origin further than 10⁹ length
+   * scales.
+   * @throws {ThudError} "memory".
    */
   jointTable(alpha = 1, originX = 0, originY = 0): JointTable {
     const { engine } = this;

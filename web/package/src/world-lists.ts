@@ -1,7 +1,8 @@
 /**
  * The layer of World with lists of handles: bodies, shapes, moved bodies, the shapes that a sensor
  * overlaps, and pairs that met. Lists are in the order of slots. thud_lists.h describes them in
- * full. All are allowed inside callbacks.
+ * full. All are allowed inside callbacks. Each throws a ThudError "memory" where a list has no
+ * room.
  */
 import { ThudError } from "./error.js";
 import { HandleAt, ListAt, PairAt, PairSideAt, ShapeStateAt } from "./generated/slots.js";
