@@ -1,6 +1,6 @@
 /**
- * Brick breaker with a computer player. Every third brick drops a capsule: caught, it widens the
- * paddle. The game is won when no brick is left, and lost with the third ball.
+ * Brick breaker with a computer player. Every third brick drops a capsule, which widens the paddle
+ * that catches it. The game is won when no brick is left, and lost with the third ball.
  */
 import { aabb, circle, load, walls } from "thud";
 
@@ -27,7 +27,8 @@ let [left, balls, caught] = [bricks.length, 3, 0];
 while (left > 0 && balls > 0) {
   const ball = addDisc(BALL, ~CAPSULE, [0, -5], [0, -SPEED]);
   while (left > 0 && world.isValid(ball)) {
-    // The player wants the ball to meet the paddle where it goes to a brick from, but is slow.
+    // The player moves the paddle so that the ball hits it where it is sent to a brick, at most 0.2
+    // a step.
     const [x] = world.positionOf(paddle);
     const [ballX] = world.positionOf(ball);
     const [brickX, brickY] = world.positionOf(bricks.find((brick) => world.isValid(brick)));
@@ -43,7 +44,7 @@ while (left > 0 && balls > 0) {
       world.destroy(capsule.body);
       world.setHalfExtents(paddle.shape, 1 + 0.25 * ++caught, 0.3);
     }
-    // The more aside the ball meets the paddle, the more aside it goes.
+    // The ball leaves at an angle that grows with its distance from the paddle's middle.
     const angle = Math.atan(ballX - x);
     for (const { b } of world.meetings(PADDLE, BALL))
       world.setVelocity(b.body, [SPEED * Math.sin(angle), SPEED * Math.cos(angle)]);

@@ -1,5 +1,6 @@
-/* platformer.c: a hero runs from coin to coin: over a pit, against a belt, up through planks, on a
- * lift. Another lift brings a crate up through a plank, which holds it then. */
+/* platformer.c: a character (a mover) collects coins: over a pit, against a conveyor belt, up
+ * through planks and on a lift. Another lift takes a crate up through a plank, on which it then
+ * rests, by a one-way rule. */
 #include <math.h>
 #include <stdio.h>
 #include <thud/thud_all.h>
