@@ -9,6 +9,7 @@
 
 enum { PLAIN, ICE, TRAMPOLINE, ONE_WAY }; /* materials, the user data of shapes */
 
+/* The material of a shape; PLAIN where the shape no longer exists. */
 static uint64_t material_of(const thud_world *world, thud_shape_id shape) {
     thud_shape_state state = {.user_data = PLAIN};
     thud_shape_get(world, shape, &state);

@@ -2,6 +2,7 @@
 # docs/performance.md with the results of both, and docs/catalogue.md. Sourced by ./run.
 # shellcheck shell=sh
 
+# Prints the help of ./run bench.
 bench_usage() {
     cat <<'END'
 usage: ./run bench [OPTION...]

@@ -175,6 +175,7 @@ fuzz_keep() {
     du -sb tests/fuzz/corpus/*
 }
 
+# Builds the chosen `targets`.
 fuzz_build() {
     case " $targets " in
         *' calls '* | *' snapshots '* | *' levels '* | *' geometry '*)
@@ -195,6 +196,7 @@ fuzz_build() {
     esac
 }
 
+# fuzz WORD...: ./run fuzz.
 fuzz() {
     case ${1:-} in
         -h | --help)

@@ -32,6 +32,7 @@ matrix_lines() {
     sed '/^#/d; s/ *| */|/g' "$MATRIX/$1.txt"
 }
 
+# Prints the names of all rows.
 matrix_names() {
     matrix_lines rows | cut -d '|' -f 1
 }
@@ -267,6 +268,7 @@ matrix_ensure() {
     (ensure matrix) && { missing= && need_matrix && [ -z "$missing" ]; }
 }
 
+# matrix WORD...: ./run matrix.
 matrix() {
     case ${1:-} in
         -h | --help)

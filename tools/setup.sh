@@ -30,6 +30,7 @@ has_header() {
         cc -E -
 }
 
+# Whether there are make and a C compiler with the C library's headers.
 compiles() {
     have make && has_header stdio.h
 }
@@ -38,6 +39,7 @@ node_is_new() {
     node -e 'process.exit(parseInt(process.versions.node) >= 18 ? 0 : 1)'
 }
 
+# need_VERB: calls `need` for each tool of a verb, or of a part of it.
 need_native() {
     need "a C compiler with make" build-essential compiles
     need "CMake 3.22 or later" cmake have cmake

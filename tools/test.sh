@@ -153,6 +153,8 @@ test_page() {
     (cd web && npm run test:page)
 }
 
+# The tests of build/bench: programs that compare thud with Box2D, and the pages made of their
+# results.
 test_baseline() {
     build_bench
     # No test here asserts a time.

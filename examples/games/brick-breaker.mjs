@@ -5,7 +5,7 @@
 import { aabb, circle, load, walls } from "thud";
 
 const [PADDLE, BRICK, BALL, CAPSULE, PIT] = [2, 4, 8, 16, 32]; // categories
-const SPEED = 14;
+const SPEED = 14; // of the ball, length/s
 const clamp = (value, most) => Math.max(-most, Math.min(most, value));
 
 const thud = await load();
@@ -18,6 +18,7 @@ const bricks = world.createBodies({ shapes: [aabb(0.9, 0.4, { category: BRICK })
 const shapes = [aabb(1, 0.3, { category: PADDLE })];
 const paddle = world.createBody({ kind: "kinematic", position: [0, -9], shapes });
 
+/** A ball or a capsule that bounces without loss. Returns its body. */
 function addDisc(category, mask, position, velocity) {
   const shapes = [circle(0.3, { category, mask, restitution: 1, friction: 0 })];
   return world.createBody({ kind: "dynamic", position, velocity, fixedRotation: true, shapes });

@@ -14,6 +14,7 @@ typedef struct game {
     int bricks, lives, score, steps;
 } game;
 
+/* A box of a category. The floor is a sensor, and a gift collides with paddle and floor only. */
 static thud_body_id add_box(game *g, thud_body_kind kind, uint32_t category, double x, double y,
                             double half_x, double half_y) {
     thud_body_options box = {.kind = kind, .category = category, .frictionless = true};
@@ -22,6 +23,7 @@ static thud_body_id add_box(game *g, thud_body_kind kind, uint32_t category, dou
     return thud_body_make(g->world, thud_aabb_at(x, y, half_x, half_y), &box);
 }
 
+/* Adds a new ball. */
 static void serve(game *g) {
     thud_body_options ball = {.kind = THUD_DYNAMIC,
                               .velocity = {3, -12},

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <thud/thud_all.h>
 
+/* STEPS: the longest race, two minutes. GATE, CAR: categories. */
 enum { CARS = 3, GATES = 4, LAPS = 3, STEPS = 60 * 120, GATE = 2, CAR = 4 };
 
 /* The places of the sensors: the gates in the order of the race, then the oil. The user data of

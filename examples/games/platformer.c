@@ -5,7 +5,8 @@
 #include <stdio.h>
 #include <thud/thud_all.h>
 
-enum { COINS = 8, STEPS = 60 * 60, PLANK = 2, CRATE = 4 }; /* the last two are categories */
+/* STEPS: the longest game, one minute. PLANK, CRATE: categories. */
+enum { COINS = 8, STEPS = 60 * 60, PLANK = 2, CRATE = 4 };
 
 static const thud_pos coins[COINS] = {{4, 1},  {11, 2}, {15, 1}, {18, 3},
                                       {18, 5}, {22, 9}, {28, 9}, {38, 1}};

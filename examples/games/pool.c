@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <thud/thud_all.h>
 
+/* CUE: the index of the cue ball. SHOTS: the longest game. BALL, POCKET: categories. */
 enum { BALLS = 16, CUE = 0, POCKETS = 6, SHOTS = 200, BALL = 2, POCKET = 4 };
 
 static const thud_pos pockets[POCKETS] = {{-22, -11}, {0, -11}, {22, -11},

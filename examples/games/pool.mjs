@@ -5,7 +5,7 @@
  */
 import { circle, load, walls } from "thud";
 
-const RADIUS = 0.03;
+const RADIUS = 0.03; // of a ball, metres
 const [CUE, BALL, POCKET] = [2, 4, 8]; // categories
 
 const thud = await load();

@@ -6,8 +6,11 @@
 #include <stdio.h>
 #include <thud/thud_all.h>
 
+/* LATEST: the largest delay of an input, steps. WINS: rounds that decide the match. STEPS: the
+ * longest match, two minutes. */
 enum { LATEST = 12, WINS = 3, STEPS = 60 * 120 };
 
+/* The game as one peer has it. */
 typedef struct peer {
     thud_world *world;
     thud_rollback *rollback;
@@ -15,6 +18,7 @@ typedef struct peer {
     int wins[2];
 } peer;
 
+/* Begins a round: puts two new wrestlers at their places. */
 static void line_up(peer *p) {
     thud_body_options disc = {.kind = THUD_DYNAMIC, .linear_damping = 1, .restitution = 0.8f};
     for (int i = 0; i < 2; i++) {

@@ -5,13 +5,14 @@
  */
 import { aabb, circle, load, Rollback } from "thud";
 
-const STEPS = 1800;
+const STEPS = 1800; // of the match
 const LATEST = 12; // the largest delay of an input, steps
 const IDLE = 4; // an input of 0 to 8: x is its remainder by 3, y its quotient, each minus 1
 const [PUCK, STRIKER] = [1, 2]; // categories
 
 const thud = await load();
 
+/** The game as one peer has it: its world, with puck and strikers, and its rollback. */
 function createPeer() {
   const world = thud.createWorld({ gravity: [0, 0] });
   const wall = (halfWidth, halfHeight, x, y, mask = PUCK | STRIKER) =>

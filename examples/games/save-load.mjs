@@ -7,8 +7,8 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { aabb, load, obb } from "thud";
 
-const BOMBS = [[-3, 0.4], [2, 0.4], [0, 5], [5, 0.4], [-1, 0.4], [3, 3]];
-const STEPS_BETWEEN = 90;
+const BOMBS = [[-3, 0.4], [2, 0.4], [0, 5], [5, 0.4], [-1, 0.4], [3, 3]]; // places
+const STEPS_BETWEEN = 90; // steps from one bomb to the next
 const STONE = 1; // user data
 
 const thud = await load();

@@ -52,6 +52,7 @@ static void play(game *g, int steps) {
     }
 }
 
+/* Plays a game to its end, prints the result, and returns the world's hash. */
 static uint64_t finish(game *g) {
     play(g, PAUSE * BALLS);
     uint64_t hash = thud_world_hash(g->world);

@@ -21,6 +21,7 @@ Wants thud.wasm built (./run demo or ./run test do that) and web/'s packages.
 
 const web = fileURLToPath(new URL("..", import.meta.url));
 const require = createRequire(new URL("../package.json", import.meta.url));
+/** The loader of Box2D's SIMD build in its package. */
 const DELUXE = "build/dist/es/deluxe/Box2D.deluxe.mjs";
 
 function fail(message) {

@@ -6,11 +6,14 @@ const WIDTH = 640;
 const HEIGHT = 400;
 /** The smallest half extent that is drawn: 0.3 pixels on the page. Chosen: less cannot be seen. */
 const LEAST = 1.2;
+/** The colour of static shapes. */
 const STONE = "rgb(118 134 162)";
 const GROUND = `fill="${STONE}" fill-opacity=".55"`;
+/** The numbers of kinds of shapes and bodies in rows of the shape table. */
 const KINDS = { circle: 0, terrain: 3 };
 const BODIES = { static: 0, kinematic: 1, dynamic: 2 };
 
+/** The colours of marks, by the names of inks of scene.ts. */
 const INKS = {
   ink: STONE,
   soft: STONE,

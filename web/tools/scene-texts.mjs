@@ -10,6 +10,7 @@ import { fileURLToPath } from "node:url";
 
 const FOLDER = fileURLToPath(new URL("../public/scenes", import.meta.url));
 
+/** A string literal without escapes, as a regular expression. */
 const STRING = '"([^"\\\\\\n]+)"';
 /** For each value the regular expression of its line, and the form that an error message shows. */
 const LINES = {

@@ -11,6 +11,7 @@ const here = (file) => fileURLToPath(new URL(`../${file}`, import.meta.url));
 const camel = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase());
 const capital = (name) => name[0].toUpperCase() + name.slice(1);
 
+/** A declaration in a struct, and one of the members that it declares. */
 const MEMBERS = /(?:struct\s+(\w+)|double|float|uint32_t)\s+([^;]+);/g;
 const MEMBER = /^(\w+)(?:\[(\d+)\])?$/;
 

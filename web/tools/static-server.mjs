@@ -7,6 +7,7 @@ import { promisify } from "node:util";
 import { brotliCompress, constants, gzip } from "node:zlib";
 import { ISOLATION, WORKER_POLICY } from "./headers.mjs";
 
+/** Content types by the extension of files. */
 const TYPES = {
   ".css": "text/css; charset=utf-8",
   ".csv": "text/csv; charset=utf-8",
@@ -22,6 +23,7 @@ const TYPES = {
   ".webmanifest": "application/manifest+json",
 };
 
+/** The encodings, the best first, and the functions that compress. */
 const ENCODERS = {
   // The highest quality would take half a second for the engine, and save a twentieth of its size.
   br: (bytes) =>

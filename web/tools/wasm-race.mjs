@@ -117,6 +117,7 @@ function buildBox2d(b2, thudWorld, gravity) {
 /** The gravity of scenes whose gravity is not [0, -10]. */
 const GRAVITY = { gas: [0, 0], smash: [0, 0] };
 
+/** Median, 99th percentile and maximum of times. */
 function summary(times) {
   const sorted = Float64Array.from(times).sort();
   const at = (share) => sorted[Math.min(sorted.length - 1, Math.ceil(share * sorted.length) - 1)];

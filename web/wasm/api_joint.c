@@ -40,6 +40,7 @@ static thud_drive drive_in(const struct drive_options *s, thud_joint_kind kind,
                         .motor_force = (float)s->motor_force};
 }
 
+/* Converts a frame to the slots' form, and back. */
 static struct frame_options frame_out(const thud_joint_frame *frame) {
     return (struct frame_options){{frame->position.x, frame->position.y}, frame->angle};
 }

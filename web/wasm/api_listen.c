@@ -18,6 +18,7 @@ extern int thud_filtered(const thud_world *world, uint32_t index_a, uint32_t gen
  * Chosen: 16 rows take 2,560 bytes of stack. */
 enum { PIECE = 16 };
 
+/* The row of a contact, with zeros for the prologue's answers. */
 static struct listened_row row_of(const thud_contact *c) {
     return (struct listened_row){
         .shape_a = {c->shape_a.index1, c->shape_a.generation},

@@ -6,6 +6,7 @@
 
 #include <stdlib.h>
 
+/* A mover with the context of its callback, and the report of its last move. */
 typedef struct api_mover {
     thud_mover mover;
     thud_one_way one_way;

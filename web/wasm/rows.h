@@ -14,6 +14,7 @@ struct first_hit {
     struct ray_hit hit;
 };
 
+/* The handles in the rows are two numbers each, index1 and generation. */
 struct hit_event {
     double shape_a[2], shape_b[2], point[2], normal[2], speed;
 };

@@ -60,6 +60,7 @@ export type SolidShape =
   | { kind: "aabb"; halfWidth: number; halfHeight: number }
   | { kind: "obb"; halfWidth: number; halfHeight: number; angle: number };
 
+/** The shape closest to a point. */
 export interface ClosestHit {
   shape: ShapeId;
   /** The closest point of the shape's surface, in the world. */

@@ -47,11 +47,13 @@ import type { BodyRef, JointId, JointRef } from "./types.js";
 import { WorldViews } from "./world-views.js";
 
 const SIDES = ["a", "b"] as const;
+/** The options of setJointBreaking: breakForce, breakTorque, onlyReports. */
 const BREAKING = JOINT_OPTIONS.slice(
   JointOptionsAt.breakForce,
   JointOptionsAt.onlyReports + 1,
 );
 
+/** The layer of World with joints. */
 export class WorldJoints extends WorldViews {
   /**
    * Creates a joint between two bodies, or a gear between two joints. It takes effect with the next

@@ -12,6 +12,7 @@ import { WorldRules } from "./rules/world-rules.js";
 import type { BodyId, ShapeId, ShapeRef } from "./types.js";
 import type { ContactEvent, Events, Meeting, Pair, PairSide } from "./view-types.js";
 
+/** The layer of World with lists. */
 export class WorldLists extends WorldRules {
   /**
    * The array of thud_body_seen in wasm memory, with the poses that movedBodies last listed, and
