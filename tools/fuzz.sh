@@ -12,21 +12,21 @@ fuzz_usage() {
     cat <<'END_OF_USAGE'
 usage: ./run fuzz [--minutes N] [--keep] [TARGET...]
 
-Plays random input on all processors, by libFuzzer under the address and undefined-behaviour
-sanitizers, and asks whether what thud promises holds. All targets share the time, or those that
-are named:
+Runs random input on all processors, by libFuzzer under the address and undefined-behaviour
+sanitizers, and checks what thud guarantees. The time is divided among the targets that are named,
+or all:
 
-  calls      any calls of the C API in any order, by two worlds that must do the same
-  snapshots  snapshots that somebody changed, checksum and all
+  calls      any calls of the C API in any order, in two worlds whose results must be the same
+  snapshots  snapshots with changed bytes and a correct checksum
   levels     maps of the Tiled editor
   geometry   shapes, volumes and ground without a world
   js         any calls of the JavaScript package, in Node
 
-  --minutes N  altogether; 10 if not given
-  --keep       afterwards makes the packed inputs of tests/fuzz/corpus, which ./run test plays, anew
+  --minutes N  the whole time; default 10
+  --keep       afterwards writes the packed inputs of tests/fuzz/corpus again, which ./run test runs
 
-What it comes upon on its way is in build/fuzz/corpus, and the next call goes on from there.
-Findings are in build/fuzz/findings. Ends with 1 if there is any.
+Inputs that reach new code are kept in build/fuzz/corpus, from which the next call starts. Findings
+are in build/fuzz/findings; the exit code is 1 if there are any.
 END_OF_USAGE
 }
 

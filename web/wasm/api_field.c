@@ -121,10 +121,12 @@ static thud_result push(const pushed *p, double x, double y, double impulse) {
     return thud_body_apply_impulse(p->world, p->body, along, p->point);
 }
 
+/* The value limited to [-most, most]. */
 static double clamp(double value, double most) {
     return fmax(-most, fmin(most, value));
 }
 
+/* Whether the value is in [least, MOST_FORCE]; false for NaN. */
 static bool is_force(double value, double least) {
     return value >= least && value <= MOST_FORCE;
 }

@@ -138,7 +138,7 @@ export interface WorldOptions {
   restitutionThreshold?: number;
   /** Pairs that approach faster make hit events: length scales per second, 0 to 10⁶. Default 1. */
   hitSpeed?: number;
-  /** No body moves faster: length scales per second, above 0, up to 10⁶. Default 10⁶. */
+  /** No body moves faster: length scales per second, above 0, up to 10⁶. Default: 10⁶. */
   maximumSpeed?: number;
   /** Whether bodies at rest may sleep. Default true. */
   sleeping?: boolean;
