@@ -1,5 +1,6 @@
 /* rows.h: the rows of lists that pass between this layer and JavaScript. slots.h says how their
- * members get names in TypeScript. Units are those of the structs of thud with similar names. */
+ * members get names in TypeScript. Handles are two numbers, index1 and generation. Units are those
+ * of the structs of thud with similar names. */
 #ifndef ROWS_H
 #define ROWS_H
 
@@ -14,7 +15,6 @@ struct first_hit {
     struct ray_hit hit;
 };
 
-/* The handles in the rows are two numbers each, index1 and generation. */
 struct hit_event {
     double shape_a[2], shape_b[2], point[2], normal[2], speed;
 };
