@@ -1,20 +1,22 @@
-/* callbacks.c: the rules of a small game, told to the engine by what shapes are made of: ice, a
- * trampoline, a platform that lets through from below, a conveyor belt, a coin to collect. */
+/* callbacks.c: the collision rules of a small game by listeners: a prologue (pre-solve) changes
+ * friction or restitution, or lets a body pass, by the material of a shape: ice, a trampoline, a
+ * platform that is passed from below. A conveyor belt and a coin (a sensor) need no callback. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <thud/thud_edits.h>
 #include <thud/thud_listeners.h>
 
-enum { PLAIN, ICE, TRAMPOLINE, ONE_WAY }; /* kept in the shapes' user data */
+enum { PLAIN, ICE, TRAMPOLINE, ONE_WAY }; /* materials, the user data of shapes */
 
+/* The material of a shape; PLAIN where the shape no longer exists. */
 static uint64_t material_of(const thud_world *world, thud_shape_id shape) {
     thud_shape_state state = {.user_data = PLAIN};
     thud_shape_get(world, shape, &state);
     return state.user_data;
 }
 
-/* Asked before a pair is solved. Static shapes come first: a is what b meets. */
+/* Called before a pair is solved. Of a static and a moving shape, a is the static one. */
 static bool prologue(thud_world *world, const thud_contact *contact,
                      thud_contact_settings *settings, void *context) {
     (void)context;
@@ -24,9 +26,9 @@ static bool prologue(thud_world *world, const thud_contact *contact,
         settings->friction = 0;
         break;
     case TRAMPOLINE:
-        settings->restitution = 1.2f; /* higher each time */
+        settings->restitution = 1.2f; /* above 1: each bounce is higher */
         break;
-    case ONE_WAY: /* holds what comes down on it and was above it a step ago */
+    case ONE_WAY: /* collides with a body that comes down on it and was above it a step before */
         thud_body_get(world, contact->body_b, &body);
         return contact->normal.y > 0.7f && body.velocity.y < 0.2f &&
                contact->separation > body.velocity.y / 60 - 0.05f;
@@ -34,13 +36,14 @@ static bool prologue(thud_world *world, const thud_contact *contact,
     return true;
 }
 
-/* Told after a pair was solved, with the impulses that were applied. */
+/* Called after a pair was solved, with the impulses that were applied. */
 static void epilogue(thud_world *world, const thud_contact *contact, void *context) {
     (void)world;
     float *loudest = context;
     *loudest = fmaxf(*loudest, contact->normal_impulse);
 }
 
+/* A static box, half a length high; returns its shape. */
 static thud_shape_id add_box(thud_world *world, double x, double y, float half_width,
                              thud_shape_def def) {
     thud_body_def body_def = thud_default_body_def();
@@ -52,7 +55,7 @@ static thud_shape_id add_box(thud_world *world, double x, double y, float half_w
     return shape;
 }
 
-/* A crate of 1 by 1 and mass 1. */
+/* A dynamic box of 1 by 1 with mass 1. */
 static thud_body_id add_crate(thud_world *world, double x, double y, float vx, float vy) {
     thud_body_def body_def = thud_default_body_def();
     thud_body_shape square = {thud_aabb_at(0, 0, 0.5, 0.5), NULL};
@@ -85,7 +88,7 @@ int main(void) {
     add_box(world, 20, -0.25, 2, (def.user_data = TRAMPOLINE, def));
     add_box(world, 30, -0.25, 2, (def.user_data = ONE_WAY, def));
     def.user_data = PLAIN;
-    def.surface_speed = 2; /* no callback needed: it runs to +x on its top */
+    def.surface_speed = 2; /* a conveyor belt to +x */
     add_box(world, 50, -0.25, 8, def);
     def.surface_speed = 0;
     def.sensor = true;

@@ -1,5 +1,5 @@
-"""Runs an example (its name, then its program): it says what it should. README.md shows embed.c to the
-letter."""
+"""Runs an example and compares its output with SAYS: check.py NAME PROGRAM. Also checks that
+README.md shows embed.c without changes."""
 import pathlib
 import subprocess
 import sys

@@ -1,9 +1,10 @@
-"""The level of the game "Platformer": assets/levels/adventure.tmj.
+"""Makes the level of the game "Platformer", assets/levels/adventure.tmj.
 
-One way from left to right past everything that a character can do, in this order: jump a pit,
-climb planks, drop through planks, walk slopes, ride a lift across and one up, push a crate. What
-the figure can reach decides every number here: it jumps 3.2 m high and 7 m far. The test
-tests/web/worker/platformer.test.mjs plays the level to the end with every coin."""
+The level goes from left to right, and needs each ability of the character, in this order: to jump
+over a pit, climb planks, drop through planks, walk on slopes, ride a lift across and one up, and
+push a crate. Heights and distances follow from how far the character jumps: 3.2 m high and 7 m far.
+The test tests/web/worker/platformer.test.mjs plays the level to the end and collects every coin.
+Lengths are in metres, which are tiles."""
 
 import math
 import random
@@ -13,7 +14,7 @@ from tiled_map import BRICK, GRASS, STONE, Map
 COLUMNS, ROWS = 206, 30
 GROUND = 4  # the height of the plain
 
-# What a sensor or platform is to the game, as bits of its `category`.
+# The category bits by which the game knows platforms and sensors.
 ONE_WAY, COIN, SPIKES, CHECKPOINT, GOAL = 2, 4, 8, 16, 32
 
 PITS = ((22, 26), (80, 92), (112, 118))
@@ -28,7 +29,7 @@ COINS = ((7, 5), (8.5, 5), (11, 7), (14.8, 9), (16.2, 9), (24, 7.5),  # to the f
 
 
 def adventure_cells():
-    """Stone for the plain, brick for all that is built on it."""
+    """The tiles by (column, row from below): stone for the plain, brick for what is built on it."""
     cells = {}
 
     def fill(x0, x1, y0, y1, tile):
@@ -53,7 +54,8 @@ def adventure_cells():
 
 
 def hills(turns):
-    """Through these tops and bottoms, level there, with a point for every metre."""
+    """A smooth line through these highest and lowest points, horizontal there, with a point for
+    each metre."""
     points = [turns[0]]
     for (x0, y0), (x1, y1) in zip(turns, turns[1:]):
         for x in range(x0 + 1, x1 + 1):
@@ -63,6 +65,7 @@ def hills(turns):
 
 
 def adventure():
+    """Writes the level."""
     m = Map(COLUMNS, ROWS, title="Adventure", gravity_y=-20.0, camera_x=18.0, camera_y=10.0,
             camera_height=20.0, character=True,
             about="Collect the coins and reach the flag: over pits and planks, by lifts, with a "

@@ -1,7 +1,8 @@
-# bench.sh: the parts of ./run bench: the native benchmark, the one for WebAssembly, the page that
-# both are written to, and the prices of every system. Read by ./run.
+# bench.sh: the functions of ./run bench: the native benchmark, the one for WebAssembly,
+# docs/performance.md with the results of both, and docs/catalogue.md. Sourced by ./run.
 # shellcheck shell=sh
 
+# Prints the help of ./run bench.
 bench_usage() {
     cat <<'END'
 usage: ./run bench [OPTION...]
@@ -35,23 +36,24 @@ options every scene, as a table.
 END
 }
 
-# Builds Box2D and what stands beside it. Ends with 77 where Box2D cannot be built, which
-# tests/adapters/build.sh explains. Where `built` names a build directory, its engine is taken.
+# Builds Box2D, and the programs that measure it beside thud. Ends with exit code 77 where Box2D
+# cannot be built; tests/adapters/build.sh prints why. If the variable `built` names a build
+# directory, the engine of that directory is used.
 build_beside_box2d() {
     sh tests/adapters/build.sh build/baseline
     build bench --preset release -DTHUD_WERROR=ON -DTHUD_TESTS=OFF \
         -DTHUD_BOX2D="$root/build/baseline" -DTHUD_BUILT="${built:-}"
 }
 
-# Rapier, too; without it the rest goes on.
+# The same with Rapier, which is left out where it cannot be built.
 build_bench() {
     sh tests/adapters/build-rapier.sh build/baseline || [ $? = 77 ]
     build_beside_box2d
 }
 
-# measured_page VERB SCRIPT PROGRAM OPTION...: the page that tests/SCRIPT writes of what build/bench's
-# PROGRAM measures. Wrong options are refused before anything is built, and writing the page anew
-# needs no build.
+# measured_page VERB SCRIPT PROGRAM OPTION...: builds and runs PROGRAM in build/bench/tests, and
+# writes the page in docs/ that tests/SCRIPT makes of its measurements. Wrong options are refused
+# before the build. With --again the page is written from the last measurements, without a build.
 measured_page() {
     verb=$1
     script=$root/tests/$2
@@ -71,8 +73,9 @@ measured_page() {
     exec python3 "$script" "$program" "$@"
 }
 
-# What the figures belong to. What is not committed of all that programs are made of makes it -dirty,
-# and pages of a dirty tree are not written to docs/: tests/pages/measured.py.
+# Sets THUD_COMMIT, the commit to which measurements belong, with "-dirty" appended where sources
+# have changes that are not committed; tests/pages/measured.py refuses to write docs/ for such a
+# tree.
 name_commit() {
     THUD_COMMIT=$(git rev-parse --short=12 HEAD 2>/dev/null | cut -c 1-12)
     changed=$(git status --porcelain --untracked-files=no -- CMakeLists.txt assets cmake demo engine \
@@ -82,6 +85,7 @@ name_commit() {
     export THUD_COMMIT
 }
 
+# Runs the native benchmark with these options.
 bench_native() {
     ensure bench
     build_bench
@@ -89,7 +93,8 @@ bench_native() {
     exec "$root/build/bench/tests/bench/thud-bench" "$@"
 }
 
-# The picture is drawn of the JSON, which stays in build/ unless it has a place of its own.
+# Runs the native benchmark, and draws its results to the file `picture`, from the JSON file `json`,
+# or one in build/ where no name was given.
 bench_picture() {
     case $picture in
         *.svg) ;;
@@ -103,6 +108,7 @@ bench_picture() {
     exec python3 "$root/tests/bench/pages/performance_picture.py" "$json" "$picture"
 }
 
+# Runs the benchmark for WebAssembly with these options.
 bench_wasm() {
     ensure bench_wasm
     build_page
@@ -110,6 +116,7 @@ bench_wasm() {
     exec node "$root/web/tools/bench-wasm.mjs" "$@"
 }
 
+# Measures both and writes docs/performance.md; --again and --skip wasm need less to be built.
 bench_report() {
     case " $* " in
         *' --again '*) ensure bench_picture ;;
@@ -128,6 +135,7 @@ bench_report() {
         "$root/build/bench/tests/bench/thud-bench" "$@"
 }
 
+# Measures the cost and errors of each system and writes docs/catalogue.md.
 bench_catalogue() {
     ensure bench_picture
     case " $* " in
@@ -139,7 +147,8 @@ bench_catalogue() {
         "$root/build/bench/tests/bench/thud-catalogue" "$@"
 }
 
-# bench OPTION...: what is for ./run itself may stand anywhere; the rest goes to what does the work.
+# bench OPTION...: ./run bench. Its own options may be at any place; the others are passed to the
+# program that measures.
 bench() {
     what=native
     help=no

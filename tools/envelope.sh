@@ -1,5 +1,5 @@
-# envelope.sh: ./run envelope, which drives thud and Box2D to the extremes and writes
-# docs/stability.md. Read by ./run.
+# envelope.sh: ./run envelope, which measures errors of thud and Box2D in extreme scenes and writes
+# docs/stability.md. Sourced by ./run.
 # shellcheck shell=sh
 
 need_envelope() {

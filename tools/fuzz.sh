@@ -1,36 +1,36 @@
-# fuzz.sh: ./run fuzz, which plays calls, snapshots, levels and scripts that nobody thought of. Read
-# by ./run.
+# fuzz.sh: ./run fuzz, which runs the fuzz targets: random calls, snapshots, levels, geometry and
+# calls of the JavaScript package. Sourced by ./run.
 # shellcheck shell=sh
 
 FUZZ_TARGETS="calls snapshots levels geometry js"
-# Seconds between two words of how far it is.
+# Seconds between two lines about the progress.
 FUZZ_WORD_EVERY=30
-# A target that finds more is left alone.
+# A target with as many findings is not run any longer. Chosen.
 FUZZ_FINDINGS_MOST=8
 
 fuzz_usage() {
     cat <<'END_OF_USAGE'
 usage: ./run fuzz [--minutes N] [--keep] [TARGET...]
 
-Plays random input on all processors, by libFuzzer under the address and undefined-behaviour
-sanitizers, and asks whether what thud promises holds. All targets share the time, or those that
-are named:
+Runs random input on all processors, by libFuzzer under the address and undefined-behaviour
+sanitizers, and checks what thud guarantees. The time is divided among the targets that are named,
+or all:
 
-  calls      any calls of the C API in any order, by two worlds that must do the same
-  snapshots  snapshots that somebody changed, checksum and all
+  calls      any calls of the C API in any order, in two worlds whose results must be the same
+  snapshots  snapshots with changed bytes and a correct checksum
   levels     maps of the Tiled editor
   geometry   shapes, volumes and ground without a world
   js         any calls of the JavaScript package, in Node
 
-  --minutes N  altogether; 10 if not given
-  --keep       afterwards makes the packed inputs of tests/fuzz/corpus, which ./run test plays, anew
+  --minutes N  the whole time; default 10
+  --keep       afterwards writes the packed inputs of tests/fuzz/corpus again, which ./run test runs
 
-What it comes upon on its way is in build/fuzz/corpus, and the next call goes on from there.
-Findings are in build/fuzz/findings. Ends with 1 if there is any.
+Inputs that reach new code are kept in build/fuzz/corpus, from which the next call starts. Findings
+are in build/fuzz/findings; the exit code is 1 if there are any.
 END_OF_USAGE
 }
 
-# fuzz_options WORD...: sets `minutes`, `keep` and `targets`, or refuses.
+# fuzz_options WORD...: sets `minutes`, `keep` and `targets`; ends with an error for a wrong word.
 fuzz_options() {
     minutes=10
     keep=no
@@ -57,7 +57,7 @@ fuzz_options() {
     targets=${targets:-$FUZZ_TARGETS}
 }
 
-# Of so many parts of the time.
+# fuzz_weight TARGET: the weight of a target by which the time is divided. Chosen.
 fuzz_weight() {
     case $1 in
         calls) echo 6 ;;
@@ -66,7 +66,7 @@ fuzz_weight() {
     esac
 }
 
-# fuzz_command TARGET SECONDS SEED: plays once, until the time is over or something is found.
+# fuzz_command TARGET SECONDS SEED: runs a target once, until the time is over or it has a finding.
 fuzz_command() {
     if [ "$1" = js ]; then
         node tests/fuzz/calls.mjs --seconds "$2" --seed "$3" --findings build/fuzz/findings
@@ -77,7 +77,8 @@ fuzz_command() {
         -artifact_prefix="build/fuzz/findings/$1-" "build/fuzz/corpus/$1"
 }
 
-# fuzz_seed TARGET: what is kept, to go on from.
+# fuzz_seed TARGET: copies the kept inputs of tests/fuzz/corpus to build/fuzz/corpus, from which the
+# fuzzer starts.
 fuzz_seed() {
     mkdir -p "build/fuzz/corpus/$1"
     [ "$1" != js ] || return 0
@@ -85,7 +86,8 @@ fuzz_seed() {
     [ ! -d "tests/fuzz/corpus/$1" ] || cp "tests/fuzz/corpus/$1"/* "build/fuzz/corpus/$1"
 }
 
-# fuzz_worker TARGET NUMBER END: begins anew after each finding.
+# fuzz_worker TARGET NUMBER END: runs a target until the time END (seconds of `date +%s`), again
+# after each finding. NUMBER: of the worker.
 fuzz_worker() {
     FUZZ_PROGRESS=build/fuzz/progress/$1.$2
     export FUZZ_PROGRESS
@@ -98,20 +100,24 @@ fuzz_worker() {
     done
 }
 
+# fuzz_findings TARGET: the paths of its findings.
 fuzz_findings() {
     find build/fuzz/findings -type f -name "$1-*"
 }
 
+# fuzz_calls TARGET: the number of inputs that all its workers have run.
 fuzz_calls() {
     find build/fuzz/progress -name "$1.*" -exec cat {} + | awk '{ calls += $1 } END { print calls + 0 }'
 }
 
+# fuzz_coverage TARGET: the largest number of covered edges that a worker has logged.
 fuzz_coverage() {
     cat build/fuzz/log/"$1".* 2>/dev/null | grep -ao 'cov: [0-9]*' | awk '$2 > most { most = $2 }
         END { print most + 0 }'
 }
 
-# fuzz_target TARGET SECONDS
+# fuzz_target TARGET SECONDS: runs a target on all processors, prints its progress, and adds a line
+# to `summary`.
 fuzz_target() {
     began=$(date +%s)
     end=$((began + $2))
@@ -136,6 +142,7 @@ $(printf '%-10s %12s calls in %5s s, coverage %6s, %s findings' "$1" "$(fuzz_cal
         "$(($(date +%s) - began))" "$(fuzz_coverage "$1")" "$(fuzz_findings "$1" | wc -l)")"
 }
 
+# fuzz_alive PIDS: whether one of the processes is running.
 fuzz_alive() {
     for worker in $1; do
         ! kill -0 "$worker" 2>/dev/null || return 0
@@ -143,7 +150,7 @@ fuzz_alive() {
     return 1
 }
 
-# The one command that shows a finding again.
+# fuzz_reproduce TARGET FILE: prints the command that runs a finding again.
 fuzz_reproduce() {
     case $1 in
         js) echo "node tests/fuzz/calls.mjs --replay $2" ;;
@@ -151,13 +158,16 @@ fuzz_reproduce() {
     esac
 }
 
+# Writes the inputs of build/fuzz/corpus that reach something to the packed files of
+# tests/fuzz/corpus.
 fuzz_keep() {
     say "Packing what reaches anything, into tests/fuzz/corpus"
     for target in $targets; do
         [ "$target" != js ] || continue
         rm -rf "build/fuzz/kept/$target"
         mkdir -p "build/fuzz/kept/$target"
-        # By edges alone and no longer than this, so that few and short inputs are kept.
+        # Merged by edges alone, without counters, and limited in length, so that few and short
+        # inputs are kept.
         "build/fuzz/tests/fuzz/fuzz-$target" -merge=1 -use_counters=0 -max_len=700 \
             "build/fuzz/kept/$target" "build/fuzz/corpus/$target" >"build/fuzz/log/$target.keep" 2>&1
         python3 -B tests/fuzz/pack.py pack "build/fuzz/kept/$target" "tests/fuzz/corpus/$target.pack"
@@ -165,11 +175,12 @@ fuzz_keep() {
     du -sb tests/fuzz/corpus/*
 }
 
+# Builds the chosen `targets`.
 fuzz_build() {
     case " $targets " in
         *' calls '* | *' snapshots '* | *' levels '* | *' geometry '*)
             cmake -B build/fuzz --preset fuzz -DTHUD_WERROR=ON
-            # The list is split into its words on purpose.
+            # The list is meant to be split into words.
             # shellcheck disable=SC2046
             cmake --build build/fuzz --parallel "$jobs" --target \
                 $(for target in $targets; do [ "$target" = js ] ||
@@ -185,6 +196,7 @@ fuzz_build() {
     esac
 }
 
+# fuzz WORD...: ./run fuzz.
 fuzz() {
     case ${1:-} in
         -h | --help)

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Makes the levels in assets/levels: maps of the Tiled editor, with the picture of their tiles.
+"""Makes the levels in assets/levels, which are maps of the Tiled editor, and the picture of their
+tiles.
 
-Needs nothing but Python 3; running it again gives the same files. What the properties mean stands
-in assets/levels/README.md."""
+It needs Python 3 only, and gives the same files each time. assets/levels/README.md describes the
+properties. Lengths are in metres, which are tiles, with y up."""
 
 import csv
 import random
@@ -15,7 +16,7 @@ from tiled_map import ASSETS, BRICK, GRASS, ICE, LEVELS, STONE, TILE, Map
 
 
 def tile_pixel(tile, x, y):
-    """Colour of one pixel of a tile, as red, green, blue, alpha."""
+    """The colour of a pixel of a tile, as red, green, blue, alpha."""
     if tile == GRASS:
         blade = (x * 7 + 3) % 11 + 8
         return (92, 140, 70, 255) if TILE - y <= blade and x % 3 else (0, 0, 0, 0)
@@ -30,7 +31,7 @@ def tile_pixel(tile, x, y):
 
 
 def write_tile_picture():
-    """A PNG by hand: signature, header, one compressed block, end."""
+    """Writes tiles.png, with its chunks made here: signature, header, one compressed block, end."""
     def chunk(kind, data):
         body = kind + data
         return struct.pack(">I", len(data)) + body + struct.pack(">I", zlib.crc32(body))
@@ -49,7 +50,8 @@ def write_tile_picture():
 # ---- platform ----
 
 def platform_cells(columns, rows):
-    """Stone ground with gaps, a wall at both ends, ledges of brick, stairs, and slides of ice."""
+    """The tiles by (column, row from below): stone ground with gaps, a wall at both ends, ledges of
+    brick, stairs, and slides of ice."""
     cells = {}
 
     def fill(x0, x1, y0, y1, tile):
@@ -77,6 +79,7 @@ def platform_cells(columns, rows):
 
 
 def platform():
+    """Writes a platformer level for a character."""
     columns, rows = 160, 34
     m = Map(columns, rows, title="Platforms", gravity_y=-20.0, camera_x=36.0, camera_y=15.0,
             camera_height=30.0, character=True,
@@ -122,6 +125,7 @@ def platform():
 # ---- quarry ----
 
 def height_at(points, x):
+    """The height of a line at x, which must be on it."""
     for (x0, y0), (x1, y1) in zip(points, points[1:]):
         if x0 <= x <= x1:
             return y0 + (y1 - y0) * (x - x0) / (x1 - x0)
@@ -129,12 +133,13 @@ def height_at(points, x):
 
 
 def clear_height(points, x, reach):
-    """The highest ground within reach of x."""
+    """The largest height of a line between x - reach and x + reach."""
     inside = [y for px, y in points if x - reach <= px <= x + reach]
     return max([height_at(points, x - reach), height_at(points, x + reach)] + inside)
 
 
 def quarry():
+    """Writes a quarry: a terrain of steps, with 700 stones of many sizes."""
     m = Map(140, 60, title="Quarry", camera_x=70.0, camera_y=24.0, camera_height=52.0,
             about="Rubble of every size and weight slides down the benches of a quarry.")
     rng = random.Random(2)
@@ -177,6 +182,7 @@ def quarry():
 # ---- towers ----
 
 def towers():
+    """Writes five towers of blocks and planks, and a heavy ball that flies into them."""
     m = Map(120, 50, title="Towers and a wrecking ball", camera_x=62.0, camera_y=16.0,
             camera_height=40.0,
             about="A heavy ball flies into towers of blocks and planks, one after the other.")
@@ -204,10 +210,11 @@ def towers():
 # ---- mountain ----
 
 def mountain():
+    """Writes a terrain from measured heights, with wheels and boulders."""
     with open(ASSETS / "terrain" / "jacksboro_300.csv", encoding="utf-8") as file:
         profile = [(float(row["east_m"]), float(row["elevation_m"]))
                    for row in csv.DictReader(file)]
-    # 74.4 m between samples become 2 m; heights are scaled 2.2 times as much as widths.
+    # The distance between samples, 74.4 m, becomes 2 m; heights are exaggerated 2.2-fold.
     across, up = 2 / 74.4, 2.2 * 2 / 74.4
     lowest = min(y for _, y in profile)
     points = [(round(x * across + 2, 3), round((y - lowest) * up + 4, 3)) for x, y in profile]

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Makes the maps in tests/levels/maps, each with a part of Tiled's formats in it, and each as JSON and as
-XML: tests/levels/test_level_formats.c and tests/web/package/level-formats.test.mjs read them.
+"""Makes the maps in tests/levels/maps, each as JSON and as XML. Each uses a part of Tiled's file
+formats. tests/levels/test_level_formats.c and tests/web/package/level-formats.test.mjs read them.
 
-Running it twice gives the same files."""
+It gives the same files each time. Lengths are in pixels, with y down."""
 
 import base64
 import ctypes
@@ -18,11 +18,12 @@ from tiled_xml import xml_of
 FOLDER = Path(__file__).resolve().parent.parent / "tests" / "levels" / "maps"
 TILE = 32
 FLIP_X, FLIP_Y, TURN = 1 << 31, 1 << 30, 1 << 29
-# Tile numbers, as cells hold them.
+# Tile numbers of the tileset ground_tiles, as cells have them.
 STONE, BALL, SLOPE, HALF, ANGLE, LEAN, OPEN, ICE = range(1, 9)
 
 
 def zstd(data):
+    """Compresses bytes by the system's libzstd."""
     library = ctypes.CDLL("libzstd.so.1")
     library.ZSTD_compressBound.restype = library.ZSTD_compress.restype = ctypes.c_size_t
     library.ZSTD_compressBound.argtypes = [ctypes.c_size_t]
@@ -38,12 +39,13 @@ PACKINGS = {"": lambda data: data, "zlib": lambda data: zlib.compress(data, 9),
 
 
 def packed(cells, packing):
+    """Tile numbers as base64, compressed by one of PACKINGS."""
     data = struct.pack(f"<{len(cells)}I", *cells)
     return base64.b64encode(PACKINGS[packing](data)).decode("ascii")
 
 
 class Objects:
-    """Objects with numbers of their own."""
+    """A list of objects with ids from 1 on."""
 
     def __init__(self):
         self.list = []
@@ -57,10 +59,12 @@ class Objects:
 
 
 def shape(x, y, **rest):
+    """A collision shape of a tile."""
     return {"id": 1, "x": x, "y": y, **rest}
 
 
 def tile(number, *objects, **custom):
+    """The entry of a tile with collision shapes and custom properties."""
     entry = {"id": number - 1}
     if objects:
         entry["objectgroup"] = {"type": "objectgroup", "draworder": "index",
@@ -75,7 +79,7 @@ def points(*pairs):
 
 
 def ground_tiles():
-    """Collision shapes of every kind that the reader knows."""
+    """A tileset with a collision shape of each kind that the reader supports."""
     return {"type": "tileset", "name": "ground", "tilewidth": TILE, "tileheight": TILE,
             "tilecount": 8, "columns": 8, "tiles": [
                 tile(STONE, shape(0, 0, width=TILE, height=TILE)),
@@ -89,7 +93,7 @@ def ground_tiles():
 
 
 def things():
-    """Pictures of their own sizes, for tile objects."""
+    """A tileset of pictures with different sizes, for tile objects."""
     return {"type": "tileset", "name": "things", "tilewidth": 96, "tileheight": 80,
             "tilecount": 4, "columns": 0, "tiles": [
                 {"id": 0, "image": "crate.png", "imagewidth": 40, "imageheight": 24},
@@ -119,7 +123,7 @@ def tile_layer(cells, columns, rows, packing=None, **custom):
 
 
 def balls(count, across, top=40):
-    """What falls on the level, so that its shapes are felt."""
+    """Circles and turned boxes that fall on the level, so that its shapes affect the result."""
     objects = Objects()
     for i in range(count):
         side = 14 + 2 * (i % 3)
@@ -130,7 +134,7 @@ def balls(count, across, top=40):
 
 
 def shapes():
-    """Every collision shape in all eight ways that a tile can lie."""
+    """Each collision shape in all eight orientations of a tile."""
     columns, rows = 20, 15
     cells = [0] * (columns * rows)
     for i in range(columns):
@@ -146,7 +150,7 @@ def shapes():
 
 
 def hills():
-    """Polygons as ground and as boxes, and a line."""
+    """Polygons that become ground lines or boxes, and a polyline."""
     objects = balls(30, 640)
     objects.add(0, 480, polygon=points((0, 0), (0, -60), (90, -90), (200, -40), (320, -70),
                                        (320, 0)))
@@ -167,7 +171,7 @@ def template(content, source, **object_fields):
 
 
 def props():
-    """Tile objects: turned, flipped, drawn larger, and from templates."""
+    """Tile objects: turned, flipped, scaled, and from templates."""
     first, more = 1, 100
     crate, barrel, sign = more, more + 3, more + 5
     objects = balls(12, 640)
@@ -193,7 +197,7 @@ def props():
 
 
 def landscape(columns, rows):
-    """Cells that pack well and badly."""
+    """Cells of which some rows compress well and others badly."""
     cells = [0] * (columns * rows)
     for i in range(columns):
         for j in range(rows - 2 - i * 7 % 3, rows):
@@ -209,7 +213,8 @@ def packed_map(packing):
 
 
 def infinite_map():
-    """Chunks to both sides of the origin, an empty one below all others, and slopes."""
+    """An infinite map: chunks on both sides of the origin, an empty one below the others, and
+    slopes."""
     side, chunks = 8, []
     for x, y in ((-8, 8), (0, 8), (8, 0), (8, 8), (0, 16)):
         cells = [0] * (side * side)
@@ -229,7 +234,8 @@ def infinite_map():
 
 
 def unmarked():
-    """Nothing says what collides; tiles larger than cells, moved, drawn as large as cells."""
+    """A map without any property or shape that says what collides, with tiles that are larger than
+    cells, offset, or drawn as large as cells."""
     big = {"type": "tileset", "firstgid": 1, "name": "big", "tilewidth": 48, "tileheight": 40,
            "tilecount": 4, "columns": 4, "tileoffset": {"x": 5, "y": -3}}
     fitted = {"type": "tileset", "firstgid": 10, "name": "fitted", "tilewidth": 16,
@@ -245,7 +251,7 @@ def unmarked():
 
 
 def wrong():
-    """One of each thing that cannot be modelled, beside a box."""
+    """An object of each kind that cannot be modelled, and a box that can."""
     objects = Objects()
     objects.add(0, 0, width=TILE, height=TILE)
     objects.add(0, 0, polygon=points((0, 0), (40, 60), (80, 0), (40, 20)))
@@ -269,7 +275,7 @@ def wrong():
 
 
 def joint(objects, kind, x, y, a=None, b=None, **rest):
-    """An object that ties two others, told by their ids."""
+    """Adds a joint between two objects, by their ids; returns the id of the joint's object."""
     custom = rest.pop("custom", {})
     shape = {} if {"polyline", "width"} & rest.keys() else {"point": True}
     objects.add(x, y, type=kind, **shape, **rest, custom=custom)
@@ -280,14 +286,15 @@ def joint(objects, kind, x, y, a=None, b=None, **rest):
 
 
 def row(objects, y, count=2, **rest):
-    """Boxes beside each other from x = 40 on; the ids of the last ones."""
+    """Adds boxes beside each other from x = 40 on, and returns their ids."""
     for i in range(count):
         objects.add(40 + 50 * i, y, width=30, height=16, **rest, custom={"body": "dynamic"})
     return range(len(objects.list) - count + 1, len(objects.list) + 1)
 
 
 def joints():
-    """Every kind, held by the world, by what stands and by what moves, and drawn in every way."""
+    """Each kind of joint, with the world, static bodies and dynamic bodies, in each form in which a
+    joint can be drawn."""
     objects = Objects()
     objects.add(0, 460, width=640, height=20)
     ground = 1
@@ -341,7 +348,7 @@ def joints():
 
 
 def loose():
-    """One of each thing that is wrong with a joint, beside a hinge that holds."""
+    """A joint with each mistake that the reader reports, and a hinge without one."""
     objects = Objects()
     objects.add(0, 460, width=640, height=20)
     objects.add(100, 100, width=60, height=20, custom={"body": "dynamic"})

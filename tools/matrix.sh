@@ -1,9 +1,10 @@
-# matrix.sh: ./run matrix, which runs the same scenes, levels and snapshots on every compiler, option
-# and machine of tests/matrix/rows.txt. Read by ./run.
+# matrix.sh: ./run matrix, which runs the same scenes, levels and snapshots with each compiler and
+# set of options and on each machine of tests/matrix/rows.txt, and compares the hashes. Sourced by
+# ./run.
 # shellcheck shell=sh
 
 MATRIX=tests/matrix
-# Smaller numbers for machines that are emulated.
+# Options of thud-matrix for emulated machines, which are slow: fewer steps and bodies.
 MATRIX_SHORT="--steps 60 --bodies 150"
 
 matrix_usage() {
@@ -25,20 +26,23 @@ the build of that row gets further compiler flags for the engine: to see that a 
 END
 }
 
-# matrix_lines FILE: its lines but for comments, blanks around the bars taken away.
+# matrix_lines FILE: the lines of tests/matrix/FILE.txt without comments, and without blanks around
+# the bars.
 matrix_lines() {
     sed '/^#/d; s/ *| */|/g' "$MATRIX/$1.txt"
 }
 
+# Prints the names of all rows.
 matrix_names() {
     matrix_lines rows | cut -d '|' -f 1
 }
 
-# matrix_field FILE NAME N: the Nth field of the line of that name.
+# matrix_field FILE NAME N: the Nth field of the line whose first field is NAME.
 matrix_field() {
     matrix_lines "$1" | awk -F '|' -v name="$2" -v n="$3" '$1 == name { print $n }'
 }
 
+# Sets the variables for the options of ./run matrix; ends with an error for a wrong option.
 check_matrix_options() {
     matrix_rows=$(matrix_names)
     matrix_short=
@@ -72,7 +76,8 @@ check_matrix_options() {
     reference=$(matrix_names | head -n 1)
 }
 
-# matrix_tools ROW: what need_matrix asks for: compiler, runner and build.
+# matrix_tools ROW: the words by which need_matrix finds out what a row needs: compiler, runner,
+# build.
 matrix_tools() {
     build_name=$(matrix_field rows "$1" 2)
     compiler=$(matrix_field builds "$build_name" 2)
@@ -81,6 +86,7 @@ matrix_tools() {
 
 # ---- building and running one row ----
 
+# matrix_compiler NAME: the command of a compiler of builds.txt.
 matrix_compiler() {
     case $1 in
         clang) command -v clang-16 || command -v clang ;;
@@ -89,7 +95,7 @@ matrix_compiler() {
     esac
 }
 
-# matrix_build NAME: configures and builds build/matrix/NAME, once a run.
+# matrix_build NAME: configures and builds build/matrix/NAME, once in a run of this script.
 matrix_build() {
     case " $matrix_built " in
         *" $1 "*) return 0 ;;
@@ -102,7 +108,7 @@ matrix_build() {
     case $compiler in
         gcc | clang) chosen=-DCMAKE_C_COMPILER=$(matrix_compiler "$compiler") ;;
         emcc)
-            # As web/tools/build-wasm.sh has it.
+            # The same as in web/tools/build-wasm.sh.
             [ ! -d /usr/share/nodejs ] || export NODE_PATH=/usr/share/nodejs
             configure="emcmake cmake"
             ;;
@@ -111,7 +117,7 @@ matrix_build() {
     directory=build/matrix/$1
     grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$directory/CMakeCache.txt" ||
         rm -rf "$directory"
-    # Words of options are split on purpose.
+    # The options are meant to be split into words.
     # shellcheck disable=SC2086
     nice -n 5 $configure -S . -B "$directory" -DTHUD_MATRIX=ON "-DCMAKE_C_FLAGS_RELEASE=$flags" \
         -DCMAKE_BUILD_TYPE=Release $chosen $options "-DTHUD_MATRIX_ENGINE_FLAGS=$engine_flags" &&
@@ -119,7 +125,7 @@ matrix_build() {
     matrix_built="$matrix_built $1"
 }
 
-# matrix_run ROW WORD...: thud-matrix of that row.
+# matrix_run ROW WORD...: runs thud-matrix of a row with these arguments, by the row's runner.
 matrix_run() {
     runner=$(matrix_field rows "$1" 3)
     program=build/matrix/$(matrix_field rows "$1" 2)/tests/matrix/thud-matrix
@@ -128,7 +134,7 @@ matrix_run() {
         'native baseline') "$program" --baseline "$@" ;;
         native*) "$program" "$@" ;;
         qemu-*)
-            # The processor of qemu is a word of its own.
+            # The runner is meant to be split: the emulator, and its options.
             # shellcheck disable=SC2086
             set -- "$program" "$@"
             emulator=${runner%% *}-static
@@ -143,7 +149,7 @@ matrix_run() {
     esac
 }
 
-# matrix_length ROW: `short` or `full`.
+# matrix_length ROW: `short` for emulated rows and with --quick, else `full`.
 matrix_length() {
     case $matrix_short$(matrix_field rows "$1" 3) in
         --steps* | qemu-*) echo short ;;
@@ -151,21 +157,22 @@ matrix_length() {
     esac
 }
 
+# matrix_words LENGTH: the options of thud-matrix for that length.
 matrix_words() {
     [ "$1" = full ] || echo "$MATRIX_SHORT"
 }
 
-# The levels that are run: all but the one that is wrong on purpose.
+# The levels that are run: all but the map "wrong", which has mistakes.
 matrix_levels() {
     ls assets/levels/*.tmj tests/levels/maps/*.tmj tests/levels/maps/*.tmx | grep -v '/wrong\.'
 }
 
-# Runs the reference at both lengths; what it prints and keeps is what all rows are compared with.
+# Runs the reference row at both lengths, and keeps its output, with which all rows are compared.
 matrix_reference() {
     folder=build/matrix/rows/reference
     mkdir -p "$folder"
     matrix_build "$reference" || return 1
-    # File names are split on purpose.
+    # The file names are meant to be split.
     # shellcheck disable=SC2046
     matrix_run "$reference" --make-plain "$folder/levels" $(matrix_levels) || return 1
     for length in full short; do
@@ -176,8 +183,9 @@ matrix_reference() {
     done
 }
 
-# matrix_refused COMPILER FLAGS: how many files of the engine are refused with a reason, of how many
-# that compute: what includes no base.h has nothing but constants.
+# matrix_refused "COMPILER FLAGS": prints two numbers: of the engine's files that include base.h how
+# many the compiler refuses with these flags, with an error that says what thud needs; and the
+# number of all such files. Files without base.h have constants only.
 matrix_refused() {
     compiler=$(matrix_compiler "${1%% *}")
     total=0
@@ -197,7 +205,10 @@ matrix_refused() {
     echo "$refused $total"
 }
 
-# matrix_row ROW: builds and runs it; what it prints goes to build/matrix/rows/ROW.
+# matrix_row ROW: builds and runs a row; its output goes to build/matrix/rows/ROW. It runs all
+# scenes from the start, then continues the snapshots of the reference, and last a run that goes the
+# other way: the reference continues the snapshots of this row, or, where the formats of snapshots
+# differ, this row those of the first row with its format.
 matrix_row() {
     row_build=$(matrix_field rows "$1" 2)
     if [ "$(matrix_field rows "$1" 3)" = refused ]; then
@@ -229,14 +240,15 @@ matrix_row() {
             >"$folder/back.out" || return 1
         return
     fi
-    # Snapshots of its own kind: of the first of the kind, which may be this one itself.
+    # The snapshots of the first row with this format, which may be this row itself.
     theirs=build/matrix/rows/$leader/$length.snapshots
     [ -f "$theirs" ] || theirs=$folder/$length.snapshots
     # shellcheck disable=SC2086
     matrix_run "$1" $words $plain --continue "$theirs" >"$folder/back.out" || return 1
 }
 
-# The program of a row that was built with further flags must serve no other.
+# Builds the reference again without the further flags of THUD_MATRIX_FLAGS_OF_ROW, so that no other
+# row runs a program that was built with them.
 matrix_undo_flags() {
     [ -n "$engine_flags" ] || return 0
     engine_flags=
@@ -246,7 +258,8 @@ matrix_undo_flags() {
 
 # ---- all rows ----
 
-# What a row needs is installed; false, and `missing` says what is not to be had.
+# matrix_ensure ROWS: installs what these rows need; false, with the list in `missing`, where
+# something cannot be installed.
 matrix_ensure() {
     verb_rows=$1
     missing=
@@ -255,6 +268,7 @@ matrix_ensure() {
     (ensure matrix) && { missing= && need_matrix && [ -z "$missing" ]; }
 }
 
+# matrix WORD...: ./run matrix.
 matrix() {
     case ${1:-} in
         -h | --help)
@@ -312,7 +326,8 @@ $(tail -n 20 build/matrix/reference.log)"
     [ "${failed:-no}" = no ] || die "rows differ, are refused or missing: see the table"
 }
 
-# matrix_version ROW: compiler, and what runs it.
+# matrix_version ROW: prints the versions of the row's compiler, and of its emulator, browser and so
+# on.
 matrix_version() {
     build_name=$(matrix_field rows "$1" 2)
     compiler=$(matrix_field builds "$build_name" 2)

@@ -1,18 +1,19 @@
-"""The level of joints: assets/levels/playground.tmj.
-
-Every kind of joint holds something here: tools/make_levels.py draws it with the other levels."""
+"""Makes the level assets/levels/playground.tmj, which has joints of each kind. tools/make_levels.py
+calls it with the other levels. Lengths are in metres, which are tiles, with y up."""
 
 import math
 
 from tiled_map import Map
 
 GROUND = 6
-# What nothing meets, not even its like; a mask of 0 would keep it from queries as well.
+# Category and mask of bodies that collide with nothing, not even with each other. A mask of 0 would
+# also hide them from queries.
 THROUGH = {"category": 32, "mask": 16}
 
 
 class Playground:
-    """The map, and the layers that its things are spread over."""
+    """The map, its layers, and short functions that add static and dynamic bodies and joints. Each
+    returns the id of its object."""
 
     def __init__(self):
         self.map = Map(60, 30, title="Playground", camera_x=30.0, camera_y=13.4, camera_height=34.0,
@@ -29,20 +30,23 @@ class Playground:
         return self.map.circle(self.bodies, x, y, radius, custom=custom)
 
     def still(self, x, y, width, height, degrees=0, **custom):
+        """A static box."""
         return self.map.box(self.ground, x, y, width, height, degrees, custom=custom)
 
     def tie(self, kind, places, a=None, b=None, **custom):
+        """A joint, see Map.tie."""
         return self.map.tie(self.joints, kind, places, a, b, **custom)
 
     def plank(self, start, end, thickness, **custom):
-        """A box from one place to another."""
+        """A dynamic box from one place to another."""
         (x0, y0), (x1, y1) = start, end
         degrees = -math.degrees(math.atan2(y1 - y0, x1 - x0))
         return self.box((x0 + x1) / 2, (y0 + y1) / 2, math.hypot(x1 - x0, y1 - y0), thickness,
                         degrees, **custom)
 
     def chain(self, places, thickness, a=None, b=None, **custom):
-        """Links from place to place, from a to b or to nothing."""
+        """Boxes from place to place with hinges between them; the first hangs on body a, the last
+        on body b or on nothing."""
         for start, end in zip(places, places[1:]):
             link = self.plank(start, end, thickness, **custom)
             self.tie("hinge", [start], a, link)
@@ -52,6 +56,7 @@ class Playground:
 
 
 def between(start, end, count):
+    """count + 1 places at equal distances from start to end."""
     (x0, y0), (x1, y1) = start, end
     return [(x0 + (x1 - x0) * i / count, y0 + (y1 - y0) * i / count) for i in range(count + 1)]
 
@@ -64,11 +69,11 @@ def draw_ground(p):
         (59.2, 12), (60, 12)], name="ground")
     p.still(-0.5, 40, 1, 60)
     p.still(60.5, 40, 1, 60)
-    p.still(58.2, 7.2, 0.3, 2.4, friction=0.05)  # which the car does not climb
+    p.still(58.2, 7.2, 0.3, 2.4, friction=0.05)  # the car cannot climb it
 
 
 def draw_swings(p):
-    """Two seats on chains of hinges below one beam, drawn back to different heights."""
+    """Two swings on chains below one beam, which start at different heights."""
     beam = p.still(8.2, 13, 8, 0.3)
     for x, lean in ((4.4, 7), (12.0, -7)):
         p.still(x, 9.4, 0.22, 7, lean, sensor=True)
@@ -95,7 +100,7 @@ def draw_seesaw(p):
 
 
 def draw_big_wheel(p):
-    """Arms that a motor turns, and a gear from its axle to a small wheel beside it."""
+    """A cross with gondolas that a motor turns, and a gear from its axle to a small wheel."""
     x, y, arm, half = 25, 15.5, 5, 0.15
     axle = p.still(x, y, 0.5, 0.5, sensor=True)
     outline = [(-half, arm), (half, arm), (half, half), (arm, half), (arm, -half), (half, -half),
@@ -115,7 +120,7 @@ def draw_big_wheel(p):
 
 
 def draw_bridges(p):
-    """A rope bridge, which holds to the world, and a drawbridge that a motor lets down."""
+    """A rope bridge, which hangs on the world, and a drawbridge that a motor lowers."""
     count, sag, x0, x1 = 14, 0.45, 31.6, 42.4
 
     def rope(i):
@@ -125,7 +130,7 @@ def draw_bridges(p):
     before = None
     for start, end in zip(places, places[1:]):
         link = p.plank(start, end, 0.2, density=6.0, friction=0.9)
-        p.tie("hinge", [start], before, link, turn_motor_force=4.0)  # planks rub
+        p.tie("hinge", [start], before, link, turn_motor_force=4.0)  # friction between planks
         before = link
     p.tie("hinge", [places[-1]], b=before)
 
@@ -138,7 +143,7 @@ def draw_bridges(p):
 
 
 def draw_car(p):
-    """On springs, with a motor in both wheels."""
+    """A car with suspension and a motor in both wheels."""
     x, y = 22.5, GROUND + 0.75
     body = [(-1.6, 0.3), (-0.9, 0.3), (-0.9, 0.85), (0.5, 0.85), (0.5, 0.3), (1.6, 0.3),
             (1.6, -0.25), (-1.6, -0.25)]
@@ -150,7 +155,7 @@ def draw_car(p):
 
 
 def draw_palm(p, x, leaning):
-    """Welds that bend: a trunk and its leaves, which sway at first."""
+    """A palm of welds with springs: a trunk and leaves, which sway at first."""
     before, y = None, float(GROUND)
     for i in range(7):
         top = (x + leaning * (i + 1) ** 1.6 / 14, y + 0.8)
@@ -166,7 +171,7 @@ def draw_palm(p, x, leaning):
 
 
 def draw_balloons(p):
-    """Lighter than air, on strings; they would fly away."""
+    """Balloons and a kite with negative gravity, on strings."""
     for i, (dx, dy) in enumerate(((-1.2, 5.0), (0.1, 5.8), (1.4, 5.1))):
         x, y = 55.6 + 0.12 * i, GROUND + 0.05
         top = (55.6 + dx, y + dy)
@@ -178,7 +183,7 @@ def draw_balloons(p):
 
 
 def draw_air(p):
-    """A tray that a spring holds in the air, and a spring that a ball jumps on."""
+    """A tray that a target joint holds in the air, and a mat on a spring with a ball on it."""
     tray = p.box(38.5, 17.5, 4.4, 0.25, density=1.0)
     p.tie("target", [(38.5, 17.5)], b=tray, along_frequency=1.2, across_frequency=1.2,
           turn_frequency=1.2, turn_damping=0.4)
@@ -194,13 +199,14 @@ def draw_air(p):
 
 
 def draw_pit(p):
-    """Balls below the rope bridge."""
+    """Balls in the pit below the rope bridge."""
     for i in range(48):
         p.circle(33.9 + 0.56 * (i % 12) + 0.05 * (i // 12), 2.2 + 0.6 * (i // 12), 0.26,
                  density=0.4, restitution=0.3)
 
 
 def playground():
+    """Writes the level."""
     p = Playground()
     draw_ground(p)
     draw_swings(p)

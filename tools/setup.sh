@@ -1,12 +1,13 @@
-# setup.sh: what each verb of ./run needs, and installing what is missing. Read by ./run.
+# setup.sh: checks what each verb of ./run needs, and installs what is missing. Sourced by ./run.
 # shellcheck shell=sh
 
+# have COMMAND: whether a command is in PATH.
 have() {
     command -v "$1" >/dev/null 2>&1
 }
 
-# need WHAT PACKAGES COMMAND...: unless the command succeeds, WHAT is missing, and the first of
-# the Debian PACKAGES (a|b) that apt knows brings it.
+# need WHAT PACKAGES COMMAND...: unless COMMAND succeeds, adds a line to `missing`: the Debian
+# packages that contain WHAT (a|b, of which the first that apt knows is installed).
 need() {
     what=$1
     packages=$2
@@ -15,6 +16,7 @@ need() {
 "
 }
 
+# have_any COMMAND...: whether one of the commands is in PATH.
 have_any() {
     for name in "$@"; do
         ! have "$name" || return 0
@@ -22,11 +24,13 @@ have_any() {
     return 1
 }
 
+# has_header NAME: whether the C compiler finds a header.
 has_header() {
     printf '#include <stdarg.h>\n#include <stddef.h>\n#include <setjmp.h>\n#include <%s>\n' "$1" |
         cc -E -
 }
 
+# Whether there are make and a C compiler with the C library's headers.
 compiles() {
     have make && has_header stdio.h
 }
@@ -35,6 +39,7 @@ node_is_new() {
     node -e 'process.exit(parseInt(process.versions.node) >= 18 ? 0 : 1)'
 }
 
+# need_VERB: calls `need` for each tool of a verb, or of a part of it.
 need_native() {
     need "a C compiler with make" build-essential compiles
     need "CMake 3.22 or later" cmake have cmake
@@ -59,7 +64,7 @@ need_play() {
 
 need_bench() {
     need_native
-    # The envelope goes without Chipmunk where no apt-get brings it.
+    # Without apt-get Chipmunk is not required: the envelope then leaves it out.
     ! have apt-get || need "Chipmunk's headers" libchipmunk-dev has_header chipmunk/chipmunk.h
     need "cmocka's headers" libcmocka-dev has_header cmocka.h
     need "clang, which builds Box2D" "clang-16|clang" have_any clang-16 clang
@@ -81,7 +86,7 @@ need_bench_report() {
     need_bench_wasm
 }
 
-# need_matrix: what the rows in `verb_rows` need; matrix_tools tells each compiler and runner.
+# need_matrix: what the rows in `verb_rows` need, by the compilers and runners of matrix_tools.
 need_matrix() {
     need_native
     need "Python 3" python3 have python3
@@ -110,7 +115,7 @@ need_matrix() {
     done
 }
 
-# need_cross PROCESSOR DEBIAN-NAME: gcc for another processor, with its C library.
+# need_cross PROCESSOR DEBIAN-NAME: gcc for another processor and the C library for it.
 need_cross() {
     need "gcc for $1" "gcc-$1-linux-gnu" have "$1-linux-gnu-gcc"
     need "the C library for $1" "libc6-dev-$2-cross" test -f "/usr/$1-linux-gnu/include/stdio.h"
@@ -120,7 +125,8 @@ have_wine64() {
     have wine64 || [ -x /usr/lib/wine/wine64 ]
 }
 
-# Of the version that the preset fuzz names, so that kept inputs mean the same everywhere.
+# Whether clang 16 links libFuzzer. It must be the version that the preset fuzz names, so that kept
+# inputs have the same effect on all machines.
 links_fuzzer() {
     echo 'int LLVMFuzzerTestOneInput(const char *d, unsigned long n) { return d && n > 9; }' |
         clang-16 -fsanitize=fuzzer,address,undefined -x c - -o /dev/null
@@ -149,7 +155,7 @@ need_test() {
     need "Firefox" "firefox-esr|firefox" have_any firefox-esr firefox
 }
 
-# ensure WHAT: installs what need_WHAT misses for the verb, or says what that is and ends.
+# ensure WHAT: installs what need_WHAT finds missing; without apt-get it prints the list and ends.
 ensure() {
     missing=
     "need_$1"
@@ -163,7 +169,7 @@ ensure() {
     list=$(printf '%s' "$missing" | while read -r packages what; do first_known "$packages"; done |
         sort -u | tr '\n' ' ')
     say "Installing with apt-get: $list"
-    # The list is split into its words on purpose.
+    # The list is meant to be split into words.
     # shellcheck disable=SC2086
     as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=600 install -y \
         --no-install-recommends $list
@@ -173,6 +179,7 @@ ensure() {
 $missing"
 }
 
+# as_root COMMAND...: runs a command as root, through sudo where needed.
 as_root() {
     if [ "$(id -u)" = 0 ]; then
         "$@"
@@ -183,6 +190,7 @@ as_root() {
     fi
 }
 
+# first_known A|B: the first of these packages that apt knows, or else the last.
 first_known() {
     for package in $(echo "$1" | tr '|' ' '); do
         if apt-cache show "$package" >/dev/null 2>&1; then

@@ -1,8 +1,9 @@
-# test.sh: the parts of ./run test, which of them run side by side, and their summary. Read by ./run.
+# test.sh: the parts of ./run test, the two lanes in which they run side by side, and their summary.
+# Sourced by ./run.
 # shellcheck shell=sh
 
 TEST_PARTS="native clang sanitizers wasm page baseline"
-# Seconds between two words of how far the parts are.
+# Seconds between two lines about the progress of the parts.
 TEST_WORD_EVERY=30
 
 test_usage() {
@@ -32,7 +33,8 @@ which give way to them. What a part prints is in build/test/PART.log and shown a
 END
 }
 
-# check_test_options WORD...: sets `parts`, in their order, and `full`, or refuses.
+# check_test_options WORD...: sets `parts`, in the order of TEST_PARTS, and `full`; ends with an
+# error for a wrong word.
 check_test_options() {
     full=no
     wanted=
@@ -58,6 +60,7 @@ check_test_options() {
     esac
 }
 
+# test_PART: builds and tests a part.
 test_native() {
     build release --preset release -DTHUD_WERROR=ON
     ctest --preset release --parallel "$jobs"
@@ -69,14 +72,16 @@ test_native() {
     }
 }
 
-# What clang's memory and thread sanitizers look at: nothing that uses a library but cmocka and libc's,
-# which they would have to be part of. Replays are the kept inputs of ./run fuzz.
+# The tests that run under clang's memory and thread sanitizers: only those that use no libraries
+# but cmocka and the C library, since other libraries would have to be built with the sanitizers,
+# too.
 MEMORY_TESTS="test_determinism test_error test_event_ledger test_failing_memory test_float_mode
     test_distances test_islands_bits test_joints_edits test_query test_snapshot test_snapshot_random test_workers
     test_wrong_input"
 THREADS_TESTS="test_determinism test_error test_distances test_float_mode test_islands_bits test_workers"
 
-# test_under PRESET TARGET...: the kept inputs of two targets, and these tests.
+# test_under PRESET TARGET...: builds with a sanitizer's preset, and runs these tests and the kept
+# inputs of two targets of ./run fuzz.
 test_under() {
     preset=$1
     shift
@@ -87,19 +92,20 @@ test_under() {
         --tests-regex "^($(echo fuzz_calls fuzz_snapshots "$@" | tr ' ' '|'))\$"
 }
 
-# The lists are split into their words on purpose.
+# The memory sanitizer. The lists are meant to be split into words.
 # shellcheck disable=SC2086
 test_memory() {
     test_under memory $MEMORY_TESTS
 }
 
-# Each kept input with a pool of three threads.
+# The thread sanitizer; each kept input runs with a pool of three threads.
 # shellcheck disable=SC2086
 test_threads() {
     test_under threads $THREADS_TESTS
 }
 
-# Half an hour on two processors.
+# All cases of the guarantees, and a million random cases of each pair of shapes. Takes half an hour
+# on two processors.
 test_all_cases() {
     THUD_GUARANTEES=full ctest --preset release --label-regex '^guarantees$' --timeout 3600 \
         --parallel "$jobs"
@@ -107,7 +113,8 @@ test_all_cases() {
         --parallel "$jobs"
 }
 
-# Some ten minutes: what the generated pages say, measured anew; times where Box2D can be built.
+# Measures again what the generated pages in docs/ state, and compares; times only where Box2D can
+# be built. Takes some ten minutes.
 test_pages_at_length() {
     release=build/release/tests
     set -- tradeoff=$release/tradeoff/thud-tradeoff stability=$release/stability/thud-envelope \
@@ -153,7 +160,7 @@ test_sanitizers() {
     ctest --preset sanitize --label-exclude '^once$' --parallel "$jobs"
 }
 
-# The bundlers, most of whose time is waiting for the network, come while the page is built.
+# The bundlers are downloaded while the page is built.
 test_wasm() {
     npm_packages tests/web/bundlers "bundlers to try the package with" &
     bundlers=$!
@@ -167,6 +174,8 @@ test_page() {
     (cd web && npm run test:page)
 }
 
+# The tests of build/bench: programs that compare thud with Box2D, and the pages made of their
+# results.
 test_baseline() {
     build_bench
     # No test here asserts a time.
@@ -174,8 +183,8 @@ test_baseline() {
         --parallel "$jobs"
 }
 
-# run_part PART: leaves what it printed in build/test/PART.log, and then how it ended in PART.code;
-# 77 is a part that was skipped for the reason it gave last.
+# run_part PART: runs a part. Its output is in build/test/PART.log; its exit code is written to
+# PART.code when it ends. 77: the part was skipped, and its last line says why.
 run_part() {
     log=build/test/$1.log
     set +e
@@ -188,7 +197,7 @@ run_part() {
     mv "build/test/$1.ended" "build/test/$1.code"
 }
 
-# part_ended PART: its whole output, and what becomes of it in the summary.
+# part_ended PART: prints the output of a part, and adds its result to `summary`.
 part_ended() {
     log=build/test/$1.log
     say "$1"
@@ -202,14 +211,14 @@ part_ended() {
             ;;
     esac
     seconds=$(($(date +%s) - $(cat "build/test/$1.began")))
-    # The runners' own closing lines: ctest's, and those of Node's.
+    # The last lines of the test runners, ctest and Node.js.
     closing=$(grep -E '^[0-9]+% tests passed|^(#|ℹ) (tests|pass|fail|skipped) [0-9]+' "$log" || :)
     summary="$summary
 $1: $verdict, ${seconds} s${closing:+
 $closing}"
 }
 
-# A word of how far each part is that runs: its time, and the last line that it printed.
+# tell_progress PARTS: prints the time and the last line of output of each part that is running.
 tell_progress() {
     for part in $1; do
         [ -f "build/test/$part.began" ] && [ ! -f "build/test/$part.code" ] || continue
@@ -219,8 +228,8 @@ tell_progress() {
     done
 }
 
-# What both lanes need is made before they part, so that neither builds it under the other's eyes:
-# thud-run, and with it the engine and the scenes, which the part baseline takes as they are.
+# Builds what both lanes need before they start, so that they do not build it at the same time:
+# thud-run, with the engine and the scenes, which the part baseline uses as they are.
 prepare_test() {
     built=$root/build/release
     case " $parts " in
@@ -232,7 +241,7 @@ prepare_test() {
     esac
 }
 
-# run_lane PART...: those of them that are wanted, one after the other.
+# run_lane PART...: runs those of these parts that are in `parts`, one after the other.
 run_lane() {
     for lane_part; do
         case " $parts " in
@@ -241,9 +250,9 @@ run_lane() {
     done
 }
 
-# test_everything: the `parts`, and a summary.
+# test_everything: runs `parts` in two lanes, and prints a summary.
 test_everything() {
-    # What make itself does for a build is a tenth of it. A directory keeps what it was begun with.
+    # make itself takes a tenth of the time of a build. Existing directories keep their generator.
     export CMAKE_GENERATOR="${CMAKE_GENERATOR:-Ninja}"
     mkdir -p build/test
     failures=0
@@ -254,12 +263,12 @@ test_everything() {
         waiting="$waiting $part"
     done
     prepare_test
-    # An interrupted shell would leave its lanes behind.
+    # Without this the lanes would go on when the shell is interrupted.
     trap 'trap - TERM; kill -TERM 0' INT HUP
     say "Testing:$parts"
     run_lane wasm page baseline &
     (
-        # Where both lanes want a processor, the one in which a browser waits for it gets most of it.
+        # This lane has a lower priority, so that the browsers of the other lane get processor time.
         renice -n 5 -p "$(exec sh -c 'echo "$PPID"')" >/dev/null 2>&1 || :
         run_lane native clang sanitizers
     ) &

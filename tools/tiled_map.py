@@ -1,7 +1,6 @@
-"""Maps of the Tiled editor under construction: what tools/make_levels.py draws its levels with.
+"""Builds and writes maps of the Tiled editor, for tools/make_levels.py.
 
-Running it twice gives the same files. What the properties mean stands in
-assets/levels/README.md."""
+It gives the same files each time. assets/levels/README.md describes the properties."""
 
 import json
 import math
@@ -12,7 +11,7 @@ ASSETS = Path(__file__).resolve().parent.parent / "assets"
 LEVELS = ASSETS / "levels"
 TILE = 32  # pixels, and one metre
 
-EMPTY, STONE, BRICK, ICE, GRASS = range(5)  # tile numbers, as cells hold them
+EMPTY, STONE, BRICK, ICE, GRASS = range(5)  # tile numbers, as cells have them
 
 
 def properties(**values):
@@ -23,8 +22,9 @@ def properties(**values):
 
 
 class Map:
-    """A map under construction. Places are given in tiles from its lower left corner, y up, as in
-    the world; it writes pixels, y down."""
+    """A map under construction. Arguments are in tiles from its lower left corner, with y up, as in
+    the world; the file has pixels, with y down. `custom` and keyword arguments `custom` are custom
+    properties."""
 
     def __init__(self, columns, rows, tile=TILE, **custom):
         self.columns, self.rows, self.tile = columns, rows, tile
@@ -32,9 +32,11 @@ class Map:
         self.layers, self.next_object = [], 1
 
     def pixel(self, x, y):
+        """A place in pixels."""
         return round(x * self.tile, 3), round((self.rows - y) * self.tile, 3)
 
     def object_layer(self, name, **custom):
+        """Adds a layer; returns its list of objects, which the functions below call `layer`."""
         layer = {"draworder": "topdown", "id": len(self.layers) + 1, "name": name, "objects": [],
                  "opacity": 1, "properties": properties(**custom), "type": "objectgroup",
                  "visible": True, "x": 0, "y": 0}
@@ -42,7 +44,7 @@ class Map:
         return layer["objects"]
 
     def tile_layer(self, name, cells, **custom):
-        """cells maps (column, row from below) to a tile number."""
+        """Adds a layer of tiles. `cells`: tile numbers by (column, row from below)."""
         data = [cells.get((i, self.rows - 1 - j), EMPTY)
                 for j in range(self.rows) for i in range(self.columns)]
         self.layers.append({"data": data, "height": self.rows, "id": len(self.layers) + 1,
@@ -51,7 +53,7 @@ class Map:
                             "x": 0, "y": 0})
 
     def add(self, layer, x, y, width=0, height=0, rotation=0, name="", kind="", **rest):
-        """An object whose upper left corner (before rotation) is at (x, y); its number."""
+        """Adds an object whose upper left corner (before rotation) is at (x, y); returns its id."""
         custom = rest.pop("custom", {})
         px, py = self.pixel(x, y)
         entry = {"height": round(height * self.tile, 3), "id": self.next_object, "name": name,
@@ -64,7 +66,8 @@ class Map:
         return entry["id"]
 
     def box(self, layer, x, y, width, height, degrees=0, **rest):
-        """A box about (x, y), turned clockwise: Tiled wants the corner it is turned about."""
+        """Adds a box with its centre at (x, y), turned clockwise. Tiled turns objects about their
+        upper left corner, which is computed here."""
         a = math.radians(-degrees)
         corner_x = -width / 2 * math.cos(a) - height / 2 * math.sin(a)
         corner_y = -width / 2 * math.sin(a) + height / 2 * math.cos(a)
@@ -77,13 +80,15 @@ class Map:
         self.add(layer, x, y, name="spawn", kind="spawn", point=True)
 
     def line(self, layer, points, shape="polyline", **rest):
+        """Adds a polyline or a polygon; returns its id."""
         x0, y0 = points[0]
         line = [{"x": round((x - x0) * self.tile, 3), "y": round((y0 - y) * self.tile, 3)}
                 for x, y in points]
         return self.add(layer, x0, y0, **{shape: line}, **rest)
 
     def tie(self, layer, kind, places, a=None, b=None, name="", **custom):
-        """A joint of two objects, or of the world and b: at a place, or along a line of two."""
+        """Adds a joint between the objects a and b, or the world and b: at one place, or along a
+        line between two. Returns its id."""
         if len(places) == 1:
             self.add(layer, *places[0], name=name, kind=kind, point=True)
         else:
@@ -95,6 +100,7 @@ class Map:
         return layer[-1]["id"]
 
     def write(self, name):
+        """Writes the map to assets/levels."""
         uses_tiles = any(layer["type"] == "tilelayer" for layer in self.layers)
         text = json.dumps({
             "compressionlevel": -1, "height": self.rows, "infinite": False, "layers": self.layers,
@@ -103,13 +109,14 @@ class Map:
             "renderorder": "right-down", "tiledversion": "1.10.2", "tileheight": self.tile,
             "tilesets": [tileset()] if uses_tiles else [], "tilewidth": self.tile, "type": "map",
             "version": "1.10", "width": self.columns}, indent=1)
-        # Lists of numbers, and points, stand on one line, as the editor writes them.
+        # Lists of numbers, and points, are on one line each, as the editor writes them.
         text = re.sub(r"\[[\d\s,]+\]", lambda m: re.sub(r"\s+", " ", m.group()), text)
         text = re.sub(r'\{\s+"x": (\S+),\s+"y": (\S+)\s+\}', r'{ "x": \1, "y": \2 }', text)
         (LEVELS / f"{name}.tmj").write_text(text + "\n", encoding="utf-8")
 
 
 def tileset():
+    """The tileset of tiles.png, which is in the map's own file."""
     return {"columns": 4, "firstgid": 1, "image": "tiles.png", "imageheight": TILE,
             "imagewidth": 4 * TILE, "margin": 0, "name": "tiles",
             "properties": properties(solid=True), "spacing": 0, "tilecount": 4,

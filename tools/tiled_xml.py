@@ -1,10 +1,10 @@
-"""Tiled's files in their XML form (.tmx, .tsx, .tx), of what they are in JSON."""
+"""Converts Tiled's files from JSON to their XML form (.tmx, .tsx, .tx)."""
 
 from xml.sax.saxutils import escape, quoteattr
 
 LAYERS = {"tilelayer": "layer", "objectgroup": "objectgroup", "group": "group",
           "imagelayer": "imagelayer"}
-# What stands in elements of its own, or in other words.
+# The fields of JSON that are no attributes in XML, but elements, or attributes of other elements.
 CHILDREN = {"properties", "layers", "tilesets", "tiles", "objects", "objectgroup", "data", "chunks",
             "encoding", "compression", "tileoffset", "ellipse", "point", "capsule", "polygon", "polyline",
             "text", "imagewidth", "imageheight", "image", "tileset", "object", "startx", "starty",
@@ -12,10 +12,12 @@ CHILDREN = {"properties", "layers", "tilesets", "tiles", "objects", "objectgroup
 
 
 def text_of(value):
+    """A value as an attribute: booleans are 0 or 1."""
     return str(int(value)) if isinstance(value, bool) else str(value)
 
 
 def element(name, json, children="", skip=()):
+    """An element whose attributes are the fields of `json` but CHILDREN and `skip`."""
     attributes = "".join(f" {key}={quoteattr(text_of(value))}" for key, value in json.items()
                          if key not in CHILDREN and key not in skip)
     return f"<{name}{attributes}>{children}</{name}>\n" if children else f"<{name}{attributes}/>\n"

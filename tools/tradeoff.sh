@@ -1,4 +1,5 @@
-# tradeoff.sh: ./run tradeoff, what accuracy costs in thud and in Box2D. Read by ./run.
+# tradeoff.sh: ./run tradeoff, which measures the cost of accuracy in thud and in Box2D, and writes
+# docs/tradeoff.md. Sourced by ./run.
 # shellcheck shell=sh
 
 need_tradeoff() {

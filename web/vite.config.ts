@@ -1,4 +1,4 @@
-/** How the page is bundled into dist/: a static folder that any host can serve. */
+/** Vite's configuration: bundles the page into dist/, a static folder that any host can serve. */
 import { readdirSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { defineConfig, type Plugin } from "vite";
@@ -7,7 +7,7 @@ import { codeNames } from "./tools/code-names.mjs";
 import { offline } from "./tools/offline-plugin.mjs";
 import { sceneTexts } from "./tools/scene-texts.mjs";
 
-/** What of assets/ the scenes read: the page finds it under the same names. */
+/** The files of assets/ that scenes fetch, under the same names. */
 const ASSETS = [
   { folder: "levels", suffix: ".tmj" },
   { folder: "terrain", suffix: ".csv" },
@@ -18,6 +18,7 @@ const ASSETS = [
     .map((name) => ({ name: `${folder}/${name}`, path: `${source}/${name}` }));
 });
 
+/** Serves ASSETS in the development server, and copies them to the built page. */
 const sceneAssets: Plugin = {
   name: "scene-assets",
   configureServer(server) {
@@ -34,16 +35,16 @@ const sceneAssets: Plugin = {
 };
 
 export default defineConfig({
-  // Relative addresses: the built folder can be served from anywhere.
+  // Relative URLs, so that the built folder can be served under any path.
   base: "./",
   plugins: [sceneAssets, sceneTexts(), codeNames(), offline()],
   build: {
     target: "es2022",
-    // The content security policy allows neither inline scripts nor data: addresses.
+    // The content security policy allows neither inline scripts nor data: URLs.
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
   },
-  // Box2D is a chunk of its own in the worker, which only modules can have.
+  // The worker imports Box2D as a chunk of its own, which only ES modules can do.
   worker: { format: "es", plugins: () => [box2dLoader()] },
   server: { fs: { allow: [".."] } },
 });

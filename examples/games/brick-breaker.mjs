@@ -1,11 +1,11 @@
 /**
- * Brick breaker with a computer player. Every third brick drops a capsule: caught, it widens the
- * paddle. The game is won when no brick is left, and lost with the third ball.
+ * Brick breaker with a computer player. Every third brick drops a capsule, which widens the paddle
+ * that catches it. The game is won when no brick is left, and lost with the third ball.
  */
 import { aabb, circle, load, walls } from "thud";
 
 const [PADDLE, BRICK, BALL, CAPSULE, PIT] = [2, 4, 8, 16, 32]; // categories
-const SPEED = 14;
+const SPEED = 14; // of the ball, length/s
 const clamp = (value, most) => Math.max(-most, Math.min(most, value));
 
 const thud = await load();
@@ -18,6 +18,7 @@ const bricks = world.createBodies({ shapes: [aabb(0.9, 0.4, { category: BRICK })
 const shapes = [aabb(1, 0.3, { category: PADDLE })];
 const paddle = world.createBody({ kind: "kinematic", position: [0, -9], shapes });
 
+/** A ball or a capsule that bounces without loss. Returns its body. */
 function addDisc(category, mask, position, velocity) {
   const shapes = [circle(0.3, { category, mask, restitution: 1, friction: 0 })];
   return world.createBody({ kind: "dynamic", position, velocity, fixedRotation: true, shapes });
@@ -27,7 +28,8 @@ let [left, balls, caught] = [bricks.length, 3, 0];
 while (left > 0 && balls > 0) {
   const ball = addDisc(BALL, ~CAPSULE, [0, -5], [0, -SPEED]);
   while (left > 0 && world.isValid(ball)) {
-    // The player wants the ball to meet the paddle where it goes to a brick from, but is slow.
+    // The player moves the paddle so that the ball hits it where it is sent to a brick, at most 0.2
+    // a step.
     const [x] = world.positionOf(paddle);
     const [ballX] = world.positionOf(ball);
     const [brickX, brickY] = world.positionOf(bricks.find((brick) => world.isValid(brick)));
@@ -43,7 +45,7 @@ while (left > 0 && balls > 0) {
       world.destroy(capsule.body);
       world.setHalfExtents(paddle.shape, 1 + 0.25 * ++caught, 0.3);
     }
-    // The more aside the ball meets the paddle, the more aside it goes.
+    // The ball leaves at an angle that grows with its distance from the paddle's middle.
     const angle = Math.atan(ballX - x);
     for (const { b } of world.meetings(PADDLE, BALL))
       world.setVelocity(b.body, [SPEED * Math.sin(angle), SPEED * Math.cos(angle)]);

@@ -1,4 +1,4 @@
-/* brick_breaker.c: a paddle, a ball and a wall of bricks. Every fifth brick drops a gift, which
+/* brick_breaker.c: brick breaker with a computer player. Every fifth brick drops a gift, which
  * makes the paddle wider. */
 #include <math.h>
 #include <stdio.h>
@@ -14,6 +14,7 @@ typedef struct game {
     int bricks, lives, score, steps;
 } game;
 
+/* A box of a category. The floor is a sensor, and a gift collides with paddle and floor only. */
 static thud_body_id add_box(game *g, thud_body_kind kind, uint32_t category, double x, double y,
                             double half_x, double half_y) {
     thud_body_options box = {.kind = kind, .category = category, .frictionless = true};
@@ -22,6 +23,7 @@ static thud_body_id add_box(game *g, thud_body_kind kind, uint32_t category, dou
     return thud_body_make(g->world, thud_aabb_at(x, y, half_x, half_y), &box);
 }
 
+/* Adds a new ball. */
 static void serve(game *g) {
     thud_body_options ball = {.kind = THUD_DYNAMIC,
                               .velocity = {3, -12},
@@ -45,7 +47,8 @@ static void set_up(game *g) {
     serve(g);
 }
 
-/* Under the ball, a little beside its middle, no faster than a hand. */
+/* Moves the paddle towards the ball, with an offset that changes every 95 steps, so that the ball
+ * goes in other directions; by at most 0.25 in a step. */
 static void move_paddle(game *g) {
     thud_pos at = thud_position_of(g->world, g->paddle);
     double way = thud_position_of(g->world, g->ball).x - at.x;
@@ -54,7 +57,8 @@ static void move_paddle(game *g) {
     thud_body_set_target(g->world, g->paddle, at, 0);
 }
 
-/* Where the ball hits the paddle says where it goes. */
+/* Sends the ball back from the paddle at speed 16, the more to the side the further it is from the
+ * paddle's middle. */
 static void send_back(game *g) {
     double x = thud_position_of(g->world, g->ball).x - thud_position_of(g->world, g->paddle).x;
     float side = (float)x / (g->half_width + 0.3f), across = 16 * fmaxf(-0.8f, fminf(0.8f, side));
@@ -62,6 +66,7 @@ static void send_back(game *g) {
     thud_body_set_velocity(g->world, g->ball, velocity, 0);
 }
 
+/* Runs a step, and applies the rules to the shapes that met. */
 static void play(game *g) {
     thud_world_step(g->world);
     for (thud_met m = {0}; thud_world_next_meeting(g->world, PADDLE, BALL, &m);)
@@ -88,7 +93,7 @@ static void play(game *g) {
 int main(void) {
     game g = {.half_width = 1.5f, .bricks = BRICKS, .lives = LIVES};
     thud_world_def def = thud_default_world_def();
-    def.restitution_threshold = 0; /* however slowly it comes */
+    def.restitution_threshold = 0; /* the ball bounces at any speed */
     if (thud_world_create(&def, &g.world) != THUD_OK)
         return 1;
     set_up(&g);

@@ -1,18 +1,21 @@
-/* car.c: a race seen from above, through the gates in turn; on one straight there is oil. */
+/* car.c: a race seen from above: three cars pass four gates in order, for three laps. On one
+ * straight there is oil, on which wheels grip less. */
 #include <math.h>
 #include <stdio.h>
 #include <thud/thud_all.h>
 
+/* STEPS: the longest race, two minutes. GATE, CAR: categories. */
 enum { CARS = 3, GATES = 4, LAPS = 3, STEPS = 60 * 120, GATE = 2, CAR = 4 };
 
-/* Sensors carry their number: the gates in the order of the race, then the oil. */
+/* The places of the sensors: the gates in the order of the race, then the oil. The user data of
+ * each is its index. */
 static const thud_pos places[GATES + 1] = {{24, -12}, {24, 12}, {-24, 12}, {-24, -12}, {17, 12}};
 
 typedef struct game {
     thud_world *world;
     thud_shape_id oil;
     thud_body_id cars[CARS];
-    unsigned passed[CARS]; /* gates */
+    unsigned passed[CARS]; /* number of gates passed */
 } game;
 
 static void set_up(game *g) {
@@ -25,7 +28,7 @@ static void set_up(game *g) {
         thud_body_options gate = {.sensor = true, .category = GATE, .user_data = i};
         thud_body_id body =
             thud_body_make(g->world, thud_circle_at(places[i].x, places[i].y, 5), &gate);
-        thud_body_shapes(g->world, body, &g->oil, 1, NULL); /* the last */
+        thud_body_shapes(g->world, body, &g->oil, 1, NULL); /* oil is the last one */
     }
     for (int i = 0; i < CARS; i++) {
         thud_body_options car = {.kind = THUD_DYNAMIC, .category = CAR, .user_data = i};
@@ -36,8 +39,8 @@ static void set_up(game *g) {
     }
 }
 
-/* A wheel so far ahead of the middle rolls the way it is steered, and holds across it as well as it
- * grips. */
+/* A wheel at distance `ahead` in front of the car's middle: it rolls freely in the direction of
+ * `steer` (radians) and resists motion across it, by a force of at most 20, on oil 4. */
 static void roll(const game *g, thud_body_id car, float ahead, double steer) {
     thud_pos at;
     double sine, cosine;
@@ -49,7 +52,8 @@ static void roll(const game *g, thud_body_id car, float ahead, double steer) {
     thud_body_apply_grip(g->world, car, (thud_vec2){ahead, 0}, across, 0, oily ? 4 : 20);
 }
 
-/* Towards the next gate, slower near it and in turns; at rest after the last. */
+/* Drives a car towards its next gate, more slowly near the gate and in bends; after the last gate
+ * it stops. */
 static void drive(const game *g, int i) {
     thud_vec2 to, middle = {0, 0}, ahead = {1, 0};
     thud_body_local_point(g->world, g->cars[i], places[g->passed[i] % GATES], &to);

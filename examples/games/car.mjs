@@ -1,14 +1,14 @@
 /**
- * A race seen from above: three cars, two laps, an oil slick and cones in the way. Tyres grip only
- * so hard: who is too fast slides.
+ * A race seen from above: three cars, two laps, an oil slick and cones on the track. The force of a
+ * tyre is limited by its grip, so that a car that is too fast slides.
  */
 import { aabb, circle, load, obb, walls } from "thud";
 
 const [GATE, CAR] = [2, 4]; // categories
 const LAPS = 2;
-// To be passed in this order.
+// The places of the gates, in the order in which cars must pass them.
 const GATES = [[0, -14], [20, -12], [23, 0], [20, 12], [0, 14], [-20, 12], [-23, 0], [-20, -12]];
-// In the car's frame; those in front steer.
+// The places of the tyres in the car's frame; the two in front are steered.
 const TYRES = [[1.2, 0.7], [1.2, -0.7], [-1.2, 0.7], [-1.2, -0.7]];
 const clamp = (value, most) => Math.max(-most, Math.min(most, value));
 
@@ -20,7 +20,7 @@ const gates = GATES.map((offset, userData) => circle(4, { ...gate, offset, userD
 const track = world.createBody({ shapes: [aabb(14, 8), ...walls(29, 20, 2), ...gates] });
 const oil = world.createCircle(track, { radius: 3, offset: [10, 15], sensor: true });
 
-// Cones: light, and soon at rest again.
+// Cones are light, and damping soon stops them.
 const places = Array.from({ length: 12 }, (_, i) => [-22 + 4 * i, i % 2 ? 12 : -11]);
 const cone = { linearDamping: 2, angularDamping: 2, shapes: [circle(0.4, { density: 0.2 })] };
 world.createBodies({ kind: "dynamic", ...cone }, places);
@@ -33,7 +33,7 @@ const racers = ["Ada", "Bob", "Cyd"].map((name, i) => {
   return { name, car, power: 18 + 2 * i, passed: 0 };
 });
 
-/** A simple driver: turns to the next gate, and brakes in bends. */
+/** A simple driver, who steers towards the next gate and brakes in bends. */
 function drive({ car, power, passed }) {
   const [x, y] = world.localPoint(car, GATES[passed % GATES.length]);
   const steer = clamp(Math.atan2(y, x), 0.6);

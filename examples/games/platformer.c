@@ -1,10 +1,12 @@
-/* platformer.c: a hero runs from coin to coin: over a pit, against a belt, up through planks, on a
- * lift. Another lift brings a crate up through a plank, which holds it then. */
+/* platformer.c: a character (a mover) collects coins: over a pit, against a conveyor belt, up
+ * through planks and on a lift. Another lift takes a crate up through a plank, on which it then
+ * rests, by a one-way rule. */
 #include <math.h>
 #include <stdio.h>
 #include <thud/thud_all.h>
 
-enum { COINS = 8, STEPS = 60 * 60, PLANK = 2, CRATE = 4 }; /* the last two are categories */
+/* STEPS: the longest game, one minute. PLANK, CRATE: categories. */
+enum { COINS = 8, STEPS = 60 * 60, PLANK = 2, CRATE = 4 };
 
 static const thud_pos coins[COINS] = {{4, 1},  {11, 2}, {15, 1}, {18, 3},
                                       {18, 5}, {22, 9}, {28, 9}, {38, 1}};

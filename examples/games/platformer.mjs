@@ -1,6 +1,6 @@
 /**
  * A platformer: planks to jump through from below, a crate to push, a belt that runs against the
- * hero, and a lift to the flag. A script plays it, and takes every coin.
+ * character, and a lift to the flag. A script plays it, and collects all coins.
  */
 import { aabb, circle, load, Mover } from "thud";
 
@@ -10,14 +10,15 @@ const COINS = [[5, 2.2], [5, 3.8], [11, 2], [16, 0.5], [22.5, 3], [28, 4.5]];
 const thud = await load();
 const world = thud.createWorld();
 
-// What stands still is one body; a coin is one of its own, to be taken away.
+// All static shapes are of one body; each coin has a body of its own, which is destroyed when
+// taken.
 const belt = aabb(4.5, 0.5, { offset: [16.5, -0.5], surfaceSpeed: -2 });
 const hill = aabb(5, 2.5, { offset: [30, 1.5] });
 const planks = [1.6, 3.2].map((y) => aabb(1.5, 0.1, { offset: [5, y], category: PLANK }));
 world.createBody({ shapes: [aabb(10, 0.5, { offset: [0, -0.5] }), belt, hill, ...planks] });
 world.createBodies({ shapes: [circle(0.3, { category: COIN, sensor: true })] }, COINS);
 world.createBody({ position: [33, 4.5], shapes: [circle(0.3, { category: FLAG, sensor: true })] });
-// A crate, a lift and the hero, who is no body but walks among them.
+// A crate, a lift, and the character, which is a mover and no body.
 world.createBody({ kind: "dynamic", position: [2, 0.5], shapes: [aabb(0.5, 0.5)] });
 const lift = world.createBody({ kind: "kinematic", position: [22.5, 0], shapes: [aabb(1.5, 0.2)] });
 const hero = new Mover(world, {

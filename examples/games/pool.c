@@ -1,8 +1,10 @@
-/* pool.c: two players clear a table; who pots a ball goes on. Lengths are in balls. */
+/* pool.c: pool for two computer players. A player who pots a ball plays again. A length of 1 is the
+ * diameter of a ball. */
 #include <math.h>
 #include <stdio.h>
 #include <thud/thud_all.h>
 
+/* CUE: the index of the cue ball. SHOTS: the longest game. BALL, POCKET: categories. */
 enum { BALLS = 16, CUE = 0, POCKETS = 6, SHOTS = 200, BALL = 2, POCKET = 4 };
 
 static const thud_pos pockets[POCKETS] = {{-22, -11}, {0, -11}, {22, -11},
@@ -38,7 +40,7 @@ static void set_up(game *g) {
             add_ball(g, i++, 11 + 0.88 * row, 1.01 * (j - 0.5 * row));
 }
 
-/* Whether no other ball stands in the way of this one. */
+/* Whether a ball can move by (dx, dy) without hitting another one. */
 static bool is_free(const game *g, thud_body_id ball, double dx, double dy) {
     thud_query_filter others = {.category = ~0u, .mask = BALL, .ignore = ball};
     thud_pos from = thud_position_of(g->world, ball);
@@ -47,7 +49,8 @@ static bool is_free(const game *g, thud_body_id ball, double dx, double dy) {
     return !hit;
 }
 
-/* Of all ways of potting a ball the straightest, or else at the nearest. */
+/* The velocity of the cue ball for the best shot: of all pairs of a ball and a pocket the one with
+ * the straightest and shortest path that is free, or else at the nearest ball. */
 static thud_vec2 aim(const game *g) {
     thud_pos cue = thud_position_of(g->world, g->ball[CUE]);
     thud_vec2 shot = {0, 0};
@@ -70,7 +73,7 @@ static thud_vec2 aim(const game *g) {
     return shot;
 }
 
-/* A shot, until all balls are at rest. */
+/* Plays a shot until all balls are at rest, and decides who plays next. */
 static void play(game *g) {
     int before = g->potted[g->player];
     thud_body_set_velocity(g->world, g->ball[CUE], aim(g), 0);

@@ -1,14 +1,15 @@
 /**
- * Pool for two computer players: each tries some shots in the world itself, takes them back,
- * and plays the best. Who sinks a ball goes on; who sinks the cue ball loses a point.
+ * Pool for two computer players. A player tries some random shots in the world by `whatIf`, which
+ * restores it, and plays the best one. A player who sinks a ball plays again; sinking the cue ball
+ * costs a point.
  */
 import { circle, load, walls } from "thud";
 
-const RADIUS = 0.03;
+const RADIUS = 0.03; // of a ball, metres
 const [CUE, BALL, POCKET] = [2, 4, 8]; // categories
 
 const thud = await load();
-// Swept: balls meet at the time of impact, however fast they are.
+// Swept detection: balls collide at their time of impact, at any speed.
 const world = thud.createWorld({ gravity: [0, 0], lengthScale: 0.05, detection: "swept" });
 
 const pocket = (x, y) => circle(0.05, { offset: [x, y], category: POCKET, sensor: true });
@@ -22,7 +23,7 @@ const rack = [[0, 0], [1, -1], [1, 1], [2, -2], [2, 0], [2, 2], [3, -3], [3, -1]
 const places = rack.map(([x, y]) => [0.5 + 1.75 * RADIUS * x, 1.01 * RADIUS * y]);
 const balls = world.createBodies({ ...options, shapes: [disc(BALL)] }, places);
 
-/** Plays until all balls are at rest. Returns what that is worth. */
+/** Plays a shot until all balls are at rest. Returns its points. */
 function shoot(velocity) {
   let points = 0;
   world.setVelocity(cue, velocity);
@@ -40,7 +41,7 @@ function shoot(velocity) {
 let seed = 1;
 const random = () => (seed = (seed * 16807) % 2147483647) / 2147483647;
 
-/** Somewhere at a ball, hard enough to go around the table. */
+/** A shot at a random ball, with a random error of the angle, at speed 4. */
 function randomShot() {
   const left = balls.filter((ball) => world.isValid(ball));
   const [x, y] = world.localPoint(cue, world.positionOf(left[Math.floor(random() * left.length)]));
@@ -48,7 +49,7 @@ function randomShot() {
   return [4 * Math.cos(angle), 4 * Math.sin(angle)];
 }
 
-const score = [0, 0]; // of Ada, who tries nine shots, and of Bob, who tries three
+const score = [0, 0]; // Ada's, who tries nine shots, and Bob's, who tries three
 let [turn, shots] = [0, 0];
 for (; balls.some((ball) => world.isValid(ball)); shots++) {
   const tries = Array.from({ length: turn === 0 ? 9 : 3 }, randomShot);

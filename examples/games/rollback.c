@@ -1,12 +1,16 @@
-/* rollback.c: sumo between two peers who hear of each other late. Each plays on at once, as if the
- * other still did what it did last; where that proves wrong it goes back to that step and plays
- * from there again. What both are sure of is compared to the last bit. */
+/* rollback.c: sumo between two peers whose messages arrive late. Each runs a step at once and
+ * predicts that the other's input has not changed; where that was wrong, it restores that step and
+ * runs the steps since then again (thud_rollback.h). The hashes of steps whose inputs both know are
+ * compared. */
 #include <math.h>
 #include <stdio.h>
 #include <thud/thud_all.h>
 
+/* LATEST: the largest delay of an input, steps. WINS: rounds that decide the match. STEPS: the
+ * longest match, two minutes. */
 enum { LATEST = 12, WINS = 3, STEPS = 60 * 120 };
 
+/* The game as one peer has it. */
 typedef struct peer {
     thud_world *world;
     thud_rollback *rollback;
@@ -14,6 +18,7 @@ typedef struct peer {
     int wins[2];
 } peer;
 
+/* Begins a round: puts two new wrestlers at their places. */
 static void line_up(peer *p) {
     thud_body_options disc = {.kind = THUD_DYNAMIC, .linear_damping = 1, .restitution = 0.8f};
     for (int i = 0; i < 2; i++) {
@@ -26,7 +31,9 @@ static double from_middle(thud_pos at) {
     return sqrt(at.x * at.x + at.y * at.y);
 }
 
-/* An input of 0 to 8 says where to push, as on a number pad. */
+/* A step of the game. An input of 0 to 8 is a direction, in rows of three as on a number pad; 4:
+ * none.
+ */
 static thud_result play(thud_world *world, const uint64_t *inputs, void *state) {
     peer *p = state;
     for (int i = 0; i < 2; i++) {
@@ -43,7 +50,9 @@ static thud_result play(thud_world *world, const uint64_t *inputs, void *state) 
     return result;
 }
 
-/* All of the peer goes back with its world. */
+/* Creates a peer's world and rollback. The struct itself is the state that is restored with the
+ * world.
+ */
 static bool start(peer *p) {
     thud_rollback_options options = {
         .step = play, .idle = 4, .depth = LATEST, .state = p, .state_bytes = sizeof *p};
@@ -52,7 +61,8 @@ static bool start(peer *p) {
     return thud_rollback_create(p->world, &options, &p->rollback) == THUD_OK;
 }
 
-/* At the other, in turns with a swerve; near the edge back to the middle. */
+/* The input of the computer player `me`: towards the other wrestler, every other 25 steps with a
+ * deviation to the side; near the edge back to the middle. */
 static int think(const peer *p, int me, int now) {
     thud_pos at = thud_position_of(p->world, p->wrestler[me]);
     thud_pos other = thud_position_of(p->world, p->wrestler[!me]);
@@ -75,7 +85,8 @@ int main(void) {
         for (int me = 0; me < 2; me++) {
             inputs[me][now] = think(&peers[me], me, now);
             thud_rollback_input(peers[me].rollback, me, now, inputs[me][now]);
-            /* A message has the last inputs, so that none is missed where one overtakes another. */
+            /* Each message has the last inputs, so that none is missed where one message overtakes
+             * another. */
             int late = 2 + (int)((uint32_t)(2 * now + me) * 2654435761u >> 16) % (LATEST - 2);
             for (int then = now < LATEST ? 0 : now - LATEST; then <= now - late; then++)
                 thud_rollback_input(peers[me].rollback, !me, then, inputs[!me][then]);

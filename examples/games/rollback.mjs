@@ -1,16 +1,18 @@
 /**
- * Air hockey by two peers over a slow network. Neither waits for the other: each predicts that the
- * other holds what it held last, and where that was wrong goes back and plays those steps again.
+ * Air hockey between two peers over a slow network. Neither waits for the other: each predicts that
+ * the other's input has not changed, and where that was wrong restores that step and runs the steps
+ * since then again.
  */
 import { aabb, circle, load, Rollback } from "thud";
 
-const STEPS = 1800;
-const LATEST = 12; // steps that an input may take to arrive
-const IDLE = 4; // of nine ways to push: three to the right, three up
+const STEPS = 1800; // of the match
+const LATEST = 12; // the largest delay of an input, steps
+const IDLE = 4; // an input of 0 to 8: x is its remainder by 3, y its quotient, each minus 1
 const [PUCK, STRIKER] = [1, 2]; // categories
 
 const thud = await load();
 
+/** The game as one peer has it: its world, with puck and strikers, and its rollback. */
 function createPeer() {
   const world = thud.createWorld({ gravity: [0, 0] });
   const wall = (halfWidth, halfHeight, x, y, mask = PUCK | STRIKER) =>
@@ -41,7 +43,9 @@ function createPeer() {
   return { world, puck, strikers, rollback };
 }
 
-/** A computer player: gets behind the puck and drives it on, or guards its goal. */
+/**
+ * The input of a computer player, which moves behind the puck and pushes it, or guards its goal.
+ */
 function choose({ world, puck, strikers }, player) {
   const side = 2 * player - 1;
   const [x, y] = world.positionOf(strikers[player]);

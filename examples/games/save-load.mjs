@@ -1,19 +1,19 @@
 /**
- * A saved game: bombs fall on a castle, the game is saved to a file in the middle, and another
- * world loads it, as a program that starts anew would. Both play on, and end alike to the bit.
+ * A saved game: bombs explode in a castle, the game is saved to a file in the middle, and a new
+ * world loads it, as a later run of the program would. Both continue, and end with the same bits.
  */
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { aabb, load, obb } from "thud";
 
-const BOMBS = [[-3, 0.4], [2, 0.4], [0, 5], [5, 0.4], [-1, 0.4], [3, 3]];
-const STEPS_BETWEEN = 90;
+const BOMBS = [[-3, 0.4], [2, 0.4], [0, 5], [5, 0.4], [-1, 0.4], [3, 3]]; // places
+const STEPS_BETWEEN = 90; // steps from one bomb to the next
 const STONE = 1; // user data
 
 const thud = await load();
 
-// What a game keeps in its world is saved with it: stones know that they are, the island the score.
+// User data is saved with the world: it marks the stones, and the island's is the score.
 function createWorld() {
   const world = thud.createWorld();
   world.createBody({ shapes: [aabb(8, 0.5, { offset: [0, -0.5] })] });
@@ -29,7 +29,7 @@ function createWorld() {
 const islandOf = (world) => world.bodies()[0];
 const scoreOf = (world) => world.userDataOf(islandOf(world));
 
-/** Up to a step; a stone that falls off the island is a point. */
+/** Plays up to step `last`; each stone that falls off the island is a point. */
 function play(world, last) {
   for (let { steps } = world.stats(); steps < last; steps++) {
     const center = BOMBS[steps / STEPS_BETWEEN];

@@ -1,9 +1,10 @@
-/* save_load.c: throw balls until no crate is left on the ledge. In the middle of a throw the game
- * is saved to a file and loaded into a new world, and both go on alike, to the last bit. */
+/* save_load.c: balls are thrown until no crate is left on the ledge. In the middle of a throw the
+ * game is saved to a file and loaded into a new world; both continue, and end with the same bits.
+ */
 #include <stdio.h>
 #include <thud/thud_all.h>
 
-enum { CRATES = 12, BALLS = 12, PAUSE = 150 }; /* steps from throw to throw */
+enum { CRATES = 12, BALLS = 12, PAUSE = 150 }; /* PAUSE: steps between two throws */
 enum { CRATE = 2, FLOOR = 4, BALL = 8 };       /* categories */
 
 typedef struct game {
@@ -23,7 +24,7 @@ static void set_up(game *g) {
     }
 }
 
-/* At the highest crate, which it reaches in a second. */
+/* Throws a ball so that it reaches the highest crate after a second. */
 static void throw_ball(game *g) {
     thud_pos target = {0, -1e9};
     for (int i = 0; i < CRATES; i++) {
@@ -38,6 +39,7 @@ static void throw_ball(game *g) {
     thud_body_make(g->world, thud_circle_at(0, 2, 0.4), &ball);
 }
 
+/* Plays until the step of this number, or until no crate is left. */
 static void play(game *g, int steps) {
     for (; g->left > 0 && g->steps < steps; g->steps++) {
         if (g->steps % PAUSE == 0)
@@ -50,6 +52,7 @@ static void play(game *g, int steps) {
     }
 }
 
+/* Plays a game to its end, prints the result, and returns the world's hash. */
 static uint64_t finish(game *g) {
     play(g, PAUSE * BALLS);
     uint64_t hash = thud_world_hash(g->world);
@@ -68,7 +71,7 @@ int main(void) {
     thud_world *world = thud_world_make((thud_vec2){0, -10}, &thud_quality_default);
     if (thud_world_load(world, "save_load.thud", &loaded, sizeof loaded) != THUD_OK)
         return 1;
-    loaded.world = world; /* an address says nothing in a file */
+    loaded.world = world; /* the address that was saved is that of the other world */
     remove("save_load.thud");
     return finish(&played) != finish(&loaded) || loaded.left > 0;
 }

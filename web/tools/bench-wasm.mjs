@@ -1,5 +1,8 @@
 #!/usr/bin/env node
-/** thud and Box2D v3 (npm box2d3-wasm, its SIMD flavour) as WebAssembly, side by side. */
+/**
+ * Measures the step times of thud and of Box2D v3 (npm box2d3-wasm, its SIMD build) as WebAssembly,
+ * in Node.js and in Chromium, and prints them as a table. wasm-race.mjs has the measurement itself.
+ */
 import { writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, relative } from "node:path";
@@ -18,6 +21,7 @@ Wants thud.wasm built (./run demo or ./run test do that) and web/'s packages.
 
 const web = fileURLToPath(new URL("..", import.meta.url));
 const require = createRequire(new URL("../package.json", import.meta.url));
+/** The loader of Box2D's SIMD build in its package. */
 const DELUXE = "build/dist/es/deluxe/Box2D.deluxe.mjs";
 
 function fail(message) {
@@ -51,6 +55,7 @@ function readArguments(words) {
   return options;
 }
 
+/** The plan of a word NAME[:SIZE]; of another size it has the steps of the scene's first plan. */
 function planOf(text) {
   const [scene, size] = text.split(":");
   const known = PLANS.filter((plan) => plan.scene === scene);
@@ -61,6 +66,7 @@ function planOf(text) {
   return known.find((plan) => plan.size === Number(size)) ?? { ...known[0], size: Number(size) };
 }
 
+/** The folder of the npm package box2d3-wasm, with a slash at its end. */
 function box2dFolder() {
   try {
     return dirname(require.resolve("box2d3-wasm/utils/camera")).replace(/build.dist.es.utils$/, "");
@@ -69,6 +75,7 @@ function box2dFolder() {
   }
 }
 
+/** A function that prints the share of a plan that is done, on a terminal only. */
 function showProgress(place, plan) {
   return (share) => {
     if (process.stderr.isTTY)
@@ -80,6 +87,7 @@ function printHead() {
   console.log("where     scene            bodies   Box2D ms   thud ms   ratio    p99  worst");
 }
 
+/** Prints times in ms, and ratios of Box2D's time over thud's: median, 99th percentile, maximum. */
 function printRow(where, r) {
   if (process.stderr.isTTY) process.stderr.write(`\r${" ".repeat(50)}\r`);
   const ratio = (key) => (r.box2d[key] / r.thud[key]).toFixed(2).padStart(7);
@@ -90,6 +98,7 @@ function printRow(where, r) {
   );
 }
 
+/** Measures the plans in this process. `done` is called with the place and each result. */
 async function inNode(plans, done) {
   const thud = await import(`${web}package/dist/node.js`);
   const { default: Box2D } = await import(`${box2dFolder()}${DELUXE}`);
@@ -98,7 +107,10 @@ async function inNode(plans, done) {
   for (const plan of plans) done("node", race(thud, engine, b2, plan, showProgress("node", plan)));
 }
 
-/** The page has no script of its own: modules come from a server of web/, steps from here. */
+/**
+ * Measures the plans in an empty page of Chromium, into which modules are imported from a server of
+ * web/.
+ */
 async function inChromium(plans, done) {
   const { launchChromium } = await import("./browser.mjs");
   const { listenFrom } = await import("./serve.mjs");

@@ -1,6 +1,7 @@
 /**
- * The system's browsers for tests and screenshots, driven by playwright-core: Chromium by its own
- * protocol, Firefox by WebDriver BiDi, which Firefox as it comes understands.
+ * Launches the browsers that the system has, for tests and screenshots, through playwright-core:
+ * Chromium by the DevTools protocol, Firefox by WebDriver BiDi, which an unpatched Firefox
+ * supports.
  */
 import { accessSync, constants } from "node:fs";
 import { delimiter, join } from "node:path";
@@ -9,7 +10,7 @@ import { chromium, firefox } from "playwright-core";
 import { listenFrom } from "./serve.mjs";
 import { createStaticServer } from "./static-server.mjs";
 
-/** A visitor's screen, as options of a browser's context. */
+/** Screens of visitors, as options of a browser context. */
 export const DESKTOP = { viewport: { width: 1440, height: 900 } };
 export const PHONE = {
   viewport: { width: 390, height: 844 },
@@ -18,7 +19,7 @@ export const PHONE = {
   isMobile: true,
 };
 
-/** What each is called on the path; the first is Debian's package too. */
+/** The names of the executables of each browser; the first is also the name of Debian's package. */
 const NAMES = {
   chromium: ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"],
   firefox: ["firefox-esr", "firefox"],
@@ -27,7 +28,10 @@ const NAMES = {
 /** The browsers that the page is tested in. */
 export const BROWSERS = Object.keys(NAMES);
 
-/** CHROMIUM and FIREFOX name another one than the first on the path. */
+/**
+ * The path of a browser's executable: from the environment variable CHROMIUM or FIREFOX, or else
+ * the first in PATH. Throws where there is none.
+ */
 function find(browser) {
   const chosen = process.env[browser.toUpperCase()];
   if (chosen) return chosen;
@@ -37,15 +41,16 @@ function find(browser) {
         accessSync(join(folder, name), constants.X_OK);
         return join(folder, name);
       } catch {
-        // Not there: the next one.
+        // This name is not in this folder: try the next.
       }
   const [first] = NAMES[browser];
   throw new Error(`no ${browser} found on the path; on Debian: apt-get install ${first}`);
 }
 
 /**
- * Headless, and quiet towards the network; with `webgl` it draws by software. With `oneProcess` all
- * pages of a host in one context share a process in Chromium, and what that has compiled.
+ * Launches a browser without a window and without network traffic of its own. `webgl`: with WebGL,
+ * which the processor renders in Chromium. `oneProcess`: in Chromium all pages of a host in a
+ * context share a process, and the code that it has compiled.
  */
 export function launch(browser, options) {
   return browser === "firefox" ? launchFirefox(options) : launchChromium(options);
@@ -79,7 +84,7 @@ export function launchChromium({ webgl = true, oneProcess = false } = {}) {
   });
 }
 
-/** Serves the built page on some free port, at the root or another path. */
+/** Serves the built page on a free port, under the path `under`. Returns its URL, and `close`. */
 export async function servePage(under = "/") {
   const server = createStaticServer(fileURLToPath(new URL("../dist", import.meta.url)), under);
   const port = await listenFrom(server, 0);
@@ -92,7 +97,10 @@ export async function servePage(under = "/") {
   };
 }
 
-/** Makes steps by the key for a single one, once a scene is there, and waits for the last. */
+/**
+ * Runs `count` steps of the page's scene by the key of the single step, and waits until the last
+ * has been run. Waits first until a scene has been built.
+ */
 export async function stepBy(page, count) {
   await page.waitForFunction(() => document.title.endsWith(" · thud"));
   const hud = page.locator("#hud");

@@ -9,18 +9,20 @@ if ! command -v emcc >/dev/null 2>&1; then
     echo "build-wasm: emcc is missing; on Debian: apt-get install emscripten" >&2
     exit 1
 fi
-# Debian's emscripten finds its Node.js helpers only so when node itself is not Debian's.
+# Debian's emscripten finds its Node.js helpers without this only if node is Debian's package, too.
 if [ -d /usr/share/nodejs ]; then
     NODE_PATH=/usr/share/nodejs${NODE_PATH:+:$NODE_PATH}
     export NODE_PATH
 fi
-# And starts in half the time where python3 is a shim for another one than Debian's: once a file.
+# emcc, which starts once for each file, starts in half the time with Debian's Python where the
+# first python3 in PATH is a shim of another one.
 if [ -z "${EMSDK_PYTHON:-}" ] && [ -d /usr/share/emscripten ] && [ -x /usr/bin/python3 ]; then
     export EMSDK_PYTHON=/usr/bin/python3
 fi
 
-# compile DIRECTORY FLAGS TARGET...
-# By make: what Ninja archives stands in another order, and the file compresses to 2 % more.
+# compile DIRECTORY FLAGS TARGET...: configures and builds targets with these compiler flags.
+# With make: Ninja archives objects in another order, with which the module is 2 % larger
+# compressed.
 compile() {
     directory=$1
     flags=$2
@@ -31,7 +33,7 @@ compile() {
 }
 
 compile "$build" -msimd128 thud-web thud-demo
-# For browsers without WebAssembly SIMD: the same source and the same results, only slower.
+# For browsers without WebAssembly SIMD: the same source gives the same results, but is slower.
 compile "$build-scalar" "" thud-web
 
 mkdir -p web/package/dist web/generated

@@ -1,7 +1,8 @@
 /**
- * What a scene's text can use, read from the typings of the package and of scenes when the page is
- * built: the list beside the code and its completion. A name comes with its comment; its example is
- * that of the comment's @example, or else made of its signature or default.
+ * Reads the names that the code of a scene can use from the typings of the package and of scenes,
+ * when the page is built: for the list beside the code editor and for its completion. Each name has
+ * the first paragraph of its comment, and an example: that of the comment's @example, or else one
+ * made from its signature or default.
  */
 import { fileURLToPath } from "node:url";
 import ts from "typescript";
@@ -10,12 +11,17 @@ const path = (file) => fileURLToPath(new URL(`../${file}`, import.meta.url));
 const SCENE = path("src/scene/scene.ts");
 const PACKAGE = path("package/dist/index.d.ts");
 
-/** Those that together have every option, each with the comment that fits most. */
+/**
+ * The types of joints that together have every option. Of an option that several have the comment
+ * of the first is shown, so the most general come first.
+ */
 const JOINTS = ["HingeOptions", "DistanceOptions", "TargetOptions", "GearOptions"];
 
 /**
- * `completes` says where the names of a group are offered: as they are, or only after a dot. `of`
- * takes the methods of one layer of a class alone, which has them from several.
+ * The groups of the list. `types`: the types whose members are listed. `of`: only the methods that
+ * this layer of the class World declares. `kinds`: the types of a union by their `kind`, instead of
+ * members. `completes`: where the editor offers the names, anywhere ("plain") or after a dot
+ * ("member").
  */
 const GROUPS = [
   { title: "The function is given", types: ["SceneSetting"] },
@@ -66,15 +72,15 @@ export function readCodeNames() {
     const entries = types
       .map(typeOf)
       .flatMap((type) => (kinds ? marksOf(checker, type) : membersOf(checker, type, of)))
-      // Two types may share a name; the first tells.
+      // Where two types share a name, the entry of the first is kept.
       .filter(({ name }, i, all) => all.findIndex((entry) => entry.name === name) === i);
-    // What is needed most has an example, and comes first.
+    // Names with an example come first: these are the ones that are used most.
     entries.sort((a, b) => Number(b.hasExample) - Number(a.hasExample));
     return { title, completes, entries: entries.map(({ hasExample, ...entry }) => entry) };
   });
 }
 
-/** A type's members, or the public methods that a class of that name brings. */
+/** The members of a type, or with `of` the public methods that the class of that name declares. */
 function membersOf(checker, type, of) {
   const hidden = ts.ModifierFlags.Private | ts.ModifierFlags.Protected;
   const isCalled = (symbol) =>
@@ -91,7 +97,7 @@ function membersOf(checker, type, of) {
   });
 }
 
-/** A union's types by their `kind`; what each may have besides is listed. */
+/** The types of a union by their `kind`, each with a list of its optional members. */
 function marksOf(checker, union) {
   return union.types.map((type) => {
     const members = checker.getPropertiesOfType(type);
@@ -116,12 +122,16 @@ function meaningOf(checker, symbol) {
   return text.split(/\n\s*\n/)[0].replaceAll("`", "").replace(/\s+/g, " ").trim();
 }
 
+/** The text of the comment's @example; undefined where it has none. */
 function exampleOf(checker, symbol) {
   const tag = symbol.getJsDocTags(checker).find(({ name }) => name === "example");
   return tag && ts.displayPartsToString(tag.text).trim();
 }
 
-/** "world.setAwake(body, awake)", or "friction: 0.6". */
+/**
+ * An example made from a signature, "world.setAwake(body, awake)", or from the default in the
+ * comment, "friction: 0.6"; of a flag the opposite of its default, "sensor: true".
+ */
 function formOf(checker, symbol, meaning, of) {
   const type = checker.getNonNullableType(checker.getTypeOfSymbol(symbol));
   const [signature] = type.getCallSignatures();
@@ -139,7 +149,7 @@ function formOf(checker, symbol, meaning, of) {
 
 const MODULE = "virtual:code-names";
 
-/** The plugin of Vite by which the page has the list. */
+/** The plugin of Vite that provides the list as a virtual module. */
 export function codeNames() {
   return {
     name: "code-names",

@@ -1,5 +1,8 @@
 #!/usr/bin/env node
-/** Measures how long a first visit takes until a scene runs and can be used. */
+/**
+ * Measures the time of a first visit of the page until the first paint and until the scene has run
+ * its first step.
+ */
 import { launchChromium, servePage } from "./browser.mjs";
 
 const USAGE = `usage: node first-load.mjs [RUNS]
@@ -11,8 +14,13 @@ the browser needs no graphics card, and with WebGL, which takes most of a second
 the browser emulates the card.
 `;
 
+/** Bytes of a megabit. */
 const MEGABIT = 1e6 / 8;
+/**
+ * An emulated network: latency in ms, throughput in bytes a second. Chosen, as of a mobile network.
+ */
 const NETWORK = { latency: 40, downloadThroughput: 10 * MEGABIT, uploadThroughput: 5 * MEGABIT };
+/** `slower`: the factor by which Chromium throttles the processor. */
 const SLOW = { slower: 4, network: NETWORK };
 const CONDITIONS = [
   { name: "Canvas 2D", webgl: false, slower: 1 },
@@ -32,7 +40,7 @@ if (!Number.isInteger(runs) || runs < 1 || rest.length > 0) {
   process.exit(2);
 }
 
-/** One visit in a browser of its own, which has nothing cached. */
+/** One visit in a new browser with an empty cache. Returns the two times, ms. */
 async function visit(url, { webgl, slower, network }) {
   const browser = await launchChromium({ webgl });
   try {

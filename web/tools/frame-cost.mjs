@@ -1,5 +1,8 @@
 #!/usr/bin/env node
-/** What a picture costs the page's own thread, physics apart, which runs in a worker. */
+/**
+ * Measures the time of a frame on the page's main thread: the duration of each callback of
+ * requestAnimationFrame. The physics runs in a worker, and is not in it.
+ */
 import { launchChromium, servePage } from "./browser.mjs";
 
 const USAGE = `usage: node frame-cost.mjs [SCENE [SIZE]]
@@ -9,8 +12,9 @@ and prints the time that the page's thread spends on each picture and the worker
 many pictures a second there are depends on the graphics card, which a machine without a screen
 mostly lacks: its drawing is not in these figures.
 `;
+/** Frames that are measured, the last ones. */
 const PICTURES = 120;
-/** Of 60 a second. */
+/** The time of a frame at 60 frames a second, ms. */
 const BUDGET = 1000 / 60;
 
 const [scene = "gas", size = "10000"] = process.argv.slice(2);

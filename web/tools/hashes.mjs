@@ -1,8 +1,9 @@
 #!/usr/bin/env node
 /**
- * Writes web/generated/hashes.json: what every scene comes to on the machine that builds the page,
- * at its usual size and with nothing chosen, so that a visitor's machine can be compared with it;
- * and the native engine's hashes. A scene whose files have not changed is not run again.
+ * Writes web/generated/hashes.json: for each scene the world hashes on the machine that builds the
+ * page, at the scene's usual size and with default options, and the hash of the native engine. The
+ * page compares them with those on the visitor's machine. A scene whose files have not changed is
+ * not run again.
  */
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -11,14 +12,15 @@ import { load } from "../package/dist/node.js";
 import { GOLDEN, GOLDEN_STEPS } from "./golden.mjs";
 import { buildScene, runScene, SCENES, sceneFile, USUAL_OPTIONS } from "./scenes.mjs";
 
+/** Steps of each scene. */
 const STEPS = 300;
-/** Steps between two hashes: a difference is found to begin so exactly. */
+/** Steps between two hashes, the resolution at which the page can say when a difference began. */
 const EVERY = 60;
 
 const path = (file) => fileURLToPath(new URL(`../${file}`, import.meta.url));
 const OUTPUT = path("generated/hashes.json");
 
-/** What a scene comes to depends on these, besides its own files. */
+/** The files on which the hashes of all scenes depend, besides the scene's own. */
 const COMMON = [
   "package/dist/thud.wasm",
   "src/scene/random.ts",
@@ -29,6 +31,7 @@ const COMMON = [
   "../assets/terrain",
 ].flatMap((file) => filesOf(path(file)));
 
+/** All files in a folder, or the file itself. */
 function filesOf(place) {
   if (!existsSync(place)) return [];
   try {
@@ -38,12 +41,14 @@ function filesOf(place) {
   }
 }
 
+/** 16 digits that change with the content of the files. */
 function keyOf(files) {
   const digest = createHash("sha256");
   for (const file of files) digest.update(readFileSync(file));
   return digest.digest("hex").slice(0, 16);
 }
 
+/** The hashes of a scene after each EVERY steps. */
 async function hashesOf(thud, name) {
   const { scene, close } = await buildScene(thud, name, { choices: USUAL_OPTIONS });
   const hashes = [];

@@ -1,12 +1,13 @@
 #!/usr/bin/env node
-/** Draws the page's icons from public/icon.svg by Chromium and writes them to public/icons. */
+/** Renders the page's icons from public/icon.svg in Chromium and writes them to public/icons. */
 import { mkdirSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { launchChromium } from "./browser.mjs";
 
 /**
- * A system that cuts its own shape wants the square filled to the edge; of a maskable icon a
- * circle of four fifths of the width is certain to stay.
+ * `size`: pixels. `drawing`: the size of the drawing over that of the icon. `filled`: with a
+ * background to the edges, for systems that cut icons to a shape of their own; of a maskable icon
+ * only a circle of four fifths of the width is certain to remain.
  */
 const ICONS = [
   { name: "icon-192", size: 192, drawing: 1, filled: false },

@@ -1,17 +1,22 @@
 #!/usr/bin/env node
 /**
- * Runs thud-matrix as WebAssembly: matrix.mjs node|chromium|firefox thud-matrix.js WORD... The words
- * are those of the program itself; files that it reads go in before and files that it writes come
- * out after. What it prints is printed, and its exit code is this one's.
+ * Runs thud-matrix (tests/matrix) as WebAssembly: matrix.mjs node|chromium|firefox thud-matrix.js
+ * WORD... The words are the arguments of that program. Files that it reads are copied to its file
+ * system before, and files that it writes are copied back. This script prints its output, and ends
+ * with its exit code.
  */
 import { readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { resolve } from "node:path";
 
+/** The options of thud-matrix whose argument is a file that it reads, or writes. */
 const READ = ["--plain", "--continue"];
 const WRITTEN = ["--take", "--keep"];
 
-/** In a page, or here: everything that it needs comes as an argument, bytes as base64. */
+/**
+ * Runs the program in a page or in Node.js. It uses nothing outside of itself, since playwright
+ * sends it to the page as text; its arguments and result are JSON, with bytes as base64.
+ */
 async function runMain({ wasm, words, files, written }) {
   const toBytes = (text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
   const toText = (bytes) => {
@@ -34,7 +39,10 @@ async function runMain({ wasm, words, files, written }) {
   return { code, out, errors, results };
 }
 
-/** The program's words with its files renamed, what they hold, and where the written ones go. */
+/**
+ * The argument of runMain: the program, its words with the names of files replaced, the content of
+ * the files that it reads, and the paths of those that it writes.
+ */
 function parse(program, words) {
   const wasm = readFileSync(program.replace(/js$/, "wasm")).toString("base64");
   const task = { wasm, words: [...words], files: [], written: [] };

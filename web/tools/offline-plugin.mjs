@@ -1,4 +1,7 @@
-/** A plugin of Vite that ends a build by writing dist/sw.js, which knows the build's files. */
+/**
+ * A plugin of Vite that writes the service worker dist/sw.js at the end of a build, with a list of
+ * the build's files and their hashes.
+ */
 import { createHash } from "node:crypto";
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join, relative, sep } from "node:path";
@@ -8,16 +11,17 @@ import { ISOLATION, WORKER_POLICY } from "./headers.mjs";
 
 const ENTRY = fileURLToPath(new URL("../src/offline/sw.ts", import.meta.url));
 
-/** Which list of the service worker's `BUILD` a file belongs to, by its path; null is for none. */
+/** The list of the service worker's `BUILD` to which a file belongs; null: it is in none. */
 function listOf(url) {
   if (url === "sw.js" || url.endsWith(".map")) return null;
   if (/^assets\/thud-(first|rest)-[\w-]{8}\.wasm$/.test(url)) return "simd";
-  // The package's default, the same engine in one file, which the page never asks for.
+  // The engine in one file, the package's default, which the page never fetches.
   if (/^assets\/thud-[\w-]{8}\.wasm$/.test(url)) return null;
   if (/^assets\/(thud-scalar|Box2D\.compat)-[\w-]{8}\.(wasm|js)$/.test(url)) return "scalar";
   return /^assets\/Box2D\.deluxe-/.test(url) ? "simd" : "files";
 }
 
+/** The paths of all files in a folder. */
 function filesOf(folder) {
   return readdirSync(folder, { withFileTypes: true }).flatMap((entry) => {
     const path = join(folder, entry.name);
@@ -25,6 +29,7 @@ function filesOf(folder) {
   });
 }
 
+/** The plugin. */
 export function offline() {
   return {
     name: "thud-offline",
@@ -33,7 +38,9 @@ export function offline() {
   };
 }
 
-/** Writes sw.js for the files that a built folder has now, and the policy of its workers. */
+/**
+ * Writes sw.js for the files that are in a built folder. `scriptPolicy`: the policy of its workers.
+ */
 export async function writeServiceWorker(dir, scriptPolicy = WORKER_POLICY) {
   const lists = { files: [], simd: [], scalar: [] };
   const version = createHash("sha256").update(JSON.stringify([ISOLATION, scriptPolicy]));
@@ -54,7 +61,10 @@ export async function writeServiceWorker(dir, scriptPolicy = WORKER_POLICY) {
   writeFileSync(join(dir, "sw.js"), await bundle(BUILD));
 }
 
-/** One classic script: browsers know those as service workers longer than modules. */
+/**
+ * The source of the service worker as one classic script: older browsers support no modules as
+ * service workers.
+ */
 async function bundle(BUILD) {
   const [{ output }] = await build({
     configFile: false,

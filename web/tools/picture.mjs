@@ -1,16 +1,19 @@
 /**
- * A small SVG of a scene as its world stands. Sizes are in units of the picture, 640 by 400, which
- * is shown four times as small. Colours work on light and on dark.
+ * Draws a scene in its present state as a small SVG. Sizes are in units of the picture, 640 by 400;
+ * the page shows it at a quarter of that. The colours are visible on light and on dark backgrounds.
  */
 const WIDTH = 640;
 const HEIGHT = 400;
-/** Thinner than this cannot be seen. */
+/** The smallest half extent that is drawn: 0.3 pixels on the page. Chosen: less cannot be seen. */
 const LEAST = 1.2;
+/** The colour of static shapes. */
 const STONE = "rgb(118 134 162)";
 const GROUND = `fill="${STONE}" fill-opacity=".55"`;
+/** The numbers of kinds of shapes and bodies in rows of the shape table. */
 const KINDS = { circle: 0, terrain: 3 };
 const BODIES = { static: 0, kinematic: 1, dynamic: 2 };
 
+/** The colours of marks, by the names of inks of scene.ts. */
 const INKS = {
   ink: STONE,
   soft: STONE,
@@ -25,7 +28,9 @@ const INKS = {
 
 const SENSOR = `fill="${INKS.good}" fill-opacity=".5"`;
 
-/** `ramp`: CSS colours of moving bodies, from the first created to the last. */
+/**
+ * The SVG of a scene. `ramp`: CSS colours of dynamic bodies, from the lowest slot to the highest.
+ */
 export function drawScene(scene, ramp, view = scene.view) {
   const place = placing(view);
   const paths = new Map();
@@ -41,7 +46,10 @@ export function drawScene(scene, ramp, view = scene.view) {
   return `${open}\n${body}\n</svg>\n`;
 }
 
-/** From the world to the picture, so that the view fits. */
+/**
+ * The transformation from the world to the picture in which the whole view is visible: its scale,
+ * `at` for coordinates relative to `origin`, and `sees`, whether a point within `reach` is visible.
+ */
 function placing({ x, y, height, width = 0 }) {
   const scale = Math.min(HEIGHT / height, width > 0 ? WIDTH / width : Infinity);
   return {
@@ -57,12 +65,14 @@ const round = Math.round;
 const tenths = (value) => Math.round(value * 10) / 10;
 const point = ([x, y]) => `${round(x)} ${round(y)}`;
 
+/** The SVG path of a circle. */
 function circle([x, y], radius) {
   const r = tenths(radius);
   const arc = (dx) => `a${r} ${r} 0 1 1 ${tenths(dx)} 0`;
   return `M${tenths(x - r)} ${round(y)}${arc(2 * r)}${arc(-2 * r)}`;
 }
 
+/** The SVG path of a box with half extents hx, hy, turned by the cosine c and the sine s. */
 function box([x, y], hx, hy, c, s) {
   const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([u, v]) =>
     point([x + c * u * hx + s * v * hy, y - s * u * hx + c * v * hy]),
@@ -70,6 +80,7 @@ function box([x, y], hx, hy, c, s) {
   return `M${corners.join("L")}z`;
 }
 
+/** The paths of all visible shapes, each with its style. */
 function* shapePaths({ world, hidden = [] }, place, ramp) {
   const table = world.shapeTable();
   const rows = table.rows.slice();
@@ -104,6 +115,9 @@ function* shapePaths({ world, hidden = [] }, place, ramp) {
   }
 }
 
+/**
+ * The style of a shape by the kind of its body; `t` in [0, 1) selects the colour of dynamic ones.
+ */
 function styleOf(bodyKind, ramp, t) {
   if (bodyKind === BODIES.static) return `fill="${STONE}" fill-opacity=".8"`;
   if (bodyKind === BODIES.kinematic) return `fill="${STONE}"`;
@@ -111,7 +125,7 @@ function styleOf(bodyKind, ramp, t) {
   return `fill="${colour}" stroke="#10141c" stroke-opacity=".45" stroke-width="1.5"`;
 }
 
-/** What of a terrain is in the picture, closed along its lower edge. */
+/** The path of the visible part of a terrain, closed along the picture's lower edge. */
 function ground(terrain, place, x, y) {
   const reach = (WIDTH / place.scale) * 0.6;
   const points =
@@ -130,7 +144,7 @@ function ground(terrain, place, x, y) {
   return `M${[below(line[0]), ...line, below(line.at(-1))].map(point).join("L")}z`;
 }
 
-/** The engine's debug drawing, where the scene is about it. */
+/** The paths of the engine's debug drawing, of the options that the scene names in `show`. */
 function* overlayPaths({ world, show = [] }, place) {
   if (show.length === 0) return;
   const [halfX, halfY] = [WIDTH / 2 / place.scale, HEIGHT / 2 / place.scale];
@@ -152,6 +166,7 @@ function* overlayPaths({ world, show = [] }, place) {
   }
 }
 
+/** The path of a mark that the scene paints (Mark of scene.ts); null where it is not drawn. */
 function markPath(mark, { at, scale, origin, sees }) {
   const ink = INKS[mark.ink];
   const from = ([x, y]) => at(x - origin[0], y - origin[1]);

@@ -1,7 +1,8 @@
 /**
- * What scene modules say of themselves, and the plugin of Vite by which the page knows it without
- * loading them. It is read and not run: each stands on a line of a fixed form, as the C build, which
- * has no JavaScript, reads title, sentence and sizes likewise (demo/scenes/CMakeLists.txt).
+ * Reads title, description and place in the menu from the modules of scenes, and provides them to
+ * the page as virtual modules by a plugin of Vite, so that the page need not load all scenes. The
+ * modules are not run: each value is on a line of a fixed form, which the C build, without
+ * JavaScript, reads in the same way (demo/scenes/CMakeLists.txt).
  */
 import { readdirSync, readFileSync } from "node:fs";
 import { basename } from "node:path";
@@ -9,7 +10,9 @@ import { fileURLToPath } from "node:url";
 
 const FOLDER = fileURLToPath(new URL("../public/scenes", import.meta.url));
 
+/** A string literal without escapes, as a regular expression. */
 const STRING = '"([^"\\\\\\n]+)"';
+/** For each value the regular expression of its line, and the form that an error message shows. */
 const LINES = {
   title: [`export const title =\\s+${STRING};`, 'export const title = "…";'],
   about: [`export const about =\\s+${STRING};`, 'export const about = "…";'],
@@ -18,10 +21,13 @@ const LINES = {
     'export const menu = { group: "…", place: 110 };',
   ],
 };
-/** In a module that is no scene of the menu. */
+/** The line of a module that is not in the menu. */
 const IN_NO_MENU = /^export const menu = null;/m;
 
-/** { name, title, about, group, place } of a module's text, or null if it is in no menu. */
+/**
+ * { name, title, about, group, place } from the text of a module; null where it is not in the menu.
+ * Throws where a line is missing.
+ */
 export function readSceneText(name, text) {
   if (IN_NO_MENU.test(text)) return null;
   const [[title], [about], [group, place]] = Object.values(LINES).map(([pattern, form]) => {
@@ -32,7 +38,10 @@ export function readSceneText(name, text) {
   return { name, title, about, group, place: Number(place) };
 }
 
-/** In the order of the menu: by place. A group's scenes stand together. */
+/**
+ * The scenes in the order of the menu, by place. Throws where two have the same place, or where the
+ * scenes of a group do not follow each other.
+ */
 export function orderScenes(scenes) {
   const ordered = [...scenes].sort((a, b) => a.place - b.place);
   const done = new Set();
@@ -57,7 +66,7 @@ export function readSceneTexts() {
   return orderScenes(sceneFiles().map(read).filter(Boolean));
 }
 
-/** What the page imports: titles by name by group, and sentences by name. */
+/** The virtual modules: titles by name in each group, and descriptions by name. */
 const MODULES = {
   "virtual:scene-titles"() {
     const groups = {};
@@ -68,6 +77,7 @@ const MODULES = {
     Object.fromEntries(readSceneTexts().map(({ name, about }) => [name, about])),
 };
 
+/** The plugin. */
 export function sceneTexts() {
   return {
     name: "scene-texts",

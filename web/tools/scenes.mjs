@@ -1,4 +1,4 @@
-/** The page's scenes in Node.js, as the tests and the thumbnails run them. */
+/** Builds and runs the page's scenes in Node.js, for tests, thumbnails and hashes. */
 import { readFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { runnerImport } from "vite";
@@ -6,7 +6,7 @@ import { sceneTexts } from "./scene-texts.mjs";
 
 const web = new URL("../", import.meta.url);
 
-/** The exports of one of the page's sources. */
+/** Imports a TypeScript source of the page, by its path from web/. */
 export async function importTypeScript(path) {
   const settings = { configFile: false, plugins: [sceneTexts()] };
   const { module } = await runnerImport(fileURLToPath(new URL(path, web)), settings);
@@ -24,17 +24,20 @@ export const { createSetting } = await importTypeScript("src/scene/setting.ts");
 const { USUAL } = await importTypeScript("src/page/url.ts");
 const { optionsOf, setUp } = await importTypeScript("src/worker/stage.ts");
 
-/** A world's options on the page while the visitor has chosen nothing. */
+/** The options of a world on the page as long as the visitor has chosen none. */
 export const USUAL_OPTIONS = optionsOf(USUAL);
 
 const NO_KEYS = noKeys();
 
-/** Where the page finds "levels/…" and "terrain/…". */
+/** The text of a file in assets/, such as "levels/quarry.tmj", which the page fetches. */
 export function readText(file) {
   return readFile(new URL(`../assets/${file}`, web), "utf8");
 }
 
-/** Vite's runner, which is closed by then, would have to import them otherwise. */
+/**
+ * Imports for the scene's setting. They are made here, since the sources of the page were imported
+ * by Vite's runner, which is closed by the time they are called.
+ */
 const loaders = {
   loadReader: () => import("../package/dist/level.js"),
   loadGeometry: () => import("../package/dist/geometry/index.js"),
@@ -43,8 +46,8 @@ const loaders = {
 const loadMover = async () => (await import("../package/dist/node.js")).Mover;
 
 /**
- * Builds a scene of the registry: { module, setting, scene, close }. `options` as for createSetting;
- * `close` is for all that the scene has made.
+ * Builds a scene of the registry. Returns { module, setting, scene, close }; `close` frees the
+ * scene and all its worlds. `options`: those of createSetting.
  */
 export async function buildScene(thud, name, options = {}) {
   const module = await import(new URL(`public/${sceneFile(name)}`, web).href);
@@ -66,15 +69,17 @@ export async function buildScene(thud, name, options = {}) {
   return { module, setting, scene, close };
 }
 
-/** A running scene of the registry, as the page's worker has it. `options`: size, seed; `by` is stage.ts's
- * setUp of another bundle. */
+/**
+ * Opens a session of a scene, as the page's worker does. `options`: size, seed and so on; `by`: the
+ * function setUp of stage.ts, which may be that of another bundle.
+ */
 export async function openSession(thud, name, options = {}, by = setUp) {
   const module = await import(new URL(`public/${sceneFile(name)}`, web).href);
   const request = { name, seed: 0, choices: USUAL, ...options };
   return by(1, module, thud, request, readText, { ...loaders, loadMover });
 }
 
-/** Makes steps as the page does, with nobody at the keys. */
+/** Runs steps of a scene as the page does, with no key pressed. `from`: the number of the first. */
 export function runScene(scene, steps, from = 0) {
   for (let step = from; step < from + steps; step++) {
     scene.update?.({ step, held: NO_KEYS, pointer: null });

@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-/** Takes the README's pictures of the built page and writes them to docs/pictures. */
+/** Takes screenshots of the built page for the documentation and writes them to docs/pictures. */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { DESKTOP, launchChromium, PHONE, servePage, stepBy } from "./browser.mjs";
@@ -14,7 +14,11 @@ stands in docs/pictures/pictures.json, so that nothing may have changed since th
 
 const LIGHT = { ...DESKTOP, colorScheme: "light" };
 
-/** Each after so many steps, so that a picture shows the same at every run. */
+/**
+ * The pictures. `search`: the query of the page's URL. `steps`: steps before the picture, so that
+ * it is the same in every run. `options`: of the browser context. `prepare` and `after` are called
+ * before and after the steps.
+ */
 const PICTURES = [
   { name: "versus", search: "scene=brick_wall&panel=versus", steps: 100, prepare: untilBoth },
   {
@@ -50,21 +54,22 @@ const PICTURES = [
   { name: "bridge", search: "scene=bridge_builder", steps: 0, options: PHONE, after: cross },
 ];
 
-/** Until Box2D is there. */
+/** Waits until Box2D has been loaded and its table is shown. */
 async function untilBoth(page) {
   await page.locator("#dock table").waitFor();
 }
 
-/** Until what steps leave in the plane is noted. */
+/** Waits until the trade panel is ready to measure steps. */
 async function untilPlane(page) {
   await page.getByText("Run the scene for a moment").waitFor();
 }
 
-/** Until the panel beside the scene reads out what there is. */
+/** Waits until the panel beside the scene shows its values. */
 async function untilRead(page) {
   await page.waitForSelector("[data-readings=closest] dd");
 }
 
+/** Shows the Minkowski sum and the AABBs, with their values at the end of the panel. */
 async function showSum(page) {
   for (const name of ["sum", "aabb"]) await page.check(`[name=set-${name}]`);
   await stepBy(page, 1);
@@ -72,7 +77,7 @@ async function showSum(page) {
   await list.evaluate((element) => element.scrollIntoView({ block: "end" }));
 }
 
-/** The series of all settings, to its end. */
+/** Runs the measurement of all settings in the trade panel, and scrolls to its result. */
 async function measure(page) {
   await page.getByRole("button", { name: /^Measure/ }).click();
   await page.getByText("Copy as text").waitFor({ timeout: 600_000 });
@@ -80,11 +85,12 @@ async function measure(page) {
   await result.evaluate((heading) => heading.scrollIntoView());
 }
 
+/** Switches on three of the drawings of the panel "inside" by their keys. */
 async function showInside(page) {
   for (const key of ["4", "1", "2"]) await page.keyboard.press(key);
 }
 
-/** Against the computer, one shot, seen where it lands. */
+/** Starts a game against the computer, and fires one shot; the picture shows its impact. */
 async function shoot(page) {
   const hold = async (key, steps) => {
     await page.keyboard.down(key);
@@ -99,13 +105,15 @@ async function shoot(page) {
   await stepBy(page, 100);
 }
 
-/** A truss of the first gorge of the bridge builder: strokes from place to place of its grid. */
+/**
+ * A truss for the first gorge of the bridge builder: the beams, from point to point of its grid.
+ */
 const TRUSS = [
   [[0, 0], [4, 0]], [[0, -1], [1, 0]], [[4, -1], [3, 0]], [[1, 0], [2, -1]], [[2, -1], [3, 0]],
   [[2, -1], [2, 0]],
 ];
 
-/** Builds it, and drives until the van is on it. */
+/** Builds the truss with the mouse, and starts the van, until it is on the bridge. */
 async function cross(page) {
   const [gorge] = LEVELS;
   const { top, bottom, width } = await page.evaluate(() => {
@@ -156,17 +164,17 @@ const browser = await launchChromium({ webgl: true });
 for (const { name, search, steps, options = DESKTOP, prepare, after } of PICTURES) {
   if (wanted.length > 0 && !wanted.includes(name)) continue;
   const context = await browser.newContext({ colorScheme: "dark", ...options });
-  // WebGL is drawn by the processor here.
+  // The processor renders WebGL here, which may take minutes.
   context.setDefaultTimeout(300_000);
   const page = await context.newPage();
-  // The hint for a first visit is not what the pictures are about.
+  // The hint that a first visit shows would cover a part of the picture.
   await page.addInitScript(() => localStorage.setItem("thud-hint-seen", "1"));
   await page.goto(`${server.url}?${search}&paused=1`);
   await page.waitForFunction(() => document.title.endsWith(" · thud"));
   await prepare?.(page);
   if (steps > 0) await stepBy(page, steps);
   await after?.(page);
-  // Until the figures are those of the last step and the line about the scene has gone.
+  // Wait until the figures are those of the last step, and the description of the scene has gone.
   await page.waitForSelector("#notice", { state: "hidden", timeout: 60_000 });
   await page.screenshot({ path: `${folder}${name}.png` });
   commits[name] = { commit, date: new Date().toISOString().slice(0, 10) };

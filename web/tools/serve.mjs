@@ -13,10 +13,13 @@ const USAGE = `usage: node serve.mjs [--port N] [--open]
 `;
 
 const HOST = "127.0.0.1";
-/** How many ports are tried. */
+/** The number of ports after the first that are tried. Chosen. */
 const TRIES = 50;
 
-/** Listens on the first free port from `port` on; resolves to that port. */
+/**
+ * Listens on the first free port from `port` on; resolves to that port. `say` is called with a
+ * message for each port that is taken.
+ */
 export function listenFrom(server, port, say = () => {}) {
   return new Promise((done, fail) => {
     let candidate = port;
@@ -54,6 +57,7 @@ function misused(why) {
   process.exit(2);
 }
 
+/** Opens the URL in the system's default browser; does nothing where that fails. */
 function openBrowser(url) {
   const [command, ...args] =
     process.platform === "darwin"

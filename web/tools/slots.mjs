@@ -1,7 +1,8 @@
 #!/usr/bin/env node
 /**
- * Writes web/package/src/generated/slots.ts: where in the module's slots and rows each number stands, as
- * web/wasm/slots.h has it. An enum of constants costs nothing once it is compiled.
+ * Writes web/package/src/generated/slots.ts: the index of each number in the module's slots and
+ * rows, computed from the structs of web/wasm/slots.h and rows.h, as const enums, which the
+ * compiler replaces by their numbers.
  */
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -10,12 +11,14 @@ const here = (file) => fileURLToPath(new URL(`../${file}`, import.meta.url));
 const camel = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase());
 const capital = (name) => name[0].toUpperCase() + name.slice(1);
 
+/** A declaration in a struct, and one of the members that it declares. */
 const MEMBERS = /(?:struct\s+(\w+)|double|float|uint32_t)\s+([^;]+);/g;
 const MEMBER = /^(\w+)(?:\[(\d+)\])?$/;
 
 /**
- * Of a C text like slots.h: by the struct's name its length and its members, each
- * { name, at, length, part }, where `part` says that it is a struct.
+ * Parses the structs of a C text such as slots.h. Returns by the struct's name its length (a count
+ * of numbers) and its members, each { name, at, length, part }; `part`: the member is a struct
+ * itself. Throws for a member of another form.
  */
 export function readStructs(text) {
   const structs = new Map();

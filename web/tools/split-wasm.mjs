@@ -1,8 +1,9 @@
 #!/usr/bin/env node
 /**
- * Cuts the package's thud.wasm in two: thud-first.wasm with what the page's first scene runs, for a
- * quick first visit, and thud-rest.wasm with everything else. Which functions that are is found by
- * running that scene in an instrumented copy (wasm-split of binaryen, which comes with emscripten).
+ * Splits the package's thud.wasm into two files for a fast first load: thud-first.wasm with the
+ * functions that the page's first scene calls, and thud-rest.wasm with all others. They are found
+ * by running that scene in an instrumented copy (wasm-split of binaryen, which is part of
+ * emscripten).
  */
 import { execFileSync } from "node:child_process";
 import { readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
@@ -10,8 +11,11 @@ import { fileURLToPath } from "node:url";
 import { load } from "../package/dist/node.js";
 import { buildScene, FIRST_SCENE, runScene, sceneFile } from "./scenes.mjs";
 
-/** What is first needed later than this, a second in, comes with the rest, which is asked for as soon as
- * there is a picture: a visitor whose rest has not come by then waits for it once. */
+/**
+ * Steps of the scene that are recorded: one second. Chosen. A function that is first called later
+ * is in thud-rest.wasm, which the page fetches after its first frame; if it has not arrived by
+ * then, the call blocks once until it has.
+ */
 const STEPS = 60;
 
 const path = (name) => fileURLToPath(new URL(`../package/dist/thud${name}`, import.meta.url));
@@ -19,7 +23,9 @@ const time = (file) => statSync(file, { throwIfNoEntry: false })?.mtimeMs ?? 0;
 const [whole, first, rest] = [path(".wasm"), path("-first.wasm"), path("-rest.wasm")];
 const split = (...options) => execFileSync("wasm-split", [...options, "--all-features"]);
 
-/** What the page's worker asks of a scene that runs. */
+/**
+ * Calls the functions that the page's worker calls for a running scene, so that they are recorded.
+ */
 function use(world) {
   world.setMaxError(0);
   world.poses(0);
@@ -31,7 +37,7 @@ function use(world) {
   world.stats();
   world.error();
   world.hash();
-  world.snapshot(); // which the page takes every few steps; to go back waits for a visitor
+  world.snapshot(); // the page takes snapshots from the start; restore is called by a visitor only
 }
 
 const here = (file) => fileURLToPath(new URL(`../${file}`, import.meta.url));

@@ -1,4 +1,4 @@
-/** A server of one folder: its files and nothing beside them, compressed, with fitting headers. */
+/** An HTTP server for the files of one folder, with compression and the headers of headers.mjs. */
 import { createHash } from "node:crypto";
 import { readFile, stat } from "node:fs/promises";
 import { createServer } from "node:http";
@@ -7,6 +7,7 @@ import { promisify } from "node:util";
 import { brotliCompress, constants, gzip } from "node:zlib";
 import { ISOLATION, WORKER_POLICY } from "./headers.mjs";
 
+/** Content types by the extension of files. */
 const TYPES = {
   ".css": "text/css; charset=utf-8",
   ".csv": "text/csv; charset=utf-8",
@@ -22,14 +23,15 @@ const TYPES = {
   ".webmanifest": "application/manifest+json",
 };
 
+/** The encodings, the best first, and the functions that compress. */
 const ENCODERS = {
-  // The highest quality takes half a second for the engine, and saves a twentieth.
+  // The highest quality would take half a second for the engine, and save a twentieth of its size.
   br: (bytes) =>
     promisify(brotliCompress)(bytes, { params: { [constants.BROTLI_PARAM_QUALITY]: 6 } }),
   gzip: promisify(gzip),
 };
 
-/** `under` is the path that the folder stands at, with a slash at both ends. */
+/** The server of a folder. `under`: the path of the folder in URLs, with a slash at both ends. */
 export function createStaticServer(folder, under = "/") {
   const root = resolve(folder);
   const files = new Map();
@@ -40,6 +42,7 @@ export function createStaticServer(folder, under = "/") {
   });
 }
 
+/** Answers one request. */
 async function answer(root, under, files, request, response) {
   if (request.method !== "GET" && request.method !== "HEAD") {
     response.setHeader("Allow", "GET, HEAD");
@@ -54,7 +57,8 @@ async function answer(root, under, files, request, response) {
     "Content-Type": type,
     ETag: file.tag,
     Vary: "Accept-Encoding",
-    // A rebuilt page must not meet files of the last build: the browser asks, and gets a 304.
+    // The browser must not mix files of two builds: it asks each time, and gets 304 where the file
+    // is the same.
     "Cache-Control": "no-cache",
     "X-Content-Type-Options": "nosniff",
   };
@@ -70,7 +74,10 @@ async function answer(root, under, files, request, response) {
   response.end(request.method === "HEAD" ? undefined : bytes);
 }
 
-/** Files stay in memory, with what was compressed of them, until they change on the disk. */
+/**
+ * The file at a path; null where there is none. Files are kept in memory, with their compressed
+ * forms, until they change on the disk.
+ */
 async function readKept(files, path) {
   const info = await stat(path).catch(() => null);
   if (!info?.isFile()) return null;
@@ -83,18 +90,22 @@ async function readKept(files, path) {
   return file;
 }
 
+/** The best compression that the browser accepts; null: none. */
 function encodingOf(request) {
   const accepted = (request.headers["accept-encoding"] ?? "").split(/[,;\s]+/);
   return Object.keys(ENCODERS).find((name) => accepted.includes(name)) ?? null;
 }
 
-/** The promise is kept, so that two requests at once compress once. */
+/**
+ * The bytes of a file in an encoding. The promise is kept, so that simultaneous requests compress
+ * the file once.
+ */
 function encoded(file, encoding) {
   if (!encoding) return file.bytes;
   return (file.encoded[encoding] ??= ENCODERS[encoding](file.bytes));
 }
 
-/** The path of a request's file, or null if it names nothing below the root. */
+/** The path of the file that a URL names; null where it is not below the root. */
 function fileOf(root, under, url) {
   let path;
   try {
@@ -109,6 +120,7 @@ function fileOf(root, under, url) {
   return rest === "" || rest.endsWith("/") ? join(file, "index.html") : file;
 }
 
+/** Answers with an error status; closes the connection where the headers have been sent. */
 function refuse(response, status, text) {
   if (response.headersSent) return response.destroy();
   response.writeHead(status, { ...ISOLATION, "Content-Type": "text/plain; charset=utf-8" });

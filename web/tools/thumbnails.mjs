@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 /**
- * Draws a small picture of every scene into web/public/thumbs: runs the scene without a browser
- * for some steps and draws what it has come to. Pictures newer than what they are made of stay.
+ * Draws a thumbnail of each scene to web/public/thumbs: it runs the scene for some steps in Node.js
+ * and draws its state. A thumbnail that is newer than its sources is kept.
  */
 import { mkdirSync, statSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -22,7 +22,7 @@ const web = new URL("../", import.meta.url);
 const path = (file) => fileURLToPath(new URL(file, web));
 const time = (file) => statSync(path(file), { throwIfNoEntry: false })?.mtimeMs ?? 0;
 
-/** Every picture depends on these. */
+/** The time of the newest source on which all thumbnails depend, ms. */
 const COMMON = Math.max(
   ...[
     "src/scene/thumbnails.ts",
@@ -35,7 +35,7 @@ const COMMON = Math.max(
     "package/dist/thud.wasm",
   ].map(time),
 );
-/** So few that most bodies share a path with many others. */
+/** Nine colours. Chosen: so few that most bodies share an SVG path with many others. */
 const COLOURS = Array.from({ length: 9 }, (_, i) => cssColour(rampColour(i / 8)));
 
 const thud = await load();

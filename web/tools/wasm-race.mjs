@@ -1,12 +1,17 @@
 /**
- * The same scene in thud and in Box2D v3 as WebAssembly, stepped in turns, in Node or in a page.
+ * Measures the step times of the same scene in thud and in Box2D v3 as WebAssembly, in Node.js or
+ * in a page. Both step in alternating turns, so that changes of the machine's speed affect both
+ * alike.
  *
- * The scene is built by thud's own module and read back through the package's public API, so that
- * Box2D gets exactly the bodies and shapes that thud has. Scenes with terrain are left out: the
- * package's chains are one-sided and end in ghost points, which is not the same ground.
+ * thud's module builds the scene, from which bodies and shapes are read through the package's
+ * public API and created in Box2D. Scenes with terrain are left out: Box2D's chains are one-sided
+ * and end in ghost points, which is another ground.
  */
 
-/** Which steps of which scenes; as in tests/bench/plan.c. */
+/**
+ * The scenes, their sizes, and the steps before and during the measurement; the same as in
+ * tests/bench/plan.c.
+ */
 export const PLANS = [
   { scene: "pyramid", size: 100, warmUp: 10, steps: 200 },
   { scene: "circle_pit", size: 10000, warmUp: 30, steps: 300 },
@@ -21,8 +26,10 @@ export const PLANS = [
   { scene: "one_spot", size: 4000, warmUp: 1, steps: 200 },
 ];
 
+/** Steps of a turn. Chosen. */
 const TURN = 8;
 
+/** The number of a built-in scene. Throws for an unknown name. */
 function sceneIndex(engine, name) {
   for (let i = 0; i < engine.exports.api_scene_count(); i++) {
     if (engine.text(engine.exports.api_scene_name(i)) === name) return i;
@@ -30,6 +37,7 @@ function sceneIndex(engine, name) {
   throw new Error(`there is no scene '${name}'`);
 }
 
+/** A world of thud with the scene of a plan, without sleeping. */
 function buildThud(thud, engine, plan) {
   const index = sceneIndex(engine, plan.scene);
   thud.World.writeOptions(engine, { sleeping: false });
@@ -37,7 +45,7 @@ function buildThud(thud, engine, plan) {
   return new thud.World(engine, {}, engine.slots[0]);
 }
 
-/** Body ids of the world, in the order of their slots. */
+/** The handles of the bodies with shapes, in the order of their slots. */
 function bodiesOf(world) {
   const { count, rows, handles } = world.shapeTable();
   const found = new Map();
@@ -54,6 +62,7 @@ const BOX2D_TYPES = {
   dynamic: "b2_dynamicBody",
 };
 
+/** Creates a shape of thud in a Box2D body. */
 function addShape(b2, world, body, shape) {
   const def = b2.b2DefaultShapeDef();
   def.density = shape.density;
@@ -78,7 +87,7 @@ function addShape(b2, world, body, shape) {
   def.delete();
 }
 
-/** A Box2D world of what is in the thud world. */
+/** A Box2D world with the bodies and shapes of a thud world, and their number. */
 function buildBox2d(b2, thudWorld, gravity) {
   const def = b2.b2DefaultWorldDef();
   def.gravity.Set(...gravity);
@@ -105,16 +114,20 @@ function buildBox2d(b2, thudWorld, gravity) {
   return { world, bodies };
 }
 
-/** Gravity is not in a world's public state; the scenes that have another one name it. */
+/** The gravity of scenes whose gravity is not [0, -10]. */
 const GRAVITY = { gas: [0, 0], smash: [0, 0] };
 
+/** Median, 99th percentile and maximum of times. */
 function summary(times) {
   const sorted = Float64Array.from(times).sort();
   const at = (share) => sorted[Math.min(sorted.length - 1, Math.ceil(share * sorted.length) - 1)];
   return { median: at(0.5), p99: at(0.99), max: sorted[sorted.length - 1] };
 }
 
-/** Times in milliseconds; `progress` hears of every turn, as a share. */
+/**
+ * Measures one plan. Returns median, 99th percentile and maximum of the step times of both, ms.
+ * `progress` is called after each turn with the share that is done.
+ */
 export function race(thud, engine, b2, plan, progress = () => {}) {
   const own = buildThud(thud, engine, plan);
   const rival = buildBox2d(b2, own, GRAVITY[plan.scene] ?? [0, -10]);

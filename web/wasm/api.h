@@ -1,10 +1,16 @@
-/* api.h: the flat C layer between JavaScript and the public API of thud.
+/* api.h: the C layer between JavaScript and the public API of thud. Its functions api_... are the
+ * exports of the wasm module, which web/package/src calls.
  *
- * JavaScript passes and receives numbers. Whatever does not fit into arguments and one return
- * value goes through `api_slots`; slots.h names them for both sides. Handles travel as two numbers,
- * index1 and generation, and thud itself refuses stale ones. Lists of any length go through growing
- * buffers that belong to this layer and stay valid until the next call that fills the same buffer.
- */
+ * JavaScript passes and receives numbers. What does not fit into the arguments and the return value
+ * goes through `api_slots`, a union of the structs in slots.h, which names the numbers for both
+ * sides. The comment "Slots in: x" or "Slots out: x" of a function names the member of `api_slots`
+ * that it reads or writes. A function whose name ends in _defaults writes the default options
+ * there; JavaScript changes some and then calls the function that reads them. Options are doubles,
+ * which may have any value.
+ *
+ * A function that returns int and can fail returns a thud_result. A handle is two numbers, index1
+ * and generation; thud itself refuses stale handles. Lists of any length go through growing buffers
+ * of this layer, and are valid until the next call that fills the same buffer. */
 #ifndef API_H
 #define API_H
 
@@ -14,35 +20,43 @@
 
 extern union api_slots api_slots;
 
-/* A list that grows; `failed` says that memory was short and items are missing. */
+/* A list of bytes that grows. `failed`: memory was short, and items are missing. */
 typedef struct api_buffer {
     char *data;
     size_t bytes, capacity;
     bool failed;
 } api_buffer;
 
+/* Empties a list, and keeps its memory. */
 void api_buffer_clear(api_buffer *buffer);
+/* Appends `bytes` bytes, or sets `failed`. */
 void api_buffer_push(api_buffer *buffer, const void *item, size_t bytes);
+/* THUD_ERROR_MEMORY where items are missing, else THUD_OK. */
 thud_result api_buffer_result(const api_buffer *buffer);
 
 /* A world def from the world_options in the slots, with this layer's log and clock. */
 thud_world_def api_world_def(void);
 
-/* In the order of the package's names; null, which is the default, for other numbers. */
+/* The detection of an index into DETECTIONS of web/package/src/types.ts; null, which stands for the
+ * default, for other numbers. */
 const thud_detection *api_detection(double number);
 
-/* Doubles from JavaScript may be anything; a plain cast traps on what does not fit. Bits may be
- * those of a negative number, such as ~4 is there. */
+/* Conversions of doubles of any value, on which a plain cast would trap: values out of range give
+ * the nearest bound, NaN the smallest int, or 0. api_to_u32 takes negative numbers down to -2^31 as
+ * their bits, since ~4 is negative in JavaScript. */
 int api_to_int(double value);
 uint32_t api_to_u32(double value);
 
-/* The engine's own, as the C library's would double the bytes for it. Angles beyond its range give
- * not-a-number, which every call of thud refuses. */
+/* Sine and cosine of the engine (thud_sincos): those of the C library would double the bytes of
+ * this layer that an angle costs. NaN for |angle| > THUD_ANGLE_MAX, which every call of thud
+ * refuses. */
 void api_sincos(double angle, double *s, double *c);
 
+/* The filter of a query or a mover. */
 thud_query_filter api_filter(const struct filter_options *options);
 
-/* A query's or mover's shape about the origin. */
+/* The shape of a query or mover, with its centre at the origin. `hx`: the radius of a circle, or
+ * half the width; `hy`: half the height; `angle`: radians, of an OBB. */
 thud_shape_instance api_placed(int kind, double hx, double hy, double angle);
 
 static inline thud_body_id api_body(uint32_t index1, uint32_t generation) {

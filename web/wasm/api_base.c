@@ -1,4 +1,4 @@
-/* api_base.c: the slots, growing buffers, number conversion and the last log message. */
+/* api_base.c: the slots, growing buffers, and conversions of numbers; api.h describes them. */
 #include "api.h"
 
 #include <math.h>
@@ -7,14 +7,17 @@
 
 union api_slots api_slots;
 
+/* The address at which JavaScript finds the slots. */
 double *api_slots_address(void) {
     return api_slots.all;
 }
 
+/* The text of a thud_result. */
 const char *api_result_text(int result) {
     return thud_result_text((thud_result)result);
 }
 
+/* The name of a stage of a step, by its number. */
 const char *api_stage_name(int stage) {
     return thud_stage_name((thud_stage)stage);
 }
@@ -44,7 +47,7 @@ thud_result api_buffer_result(const api_buffer *buffer) {
 }
 
 int api_to_int(double value) {
-    if (!(value >= -2147483648.0)) /* also not a number */
+    if (!(value >= -2147483648.0)) /* also true for NaN */
         return INT32_MIN;
     return value >= 2147483647.0 ? INT32_MAX : (int)value;
 }

@@ -1,4 +1,6 @@
-/* api_body.c: bodies. */
+/* api_body.c: exports that create, read and move bodies, apply forces to them, and list their
+ * shapes and contacts. Each calls the function of thud.h with the same name; api.h has the
+ * conventions. */
 #include "api.h"
 
 #include <stdlib.h>
@@ -22,10 +24,10 @@ void api_body_defaults(void) {
     s->fixed_rotation = def.fixed_rotation;
     s->may_sleep = def.may_sleep;
     s->user_data = (double)def.user_data;
-    s->detection = -1.0; /* detection: as the world */
+    s->detection = -1.0; /* the world's */
 }
 
-/* A body from the slots of api_body_defaults; slots out: its handle. */
+/* Creates a body. Slots in: body_options. Slots out: handle. */
 int api_body_create(thud_world *world) {
     const struct body_options *s = &api_slots.body_options;
     thud_body_def def = thud_default_body_def();
@@ -118,7 +120,7 @@ int api_body_set_user_data(thud_world *world, uint32_t index1, uint32_t generati
     return thud_body_set_user_data(world, api_body(index1, generation), (uint64_t)data);
 }
 
-/* The body's shape handles, two 32-bit numbers each. Slots out: list. */
+/* The handles of a body's shapes, two uint32_t each. Slots out: list. */
 int api_body_shapes(const thud_world *world, uint32_t index1, uint32_t generation) {
     int count = 0;
     thud_body_id body = api_body(index1, generation);
@@ -136,7 +138,7 @@ int api_body_shapes(const thud_world *world, uint32_t index1, uint32_t generatio
     return result;
 }
 
-/* The body's contacts. Slots out: list of contact_row. */
+/* The touching pairs of a body. Slots out: list of contact_row. */
 int api_body_contacts(thud_world *world, uint32_t index1, uint32_t generation) {
     thud_body_id body = api_body(index1, generation);
     int count = 0;

@@ -1,4 +1,5 @@
-/* api_edit.c: bodies and shapes are changed after they were made. */
+/* api_edit.c: exports that change bodies and shapes: the setters of thud_edits.h and thud_locks.h
+ * under the same names; api.h has the conventions. */
 #include "api.h"
 
 #include <thud/thud_edits.h>
@@ -75,7 +76,7 @@ int api_body_set_fixed_rotation(thud_world *world, uint32_t index1, uint32_t gen
     return thud_body_set_fixed_rotation(world, api_body(index1, generation), fixed != 0);
 }
 
-/* -1: as the world. */
+/* A detection of -1: as the world's. */
 int api_body_set_detection(thud_world *world, uint32_t index1, uint32_t generation,
                            double detection) {
     return thud_body_set_detection(world, api_body(index1, generation), api_detection(detection));
@@ -95,7 +96,7 @@ int api_body_set_locks(thud_world *world, uint32_t index1, uint32_t generation, 
     return thud_body_set_locks(world, api_body(index1, generation), x != 0, y != 0);
 }
 
-/* Slots out: number, 1 for x and 2 for y. */
+/* Slots out: number, the sum of 1 where x is locked and 2 where y is. */
 int api_body_locks(const thud_world *world, uint32_t index1, uint32_t generation) {
     bool x = false, y = false;
     thud_result result = thud_body_locks(world, api_body(index1, generation), &x, &y);
@@ -103,7 +104,7 @@ int api_body_locks(const thud_world *world, uint32_t index1, uint32_t generation
     return result;
 }
 
-/* As its shapes weigh. */
+/* Sets the mass of a body to that of its shapes. */
 int api_body_weigh(thud_world *world, uint32_t index1, uint32_t generation) {
     return thud_body_set_mass(world, api_body(index1, generation), NULL);
 }

@@ -1,4 +1,5 @@
-/* api_field.c: forces on bodies from what is around them. */
+/* api_field.c: exports for explosions, wind, water, rolling resistance and grip, which call the
+ * functions of thud_fields.h; and tyres, which are computed here. api.h has the conventions. */
 #include "api.h"
 
 #include <thud/thud_fields.h>
@@ -20,8 +21,7 @@ void api_explosion_defaults(void) {
     };
 }
 
-/* From the slots of api_explosion_defaults, with the filter behind them. Slots out: number, how
- * many bodies were pushed. */
+/* Slots in: explosion_options. Slots out: number, of the bodies that got an impulse. */
 int api_world_explode(thud_world *world) {
     const struct explosion_options *s = &api_slots.explosion_options;
     thud_explosion explosion = thud_default_explosion();
@@ -58,7 +58,7 @@ void api_water_defaults(void) {
     };
 }
 
-/* From the slots of api_water_defaults. */
+/* Slots in: water_options. */
 int api_body_apply_buoyancy(thud_world *world, uint32_t index1, uint32_t generation) {
     const struct water_options *s = &api_slots.water_options;
     thud_water water = thud_default_water();
@@ -86,9 +86,10 @@ int api_body_apply_grip(thud_world *world, uint32_t index1, uint32_t generation,
 
 /* ---- tyres ---- */
 
+/* The maximum of thrust, brake and grip: mass * length / s^2 (THUD_PUSH_MAX). */
 static const double MOST_FORCE = 1e30;
 
-/* What is pushed at a point. */
+/* The point of a body to which the tyre's impulses are applied. */
 typedef struct pushed {
     thud_world *world;
     thud_body_id body;
@@ -96,13 +97,15 @@ typedef struct pushed {
     thud_body_state state;
 } pushed;
 
+/* The speed of the point along a unit vector, length/s. */
 static double speed_along(const pushed *p, double x, double y) {
     thud_vec2 v = {0};
     (void)thud_body_velocity_at(p->world, p->body, p->point, &v);
     return (double)v.x * x + (double)v.y * y;
 }
 
-/* Speed along a unit way for each unit of impulse along it. */
+/* The change of the point's speed along a unit vector by a unit impulse along it: the inverse
+ * effective mass 1/m + (r x n)^2 / I. */
 static double yielding(const pushed *p, double x, double y) {
     const thud_body_state *s = &p->state;
     double arm = (p->point.x - s->center.x) * y - (p->point.y - s->center.y) * x;
@@ -110,23 +113,29 @@ static double yielding(const pushed *p, double x, double y) {
     return 1.0 / (double)s->mass + turning;
 }
 
+/* Applies an impulse along a unit vector at the point. */
 static thud_result push(const pushed *p, double x, double y, double impulse) {
-    if (impulse == 0.0) /* which would wake the body */
+    if (impulse == 0.0) /* an impulse of 0 would wake the body */
         return THUD_OK;
     thud_vec2 along = {(float)(x * impulse), (float)(y * impulse)};
     return thud_body_apply_impulse(p->world, p->body, along, p->point);
 }
 
+/* The value limited to [-most, most]. */
 static double clamp(double value, double most) {
     return fmax(-most, fmin(most, value));
 }
 
+/* Whether the value is in [least, MOST_FORCE]; false for NaN. */
 static bool is_force(double value, double least) {
     return value >= least && value <= MOST_FORCE;
 }
 
-/* From the slots of tyre_options; the impulses of a step, the second after the first has acted, so
- * that neither turns the motion around. Slots out: number, the speed across that is left. */
+/* Applies the impulses of a tyre in one step: first along its rolling direction (thrust, and a
+ * brake that at most stops it), within the grip; then across it, where the rest of the grip at most
+ * stops the sliding. The second is computed from the velocity after the first. Slots in:
+ * tyre_options. Slots out: number, the speed across the rolling direction that is left, length/s.
+ */
 int api_body_apply_tyre(thud_world *world, uint32_t index1, uint32_t generation) {
     const struct tyre_options s = api_slots.tyre_options;
     if (!is_force(s.thrust, -MOST_FORCE) || !is_force(s.brake, 0.0) || !is_force(s.grip, 0.0))

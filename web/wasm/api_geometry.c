@@ -1,5 +1,6 @@
-/* api_geometry.c: two shapes and no world: what is between them now and on their ways, and what
- * bounds them. Places and ways are in the slots, geometry_pair. */
+/* api_geometry.c: exports for geometry of two shapes without a world: distances, times of impact,
+ * Minkowski casts and bounding volumes. All read the shapes and their motions from the slots
+ * geometry_pair; api.h has the conventions. */
 #include "api.h"
 
 #include <thud/thud_minkowski.h>
@@ -16,12 +17,13 @@ static thud_motion motion(const double numbers[3]) {
     return (thud_motion){numbers[0], numbers[1], numbers[2]};
 }
 
-/* The pair of geometry_pair, and how it moves. */
+/* Two shapes and their motions. */
 typedef struct moving_pair {
     thud_shape_instance a, b;
     thud_motion by_a, by_b;
 } moving_pair;
 
+/* Slots in: geometry_pair. */
 static moving_pair pair_now(void) {
     const struct geometry_pair *p = &api_slots.geometry_pair;
     return (moving_pair){placed(&p->a), placed(&p->b), motion(p->motion_a), motion(p->motion_b)};
@@ -42,7 +44,7 @@ int api_shapes_closest(void) {
     return result;
 }
 
-/* Slots out: meeting. */
+/* `target`: the distance at which the shapes count as meeting, a length. Slots out: meeting. */
 int api_shapes_time_of_impact(double target) {
     moving_pair p = pair_now();
     bool hit = false;
@@ -54,7 +56,7 @@ int api_shapes_time_of_impact(double target) {
     return result;
 }
 
-/* Slots out: meeting. */
+/* `tolerance`: a fraction of the motion. Slots out: meeting. */
 int api_shapes_time_of_collision(double tolerance) {
     moving_pair p = pair_now();
     bool collided = false;
@@ -83,7 +85,7 @@ int api_circles_approach(void) {
     return result;
 }
 
-/* Where b, as a point, meets the sum of both on its way. Slots out: crossing. */
+/* Where b's centre, moving relative to a, enters the Minkowski sum of both. Slots out: crossing. */
 int api_minkowski_cast(void) {
     moving_pair p = pair_now();
     thud_minkowski sum;
@@ -98,7 +100,7 @@ int api_minkowski_cast(void) {
     return result;
 }
 
-/* Around a. Slots out: volume. */
+/* The bounding volume of this kind around shape a. Slots out: volume. */
 int api_volume_around_shape(int kind) {
     moving_pair p = pair_now();
     thud_volume v;
@@ -117,9 +119,9 @@ int api_volumes_overlap(void) {
     return result;
 }
 
-/* The same test so many times, as volumes or (`exact`) as shapes, for a clock outside; in turns
- * from either side, so that no compiler takes it out of the loop. Slots out: number, of those that
- * overlap. */
+/* Runs the overlap test of both as shapes (`exact`) or as bounding volumes `count` times, so that
+ * JavaScript can measure its time. The two change places each time, so that the compiler cannot
+ * move the test out of the loop. Slots out: number, of the tests that found an overlap. */
 int api_overlap_often(int exact, int count) {
     moving_pair p = pair_now();
     const thud_shape_instance *sides[2] = {&p.a, &p.b};

@@ -1,4 +1,5 @@
-/* api_joint.c: joints. */
+/* api_joint.c: exports that create and change joints (thud_joint.h). Their options are the slots
+ * joint_options; api.h has the conventions. */
 #include "api.h"
 
 #include <math.h>
@@ -10,6 +11,7 @@ static thud_joint_id joint_id(uint32_t index1, uint32_t generation) {
 
 /* ---- options ---- */
 
+/* Writes a drive to the slots. */
 static void tell_drive(const thud_drive *d, struct drive_options *s) {
     *s = (struct drive_options){.lower = d->limited ? d->lower : -INFINITY,
                                 .upper = d->limited ? d->upper : INFINITY,
@@ -21,7 +23,8 @@ static void tell_drive(const thud_drive *d, struct drive_options *s) {
                                 .motor_force = d->motor_force};
 }
 
-/* One limit alone: the other is `furthest`, as far as limits may be. */
+/* A drive from the slots. Where only one limit is given, the other is the largest length that the
+ * engine accepts, `furthest`, or pi for the turn. */
 static thud_drive drive_in(const struct drive_options *s, thud_joint_kind kind,
                            thud_direction direction, double furthest) {
     double most = direction == THUD_TURN ? (double)THUD_JOINT_TURN_MAX : furthest;
@@ -37,6 +40,7 @@ static thud_drive drive_in(const struct drive_options *s, thud_joint_kind kind,
                         .motor_force = (float)s->motor_force};
 }
 
+/* Converts a frame to the slots' form, and back. */
 static struct frame_options frame_out(const thud_joint_frame *frame) {
     return (struct frame_options){{frame->position.x, frame->position.y}, frame->angle};
 }
@@ -45,6 +49,7 @@ static thud_joint_frame frame_in(const struct frame_options *s) {
     return (thud_joint_frame){{(float)s->position[0], (float)s->position[1]}, s->angle};
 }
 
+/* Writes a joint's def to the slots joint_options. */
 static void tell_def(const thud_joint_def *def) {
     struct joint_options *s = &api_slots.joint_options;
     bool gear = def->kind == THUD_GEAR;
@@ -66,13 +71,13 @@ static void tell_def(const thud_joint_def *def) {
     s->making = (struct joint_making){.kind = def->kind, .rod = def->length, .ratio = def->ratio};
 }
 
-/* Slots out: joint_options. */
+/* The defaults of a kind. Slots out: joint_options. */
 void api_joint_defaults(int kind) {
     thud_joint_def def = thud_default_joint_def((thud_joint_kind)kind);
     tell_def(&def);
 }
 
-/* Slots out: joint_options, as they are now. */
+/* The present options of a joint. Slots out: joint_options. */
 int api_joint_options(const thud_world *world, uint32_t index1, uint32_t generation) {
     thud_joint_def def;
     thud_result result = thud_joint_get_def(world, joint_id(index1, generation), &def);
@@ -83,7 +88,8 @@ int api_joint_options(const thud_world *world, uint32_t index1, uint32_t generat
 
 /* ---- making ---- */
 
-/* Works one of its frames out from a place in the world, or the place from the frame. */
+/* Computes the frame in a body from a place in the world (`from_place`) and the angle `turned` of
+ * the joint's axis there, radians; or else the place from the frame. */
 static thud_result settle_frame(const thud_world *world, thud_body_id id, bool from_place,
                                 double place[2], double turned, thud_joint_frame *frame) {
     thud_body_state body;
@@ -104,8 +110,10 @@ static thud_result settle_frame(const thud_world *world, thud_body_id id, bool f
     return THUD_OK;
 }
 
-/* The angle of a direction, by a series after three halvings: the C library's atan2 would double
- * the bytes for it, and JavaScript's is not the same everywhere. */
+/* The angle of the vector (x, y), radians. tan(angle / 2) = y / (x + |(x, y)|); two more halvings,
+ * tan(a / 2) = tan(a) / (1 + sqrt(1 + tan(a)^2)), make the Taylor series of the arc tangent
+ * converge in twelve terms. atan2 of the C library would double the bytes of this layer, and that
+ * of JavaScript differs between platforms. */
 static double angle_of(double x, double y) {
     double largest = fmax(fabs(x), fabs(y));
     x /= largest;
@@ -120,6 +128,8 @@ static double angle_of(double x, double y) {
     return 8.0 * tangent * angle;
 }
 
+/* Computes what `worked_out` of the slots names: frames from places, the angle of the axis, and the
+ * length of a distance from its anchors. */
 static thud_result settle_frames(const thud_world *world, thud_joint_def *def) {
     struct joint_making *s = &api_slots.joint_options.making;
     int out = api_to_int(s->worked_out);
@@ -133,15 +143,16 @@ static thud_result settle_frames(const thud_world *world, thud_joint_def *def) {
     double between = sqrt(x * x + y * y);
     const thud_drive *d = &def->drive[THUD_ALONG];
     bool rod = !d->limited && d->frequency == 0.0f && d->motor_force == 0.0f;
-    bool rests = d->frequency > 0.0f && d->target == -INFINITY; /* at the length */
-    /* What else is driven may begin without a length, and has no need of one. */
+    bool rests = d->frequency > 0.0f && d->target == -INFINITY; /* the spring pulls to the length */
+    /* A distance with another drive does not use its length: where the anchors coincide it keeps
+     * the default, since a length of 0 would be refused. */
     if (out & 4 && (rod || rests || between > 0.0))
         def->length = (float)between;
     return result;
 }
 
-/* A joint from the slots of api_joint_defaults; `furthest` is as far as its limits may be. Slots
- * out: its handle. */
+/* Creates a joint. `furthest`: the largest length of its limits. Slots in: joint_options. Slots
+ * out: handle. */
 int api_joint_create(thud_world *world, double furthest) {
     const struct joint_options *s = &api_slots.joint_options;
     thud_joint_kind kind = (thud_joint_kind)api_to_int(s->making.kind);
@@ -192,7 +203,8 @@ int api_world_use_joints(thud_world *world) {
 
 /* ---- setting ---- */
 
-/* From the slots of api_joint_options, as changed; likewise the next two. */
+/* This and the next two set a part of the options: JavaScript has called api_joint_options and
+ * changed the slots joint_options, from which they read. */
 int api_joint_set_drive(thud_world *world, uint32_t index1, uint32_t generation, int direction,
                         double furthest) {
     const struct joint_options *s = &api_slots.joint_options;

@@ -1,4 +1,5 @@
-/* api_joint_read.c: what is read of joints: one's state, lists, events, and the table of all. */
+/* api_joint_read.c: exports that read joints: the state of one, lists, events, and a table of all
+ * for drawing. api.h has the conventions. */
 #include "api.h"
 
 #include <math.h>
@@ -31,6 +32,7 @@ int api_joint_get(const thud_world *world, uint32_t index1, uint32_t generation)
     return result;
 }
 
+/* Gives a list `count` elements of any value; false where memory is short. */
 static bool make_room(api_buffer *buffer, int count) {
     api_buffer_clear(buffer);
     for (int i = 0; i < count; i++)
@@ -38,7 +40,7 @@ static bool make_room(api_buffer *buffer, int count) {
     return !buffer->failed;
 }
 
-/* Fills `ids` with the handles of all; their number, or -1 where memory is short. */
+/* Writes the handles of all joints to `ids`; returns their number, or -1 where memory is short. */
 static int list_all(const thud_world *world) {
     int count = thud_world_joints(world, NULL, 0);
     if (!make_room(&ids, count))
@@ -46,17 +48,19 @@ static int list_all(const thud_world *world) {
     return thud_world_joints(world, (thud_joint_id *)ids.data, count);
 }
 
+/* Slots out: list, of `ids`. */
 static int tell_list(int count) {
     api_slots.list.address = (double)(uintptr_t)ids.data;
     api_slots.list.count = count;
     return count < 0 ? THUD_ERROR_MEMORY : THUD_OK;
 }
 
-/* Handles of the world's joints. Slots out: list; likewise the next. */
+/* The handles of the world's joints. Slots out: list. */
 int api_world_joints(const thud_world *world) {
     return tell_list(list_all(world));
 }
 
+/* The handles of a body's joints. Slots out: list. */
 int api_body_joints(const thud_world *world, uint32_t index1, uint32_t generation) {
     thud_body_id body = api_body(index1, generation);
     thud_body_state state;
@@ -92,8 +96,8 @@ int api_world_joint_events(const thud_world *world) {
 
 /* ---- all at once ---- */
 
-/* Bits of the directions that a kind locks, unless a weld or a distance drives them; and of those
- * that it drives. See the table in thud_joint.h. */
+/* The directions that a kind locks (unless a weld or a distance has a drive there), and those that
+ * it can drive: a sum of 1 for along, 2 for across, 4 for turn. See the table in thud_joint.h. */
 static const struct {
     unsigned char locked, driven;
 } DIRECTIONS[THUD_JOINT_KIND_COUNT] = {
@@ -101,6 +105,8 @@ static const struct {
     [THUD_WELD] = {7, 7},     [THUD_WHEEL] = {2, 5}, [THUD_TARGET] = {0, 7},
 };
 
+/* The limits of a row in each direction: equal where it is locked (0, or the length of a distance),
+ * infinite where it is free. `row` has zeros before. */
 static void fill_limits(struct joint_row *row, const thud_joint_def *def) {
     unsigned locked = DIRECTIONS[def->kind].locked, driven = DIRECTIONS[def->kind].driven;
     for (int i = 0; i < THUD_DIRECTION_COUNT; i++) {
@@ -117,7 +123,7 @@ static void fill_limits(struct joint_row *row, const thud_joint_def *def) {
     }
 }
 
-/* The place in a body's frame of its centre of mass. */
+/* A body's centre of mass in the body's frame. */
 static void fill_center(float center[2], const thud_body_state *body) {
     double c, s, x = body->center.x - body->position.x, y = body->center.y - body->position.y;
     api_sincos(body->angle, &s, &c);
@@ -125,7 +131,7 @@ static void fill_center(float center[2], const thud_body_state *body) {
     center[1] = (float)(c * y - s * x);
 }
 
-/* A gear holds on to its bodies where its joints do. */
+/* The anchor of a gear on a body: that of the joint which it couples there, on the dynamic body. */
 static void fill_gear_anchor(float anchor[2], const thud_world *world, thud_joint_id id) {
     thud_joint_def def;
     thud_body_state a;
@@ -137,7 +143,8 @@ static void fill_gear_anchor(float anchor[2], const thud_world *world, thud_join
     anchor[1] = frame->position.y;
 }
 
-/* All of it but what depends on poses; the centres are in the bodies' frames. */
+/* Fills a row except for the places in the world, which depend on poses; center_a and center_b are
+ * in the bodies' frames until then. */
 static thud_result fill_row(struct joint_row *row, struct joint_handles *handles,
                             const thud_world *world, thud_joint_id id) {
     thud_joint_def def;
@@ -182,27 +189,31 @@ static thud_result fill_row(struct joint_row *row, struct joint_handles *handles
     return THUD_OK;
 }
 
+/* Rotates a vector from a body's frame to the world. */
 static void turn(float out[2], const thud_pose *pose, const float in[2]) {
     float x = pose->c * in[0] - pose->s * in[1], y = pose->s * in[0] + pose->c * in[1];
     out[0] = x;
     out[1] = y;
 }
 
+/* Transforms a point from a body's frame to the world. */
 static void place(float out[2], const thud_pose *pose, const float in[2]) {
     turn(out, pose, in);
     out[0] += pose->x;
     out[1] += pose->y;
 }
 
-/* A joint whose body was destroyed is listed until the next step. */
+/* Whether both bodies of a joint exist: a joint whose body was destroyed is listed until the next
+ * step. */
 static bool has_bodies(const thud_world *world, thud_joint_id id) {
     thud_joint_state state;
     return thud_joint_get(world, id, &state) == THUD_OK &&
            thud_body_is_valid(world, state.body_a) && thud_body_is_valid(world, state.body_b);
 }
 
-/* Fills a table of every joint, as bodies stand at alpha, relative to an origin: see thud_pose.
- * Slots out: joint_table, with a joint_row and a joint_handles of each. */
+/* Fills a table of all joints, with bodies at their poses of thud_world_poses for this origin and
+ * alpha; empty where those are refused. Slots out: joint_table, with a joint_row and a
+ * joint_handles for each joint. */
 int api_joint_table(thud_world *world, double x, double y, double alpha) {
     int count = list_all(world), bodies = 0;
     if (count < 0)

@@ -1,11 +1,12 @@
-/* api_list.c: what there is in a world, as lists of handles. */
+/* api_list.c: exports that list bodies and shapes of a world (thud_lists.h). A list is an array of
+ * handles, two uint32_t each; api.h has the conventions. */
 #include "api.h"
 
 #include <thud/thud_lists.h>
 
 static api_buffer bodies, shapes;
 
-/* Room for so many handles; their contents are anything. */
+/* Gives a list `count` handles of any value. */
 static thud_result make_room(api_buffer *list, int count) {
     api_buffer_clear(list);
     for (int i = 0; i < count; i++)
@@ -13,13 +14,14 @@ static thud_result make_room(api_buffer *list, int count) {
     return api_buffer_result(list);
 }
 
-/* Slots out: list. */
+/* Slots out: list. Returns `result`. */
 static int told(thud_result result, const api_buffer *list, int count) {
     api_slots.list.address = (double)(uintptr_t)list->data;
     api_slots.list.count = count;
     return result;
 }
 
+/* The bodies that a function of thud_lists.h lists. Slots out: list. */
 static int list_bodies(const thud_world *world,
                        thud_result (*find)(const thud_world *, thud_body_id *, int, int *)) {
     int count = 0;
@@ -31,7 +33,7 @@ static int list_bodies(const thud_world *world,
     return told(result, &bodies, count);
 }
 
-/* Two 32-bit numbers each, here and below. Slots out: list. */
+/* Slots out: list, here and in the next two. */
 int api_world_bodies(const thud_world *world) {
     return list_bodies(world, thud_world_bodies);
 }
@@ -50,7 +52,7 @@ int api_world_shapes(const thud_world *world) {
     return told(result, &shapes, count);
 }
 
-/* `seen` is room for so many thud_body_seen, zeroed before its first use. */
+/* `seen`: an array of `slots` elements, zeroed before its first use. Slots out: list. */
 int api_world_moved_bodies(const thud_world *world, thud_body_seen *seen, int slots) {
     int count = 0;
     thud_result result = make_room(&bodies, slots);
@@ -60,18 +62,19 @@ int api_world_moved_bodies(const thud_world *world, thud_body_seen *seen, int sl
     return told(result, &bodies, count);
 }
 
+/* The size of an element of `seen`, bytes. */
 int api_body_seen_bytes(void) {
     return sizeof(thud_body_seen);
 }
 
-/* How many slots bodies have ever used. */
+/* The number of body slots that have ever been used. */
 int api_world_body_slots(const thud_world *world) {
     int slots = 0;
     thud_world_slots(world, &slots, NULL);
     return slots;
 }
 
-/* Slots out: handle, of zeros where nothing lives there. */
+/* Slots out: handle, zeros for an empty slot; also in the next. */
 int api_world_body_at(const thud_world *world, double slot) {
     thud_body_id id = {0};
     thud_result result = thud_world_body_at(world, api_to_int(slot), &id);

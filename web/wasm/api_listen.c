@@ -1,20 +1,24 @@
-/* api_listen.c: callbacks into JavaScript: listeners, once a step for all contacts, and the filter
- * of pairs. Each world is its own context, by whose address JavaScript knows whom to call. */
+/* api_listen.c: callbacks into JavaScript: listeners, called once a step for all contacts, and the
+ * pair filter. JavaScript finds its functions by the address of the world (rules/callbacks.ts), so
+ * that no context is needed. */
 #include "api.h"
 
 #include <stdlib.h>
 #include <thud/thud_listeners.h>
 #include <thud/thud_rules.h>
 
-/* Imports: rows of listened_row; thud_asked may write into their last four numbers. */
+/* Imports of the module: the prologue, the epilogue, and the pair filter. The prologue may write to
+ * the last four numbers of each row. */
 extern void thud_asked(const thud_world *world, struct listened_row *rows, int count);
 extern void thud_told(const thud_world *world, struct listened_row *rows, int count);
 extern int thud_filtered(const thud_world *world, uint32_t index_a, uint32_t generation_a,
                          uint32_t index_b, uint32_t generation_b);
 
-/* Where there is no memory for all, they are told in pieces. */
+/* Rows of a call where there is no memory for all of them: listeners are then called several times.
+ * Chosen: 16 rows take 2,560 bytes of stack. */
 enum { PIECE = 16 };
 
+/* The row of a contact, with zeros for the prologue's answers. */
 static struct listened_row row_of(const thud_contact *c) {
     return (struct listened_row){
         .shape_a = {c->shape_a.index1, c->shape_a.generation},
@@ -30,7 +34,8 @@ static struct listened_row row_of(const thud_contact *c) {
     };
 }
 
-/* `answers` of what is asked, else null. */
+/* Calls the prologue where `answers` is not null, and writes its decisions there; else the
+ * epilogue. */
 static void listen(const thud_world *world, const thud_contact *contacts,
                    thud_contact_answer *answers, int count) {
     struct listened_row few[PIECE], *rows = malloc((size_t)count * sizeof *rows);
@@ -70,6 +75,7 @@ static void epilogue(thud_world *world, const thud_contact *contacts, int count,
     listen(world, contacts, NULL, count);
 }
 
+/* `asks`: with a prologue; `tells`: with an epilogue; `without`: a sum of thud_contact_part. */
 int api_world_set_listeners(thud_world *world, int asks, int tells, int without) {
     const thud_listeners listeners = {.prologue_all = asks ? prologue : NULL,
                                       .epilogue_all = tells ? epilogue : NULL,

@@ -1,4 +1,5 @@
-/* api_minkowski.c: Minkowski sums of two shapes; what is drawn of one, JavaScript works out. */
+/* api_minkowski.c: the export that computes the Minkowski sum of two shapes, and the place of the
+ * second shape in it. minkowski.ts computes its outline for drawing. */
 #include "api.h"
 
 #include <thud/thud_minkowski.h>
@@ -7,7 +8,7 @@ static thud_shape_instance instance(const struct solid *s) {
     return api_placed(api_to_int(s->kind), s->half_extents[0], s->half_extents[1], s->angle);
 }
 
-/* Slots in: minkowski_pair; out: minkowski_sum. */
+/* Slots in: minkowski_pair. Slots out: minkowski_sum. */
 int api_minkowski_sum(void) {
     const struct minkowski_pair *pair = &api_slots.minkowski_pair;
     double distance = 0.0, nx = 0.0, ny = 0.0, x = pair->offset[0], y = pair->offset[1];

@@ -1,10 +1,12 @@
-/* api_mover.c: movers, by address. Platforms of chosen categories are passed from below. */
+/* api_mover.c: exports for movers (thud_mover.h), which JavaScript knows by their address. Each has
+ * the one-way platforms of thud_mover_passes_one_way. api.h has the conventions. */
 #include "api.h"
 
 #include <thud/thud_mover.h>
 
 #include <stdlib.h>
 
+/* A mover with the context of its callback, and the report of its last move. */
 typedef struct api_mover {
     thud_mover mover;
     thud_one_way one_way;
@@ -29,7 +31,8 @@ void api_mover_defaults(int kind, double hx, double hy, double angle) {
     };
 }
 
-/* From the slots of api_mover_defaults; its address, 0 when memory is short. */
+/* Creates a mover with its centre at (x, y). Returns null where memory is short. Slots in:
+ * mover_options. */
 api_mover *api_mover_create(int kind, double x, double y, double hx, double hy, double angle,
                             uint32_t body_index1, uint32_t body_generation) {
     const struct mover_options *s = &api_slots.mover_options;
@@ -58,7 +61,7 @@ void api_mover_destroy(api_mover *mover) {
     free(mover);
 }
 
-/* Puts it elsewhere, in the air. */
+/* Puts a mover at a place, in the air. */
 void api_mover_place(api_mover *m, double x, double y) {
     m->mover.shape.x = x;
     m->mover.shape.y = y;
@@ -102,7 +105,10 @@ void api_mover_set_state(api_mover *m) {
     mover->ground_sine = (float)s->sine;
 }
 
-/* Slots out: mover_report, with rows of mover_hit. */
+/* Moves by (vx, vy) * dt, in length/s and s; `drop`: through one-way platforms, too. Slots out:
+ * mover_report, whose list has a row of mover_hit for each hit, and behind them the sensors'
+ * handles.
+ */
 int api_mover_move(thud_world *world, api_mover *m, double vx, double vy, double dt, int drop) {
     m->one_way.drop = drop != 0;
     thud_result result =

@@ -1,4 +1,6 @@
-/* api_push.c: bodies are pushed at points; where their points are; single values. */
+/* api_push.c: exports for further forces and impulses, points of bodies, and single values of
+ * bodies and shapes: the functions of thud_forces.h and thud_reads.h under the same names. api.h
+ * has the conventions. */
 #include "api.h"
 
 #include <thud/thud_forces.h>
@@ -7,11 +9,12 @@
 
 #include <string.h>
 
+/* The version of thud: 1,000,000 * major + 1,000 * minor + patch. */
 int api_version(void) {
     return thud_version();
 }
 
-/* ---- pushes ---- */
+/* ---- forces and impulses ---- */
 
 int api_body_apply_force_at(thud_world *world, uint32_t index1, uint32_t generation, double x,
                             double y, double point_x, double point_y) {
@@ -37,6 +40,7 @@ int api_body_set_target(thud_world *world, uint32_t index1, uint32_t generation,
 
 /* ---- points; slots out: place ---- */
 
+/* Slots out: place, unless the result is an error. */
 static int place(thud_result result, double x, double y) {
     if (result == THUD_OK)
         api_slots.place = (struct place){{x, y}};
@@ -140,6 +144,7 @@ int api_shape_body(const thud_world *world, uint32_t index1, uint32_t generation
     return result;
 }
 
+/* The index of a name among the first three of four; 3 for any other name. */
 static int number_of(const char *name, const char *const *names) {
     int number = 0;
     while (number < 3 && strcmp(name, names[number]) != 0)

@@ -1,10 +1,11 @@
-/* api_query.c: what is where in a world: rays, casts, overlaps, the closest shape. A query's
- * own shape is its kind, half extents (a circle's radius is the first) and angle; its filter stands
- * in the slots, filter_options. */
+/* api_query.c: exports for queries: rays, casts, overlaps, the closest shape (thud_queries.h,
+ * thud_casts.h). The shape of a query is four numbers, see api_placed; its filter is in the slots
+ * filter_options. api.h has the conventions. */
 #include "api.h"
 
 #include <thud/thud_casts.h>
 
+/* Hits for which api_cast_all has room at first. Chosen: more hits only cost a second cast. */
 enum { ROOM = 64 };
 
 static api_buffer found, hits, rows;
@@ -18,7 +19,7 @@ thud_query_filter api_filter(const struct filter_options *s) {
                                           api_to_u32(s->ignore.generation)}};
 }
 
-/* Of the query that is asked now. */
+/* Slots in: filter_options. */
 static thud_query_filter filter_now(void) {
     return api_filter(&api_slots.filter_options);
 }
@@ -33,7 +34,7 @@ thud_shape_instance api_placed(int kind, double hx, double hy, double angle) {
         api_sincos(angle, &placed.s, &placed.c);
         break;
     case THUD_AABB:
-    case THUD_TERRAIN: /* which the engine refuses */
+    case THUD_TERRAIN: /* refused by the engine */
         break;
     }
     return placed;
@@ -72,14 +73,14 @@ int api_cast_shape(thud_world *world, int kind, double x, double y, double hx, d
     return result;
 }
 
-/* Every hit of a ray (kind -1) or a shape, nearest first. Slots out: list of ray_hit. */
+/* All hits of a ray (kind -1) or a shape, the nearest first. Slots out: list of ray_hit. */
 int api_cast_all(thud_world *world, int kind, double x, double y, double hx, double hy,
                  double angle, double dx, double dy) {
     thud_query_filter filter = filter_now();
     thud_shape_instance shape = api_placed(kind, hx, hy, angle);
     static const thud_ray_hit none = {0};
     int count = ROOM, room = 0;
-    while (room < count) { /* once more where there are more hits than room for them */
+    while (room < count) { /* a second time where there are more hits than ROOM */
         api_buffer_clear(&hits);
         for (room = 0; room < count; room++)
             api_buffer_push(&hits, &none, sizeof none);
@@ -104,7 +105,8 @@ int api_cast_all(thud_world *world, int kind, double x, double y, double hx, dou
     return api_buffer_result(&rows);
 }
 
-/* Import: tells whoever casts of the hit in the slots, and answers as a thud_cast_fn. */
+/* Import of the module: calls the JavaScript listener of the cast with the hit in the slots
+ * first_hit, and returns its limit, as a thud_cast_fn does. */
 extern double thud_met(void);
 
 static double met(const thud_ray_hit *hit, void *context) {
@@ -113,7 +115,7 @@ static double met(const thud_ray_hit *hit, void *context) {
     return thud_met();
 }
 
-/* Hit by hit, of a ray (kind -1) or a shape. */
+/* Calls thud_met for each hit of a ray (kind -1) or a shape. */
 int api_cast_each(thud_world *world, int kind, double x, double y, double hx, double hy,
                   double angle, double dx, double dy) {
     thud_query_filter filter = filter_now();
@@ -123,8 +125,8 @@ int api_cast_each(thud_world *world, int kind, double x, double y, double hx, do
                     : thud_world_cast_shape_each(world, at, &shape, dx, dy, &filter, met, NULL);
 }
 
-/* The first hit of each ray, four doubles each: origin and way. All have one filter. Slots out:
- * list of ray_hit, of which those of no shape met nothing. */
+/* The first hit of each of `count` rays, four doubles each: origin and displacement. All have the
+ * same filter. Slots out: list of ray_hit, with the handle 0, 0 where a ray hit no shape. */
 int api_cast_rays(thud_world *world, const double *numbers, int count) {
     thud_query_filter filter = filter_now();
     api_buffer_clear(&found);
@@ -149,6 +151,7 @@ int api_cast_rays(thud_world *world, const double *numbers, int count) {
     return result != THUD_OK ? result : api_buffer_result(&rows);
 }
 
+/* Slots out: closest_hit. */
 static void tell_closest(bool any, const thud_closest_hit *hit) {
     api_slots.closest_hit =
         (struct closest_hit){.found = any,
@@ -171,12 +174,14 @@ int api_closest(thud_world *world, double x, double y, double max_distance) {
 
 /* ---- overlaps ---- */
 
+/* A thud_overlap_fn that appends the shape to a list; false, to stop, where memory is short. */
 static bool collect(thud_shape_id shape, void *context) {
     api_buffer *buffer = context;
     api_buffer_push(buffer, &shape, sizeof shape);
     return !buffer->failed;
 }
 
+/* Slots out: list, of `found`. */
 static int collected(thud_result result) {
     api_slots.list.address = (double)(uintptr_t)found.data;
     api_slots.list.count = (double)(found.bytes / sizeof(thud_shape_id));

@@ -1,4 +1,5 @@
-/* api_read.c: what is read in bulk: events, the table of shapes, and debug drawing. */
+/* api_read.c: exports that read a whole world: events, a table of all shapes, and debug drawing.
+ * api.h has the conventions. */
 #include "api.h"
 
 #include <thud/thud_lists.h>
@@ -41,10 +42,10 @@ int api_world_events(const thud_world *world) {
     return api_buffer_result(&hits);
 }
 
-/* ---- every shape at once, for drawing ---- */
+/* ---- all shapes at once, for drawing ---- */
 
-/* Fills a table of every shape, but for those of disabled bodies. Slots out: shape_table, with a
- * shape_row and a shape_handles of each. */
+/* Fills a table of all shapes but those of disabled bodies. Slots out: shape_table, with a
+ * shape_row and a shape_handles for each shape. */
 int api_shape_table(const thud_world *world) {
     int slots = 0;
     thud_result result = thud_world_slots(world, NULL, &slots);
@@ -86,8 +87,8 @@ int api_shape_table(const thud_world *world) {
     return shape_rows.failed ? THUD_ERROR_MEMORY : api_buffer_result(&shape_ids);
 }
 
-/* One byte for each row of the last api_shape_table: 1 when its body is awake. Rows whose body
- * has gone read 0. Slots out: list of bytes. */
+/* For each row of the last api_shape_table a byte: 1 where its body is awake, 0 where it sleeps or
+ * was destroyed. Slots out: list of bytes. */
 int api_shape_table_awake(const thud_world *world) {
     const struct shape_handles *handles = (const struct shape_handles *)shape_ids.data;
     size_t count = shape_ids.bytes / sizeof *handles;
@@ -107,6 +108,7 @@ int api_shape_table_awake(const thud_world *world) {
 
 /* ---- debug drawing ---- */
 
+/* The callbacks of thud_debug_draw append a row each. */
 static void push_shape(thud_vec2 center, thud_vec2 half, float c, float s, bool round, int style,
                        int island) {
     struct draw_shape row = {.center = {center.x, center.y},
@@ -143,8 +145,9 @@ static void draw_point(thud_vec2 p, thud_draw_style style, void *context) {
     api_buffer_push(&draw_points, &row, sizeof row);
 }
 
-/* Slots out: draw_lists, with rows of draw_shape, draw_line and draw_point. Coordinates are
- * relative to the origin given. */
+/* Draws the region from `lower` to `upper`; `flags` are those of thud_debug_draw. Coordinates are
+ * relative to the origin. Slots out: draw_lists, with rows of draw_shape, draw_line and draw_point.
+ */
 int api_world_draw(thud_world *world, double flags, double origin_x, double origin_y,
                    double lower_x, double lower_y, double upper_x, double upper_y) {
     api_buffer_clear(&draw_shapes);

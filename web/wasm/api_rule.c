@@ -1,10 +1,12 @@
-/* api_rule.c: what two kinds of shapes are to each other. */
+/* api_rule.c: exports for collision rules between kinds of shapes, and impulse events
+ * (thud_rules.h). api.h has the conventions. */
 #include "api.h"
 
 #include <thud/thud_rules.h>
 
 static api_buffer impulses;
 
+/* A rule as the slots have it. */
 static struct rule_options told(const thud_rule *rule) {
     return (struct rule_options){
         .meeting = rule->meeting,
@@ -22,7 +24,7 @@ void api_rule_defaults(void) {
     api_slots.rule_options = told(&rule);
 }
 
-/* From the slots of api_rule_defaults; or none. */
+/* Sets the rule in the slots, or removes the rule where `is_set` is 0. Slots in: rule_options. */
 int api_world_set_rule(thud_world *world, uint32_t first, uint32_t second, int is_set) {
     const struct rule_options *s = &api_slots.rule_options;
     const thud_rule rule = {.meeting = (thud_meeting)api_to_int(s->meeting),
@@ -48,7 +50,7 @@ int api_world_use_rules(thud_world *world) {
     return thud_world_use_rules(world);
 }
 
-/* Slots out: list, of rows of impulse_event. */
+/* Slots out: list of impulse_event. */
 int api_world_impulses(const thud_world *world) {
     int count = 0;
     const thud_impulse_event *events = thud_world_impulses(world, &count);

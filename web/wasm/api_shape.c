@@ -1,4 +1,5 @@
-/* api_shape.c: shapes. */
+/* api_shape.c: exports that create and read shapes. The options of a new shape are the slots
+ * shape_options; api.h has the conventions. */
 #include "api.h"
 
 /* Slots out: shape_options. */
@@ -17,7 +18,7 @@ void api_shape_defaults(void) {
     s->events = def.events;
 }
 
-/* From the slots of api_shape_defaults. */
+/* Slots in: shape_options. */
 static thud_shape_def read_def(void) {
     const struct shape_options *s = &api_slots.shape_options;
     thud_shape_def def = thud_default_shape_def();
@@ -34,7 +35,7 @@ static thud_shape_def read_def(void) {
     return def;
 }
 
-/* Slots out: the new handle. */
+/* Slots out: handle. Returns `result`. */
 static int created(thud_result result, thud_shape_id id) {
     api_slots.handle.index1 = id.index1;
     api_slots.handle.generation = id.generation;
@@ -73,7 +74,7 @@ int api_obb_create(thud_world *world, uint32_t index1, uint32_t generation, doub
     return created(result, id);
 }
 
-/* `points` is an array of x, y pairs in wasm memory; null for flat terrain. */
+/* `points`: an array of x, y pairs in wasm memory; null for flat terrain. */
 int api_terrain_create(thud_world *world, uint32_t index1, uint32_t generation, int kind,
                        double slope, double x0, double spacing, const thud_pos *points, int count) {
     thud_shape_def def = read_def();
@@ -125,7 +126,7 @@ int api_shape_get(const thud_world *world, uint32_t index1, uint32_t generation)
     return THUD_OK;
 }
 
-/* Slots out: terrain. */
+/* Slots out: terrain; its points are valid until the next edit of the world. */
 int api_shape_terrain(const thud_world *world, uint32_t index1, uint32_t generation) {
     thud_terrain terrain;
     thud_result result = thud_shape_terrain(world, api_shape(index1, generation), &terrain);

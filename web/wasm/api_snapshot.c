@@ -1,4 +1,5 @@
-/* api_snapshot.c: a world's whole state as bytes, through one buffer for both ways. */
+/* api_snapshot.c: exports for snapshots, the whole state of a world as bytes. Saving and restoring
+ * use the same buffer. */
 #include "api.h"
 
 #include <thud/thud_snapshot.h>
@@ -8,7 +9,8 @@
 static char *buffer;
 static size_t capacity;
 
-/* Room for so many bytes; null when memory is short. */
+/* The buffer with room for at least `bytes` bytes; its contents are lost where it grows. Null where
+ * memory is short. */
 char *api_snapshot_room(uint32_t bytes) {
     if (bytes > capacity) {
         free(buffer);
@@ -18,7 +20,7 @@ char *api_snapshot_room(uint32_t bytes) {
     return buffer;
 }
 
-/* Slots out: list of bytes, which stay until the next call. */
+/* Takes a snapshot. Slots out: list of bytes, valid until the next call of this file. */
 int api_world_snapshot(const thud_world *world) {
     size_t bytes = 0;
     thud_result result = thud_world_snapshot_size(world, &bytes);
@@ -32,7 +34,7 @@ int api_world_snapshot(const thud_world *world) {
     return thud_world_snapshot(world, to, bytes, NULL);
 }
 
-/* From the first bytes of the room that api_snapshot_room gave. */
+/* Restores the world from the first `bytes` bytes of the buffer. */
 int api_world_restore(thud_world *world, uint32_t bytes) {
     return thud_world_restore(world, buffer, bytes);
 }

@@ -1,7 +1,9 @@
-/* api_terrain.c: looking up and editing ground. Places are the world's. */
+/* api_terrain.c: exports that read the ground of a terrain at x, place feet on it, and edit its
+ * line. Places are in the world, except in api_shape_replace_range. api.h has the conventions. */
 #include "api.h"
 
-/* The line of a terrain shape, and where its body stands. */
+/* The line of a terrain shape, whose coordinates are relative to its body's origin, and that
+ * origin. */
 static thud_result find_ground(const thud_world *world, thud_shape_id shape, thud_terrain *line,
                                thud_pos *origin) {
     thud_shape_state state;
@@ -65,7 +67,7 @@ int api_shape_raise(thud_world *world, uint32_t index1, uint32_t generation, dou
     return thud_shape_raise(world, api_shape(index1, generation), x, radius, height);
 }
 
-/* `points` as in api_terrain_create. */
+/* x0, x1 and `points` (as in api_terrain_create) are relative to the body's origin. */
 int api_shape_replace_range(thud_world *world, uint32_t index1, uint32_t generation, double x0,
                             double x1, const thud_pos *points, int count) {
     return thud_shape_replace_range(world, api_shape(index1, generation), x0, x1, points, count);

@@ -1,13 +1,15 @@
-/* api_world.c: worlds: creation, stepping, settings, statistics, and poses. */
+/* api_world.c: exports that create, step and destroy worlds, and their settings, statistics, errors
+ * and poses. api.h has the conventions. */
 #include "api.h"
 
 #include <string.h>
 
-/* The import that times the stages: seconds, as thud_clock_fn wants them. */
+/* Import of the module: the host's clock, seconds. */
 extern double thud_clock(void);
-/* The import that is called before a step of api_world_advance, or after one. */
+/* Import of the module: called before (after = 0) and after each step of api_world_advance. */
 extern void thud_stepped(const thud_world *world, int after);
 
+/* The last message that thud logged, cut to its size; "" after JavaScript has read it. */
 static char last_message[256];
 
 static double read_clock(void *context) {
@@ -15,17 +17,19 @@ static double read_clock(void *context) {
     return thud_clock();
 }
 
+/* The thud_log_fn of all worlds. */
 static void keep_message(thud_result result, const char *message, void *context) {
     (void)result;
     (void)context;
     size_t length = strlen(message), room = sizeof last_message - 1;
     if (length > room)
         length = room;
-    memcpy(last_message, message, length); /* snprintf would bring 8 kB with it */
+    memcpy(last_message, message, length); /* snprintf would add 8 kB to the module */
     last_message[length] = '\0';
 }
 
-/* Why the last call failed, in the log's words; JavaScript clears it by writing a 0 byte. */
+/* The address of the message that says why the last call failed. JavaScript clears it by writing a
+ * 0 byte there. */
 char *api_last_message(void) {
     return last_message;
 }
@@ -37,7 +41,8 @@ const thud_detection *api_detection(double number) {
     return i >= 0 && i < 4 ? all[i] : NULL;
 }
 
-/* What is no number of a quality is null, which the engine refuses. */
+/* The quality of an index into QUALITIES of web/package/src/types.ts; null, which the engine
+ * refuses, for other numbers. */
 static const thud_quality *api_quality(double number) {
     static const thud_quality *const all[] = {&thud_quality_draft, &thud_quality_default,
                                               &thud_quality_high, &thud_quality_exact};
@@ -45,7 +50,7 @@ static const thud_quality *api_quality(double number) {
     return i >= 0 && i < 4 ? all[i] : NULL;
 }
 
-/* A quality with changes; valid until the next call. */
+/* A quality with changes (see quality_options); valid until the next call. */
 static const thud_quality *changed_quality(double number, const struct quality_options *changes) {
     static thud_quality quality;
     if (api_quality(number) == NULL)
@@ -71,6 +76,7 @@ static const thud_quality *changed_quality(double number, const struct quality_o
     return &quality;
 }
 
+/* The broadphase of an index into BROADPHASES of web/package/src/types.ts. */
 static const thud_broadphase *api_broadphase(double number) {
     static const thud_broadphase *const all[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
                                                  &thud_broadphase_all};
@@ -129,7 +135,7 @@ thud_world_def api_world_def(void) {
     return def;
 }
 
-/* A world from the slots of api_world_defaults. Slots out: its address, as that of a list. */
+/* Creates a world. Slots in: world_options. Slots out: list, whose address is the world's. */
 int api_world_create(void) {
     thud_world_def def = api_world_def();
     thud_world *world = NULL;
@@ -138,8 +144,9 @@ int api_world_create(void) {
     return result;
 }
 
-/* Inside a callback a world is not destroyed; an advance by no time that could pass is refused
- * there in the same way, and does nothing elsewhere. */
+/* Destroys a world; THUD_ERROR_LOCKED inside a callback, where thud_world_destroy does nothing but
+ * returns no result. So an advance by a negative time is tried first, which is always refused,
+ * inside a callback as THUD_ERROR_LOCKED. */
 int api_world_destroy(thud_world *world) {
     thud_result result = thud_world_advance(world, -1.0, 1, NULL, NULL);
     thud_world_destroy(world);
@@ -160,7 +167,8 @@ static void after_step(thud_world *world, void *context) {
     thud_stepped(world, 1);
 }
 
-/* `calls`: 1 before each step, 2 after it. Slots out: advance. */
+/* `calls`: a sum of 1 for calls of thud_stepped before each step, and 2 for calls after it. Slots
+ * out: advance. */
 int api_world_advance(thud_world *world, double elapsed, double max_steps, int calls) {
     int steps = 0;
     double alpha = 0.0;
@@ -181,7 +189,8 @@ int api_world_set_time_step(thud_world *world, double time_step) {
     return thud_world_set_time_step(world, time_step);
 }
 
-/* Numbers of 0, a detection of -1 and islands of -1 take the quality's own. */
+/* Sets a quality by its number, with changes. Numbers of 0, a detection of -1 and islands of -1
+ * take the values of the quality. */
 int api_world_set_quality(thud_world *world, double number, double substeps, double stiffness,
                           double damping, double detection, double islands) {
     const struct quality_options changes = {substeps, stiffness, damping, detection, islands};
@@ -196,7 +205,7 @@ int api_world_set_sleeping(thud_world *world, int sleeping) {
     return thud_world_set_sleeping(world, sleeping != 0);
 }
 
-/* Slots out: stats. Returns how many stages there are. */
+/* Slots out: stats. Returns the number of stages of a step. */
 int api_world_stats(const thud_world *world) {
     thud_stats stats = thud_world_stats(world);
     struct stats *s = &api_slots.stats;
@@ -230,7 +239,7 @@ int api_world_stats(const thud_world *world) {
     return THUD_STAGE_COUNT;
 }
 
-/* The first slot out: the speed, infinite without shapes. */
+/* Writes the speed, length/s, to the first slot; infinite without shapes. */
 int api_world_bisection_limit(thud_world *world) {
     return thud_world_bisection_limit(world, api_slots.all);
 }
@@ -265,7 +274,7 @@ void api_world_hash(const thud_world *world) {
     api_slots.hash.lower = (double)(uint32_t)hash;
 }
 
-/* The world's own array of poses. Slots out: list, of which only the count is set. */
+/* The world's own array of poses, or null (thud_world_poses). Slots out: list, only its count. */
 const thud_pose *api_world_poses(thud_world *world, double x, double y, double alpha) {
     int count = 0;
     const thud_pose *poses = thud_world_poses(world, (thud_pos){x, y}, alpha, &count);

@@ -1,5 +1,5 @@
-/* demo.c: the built-in scenes for tests and measurements, on top of the same layer as the package.
- */
+/* demo.c: exports that make worlds with the built-in scenes of demo/, for tests and measurements in
+ * JavaScript. Linked to a module of its own beside the exports of the package. */
 #include "api.h"
 
 #include <act_thud.h>
@@ -10,23 +10,23 @@ int api_scene_count(void) {
     return scenes_count();
 }
 
-/* Null for an index out of range. */
+/* The name of a scene; null for an index out of range. */
 const char *api_scene_name(int index) {
     const scene_info *info = scenes_at(index);
     return info == NULL ? NULL : info->name;
 }
 
-/* The default; 0 for an index out of range. */
+/* The default size of a scene; 0 for an index out of range. */
 int api_scene_size(int index) {
     const scene_info *info = scenes_at(index);
     return info == NULL ? 0 : info->default_size;
 }
 
-/* Of the scene that was made last. */
+/* What acts on bodies (wind, water) in the scene that was made last. */
 static scene_fields fields;
 
-/* A world with the scene in it, made from the slots of api_world_defaults; size 0 takes the
- * default. Slots out: its address, as that of a list. */
+/* Creates a world with a scene of this size; 0: the default. Slots in: world_options. Slots out:
+ * list, whose address is the world's. */
 int api_scene_create(int index, int size) {
     const scene_info *info = scenes_at(index);
     if (info == NULL)
@@ -43,7 +43,7 @@ int api_scene_create(int index, int size) {
     return result;
 }
 
-/* A step of a world with what acts in the scene that was made last. */
+/* Runs a step of the world of the scene that was made last, with what acts on its bodies. */
 int api_scene_step(thud_world *world) {
     return scene_step_thud(&fields, world);
 }

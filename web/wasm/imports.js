@@ -1,5 +1,6 @@
-// imports.js: declares our imports to the linker: `thud_clock`, and the callbacks of listeners,
-// filters, casts and steps. None is ever run: the package brings the functions itself (web/package/src/engine.ts).
+// imports.js: a JavaScript library for emcc that declares the imports of the module: `thud_clock`,
+// and the callbacks of listeners, filters, casts and steps. These functions are never called: the
+// package passes its own when it instantiates the module (web/package/src/engine.ts).
 mergeInto(LibraryManager.library, {
   thud_clock: function () { return 0; },
   thud_asked: function () {},

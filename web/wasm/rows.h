@@ -1,4 +1,6 @@
-/* rows.h: the rows of lists that pass between this layer and JavaScript; see slots.h. */
+/* rows.h: the rows of lists that pass between this layer and JavaScript. slots.h says how their
+ * members get names in TypeScript. Handles are two numbers, index1 and generation. Units are those
+ * of the structs of thud with similar names. */
 #ifndef ROWS_H
 #define ROWS_H
 
@@ -21,7 +23,7 @@ struct impulse_event {
     double shape_a[2], shape_b[2], point[2], normal[2], impulse;
 };
 
-/* A contact as listeners see it; the last four are what a prologue answers. */
+/* A contact for a listener; the last four are what a prologue decides. */
 struct listened_row {
     double shape_a[2], shape_b[2], body_a[2], body_b[2], normal[2], point[2], separation;
     double normal_impulse, tangent_impulse, point_count;
@@ -40,14 +42,15 @@ struct contact_point {
     double place[2], separation, normal_impulse;
 };
 
-/* Where there are fewer points, zeros. */
+/* A touching pair; points beyond point_count are zeros. */
 struct contact_row {
     double shape_a[2], shape_b[2], body_a[2], body_b[2], normal[2], point_count, tangent_impulse;
     double direct;
     struct contact_point points[2];
 };
 
-/* Offset, half extents, cosine and sine are in the body's frame. */
+/* A shape for drawing. `slot` and `body`: slot and kind of its body; `shape`: its own kind. Offset,
+ * half extents, cosine and sine are in the body's frame. */
 struct shape_row {
     float slot, shape, body, sensor, offset[2], half_extents[2], cosine, sine;
 };
@@ -56,9 +59,10 @@ struct shape_handles {
     uint32_t shape[2], body[2];
 };
 
-/* Slots are the bodies'. Anchors, and the axis by cosine and sine, are in the bodies' frames, the
- * axis in a's; places, direction and centres of mass in the world. Directions: along, across, turn;
- * limits are equal where one is locked, infinite where it is free. */
+/* A joint for drawing. Slots are those of the bodies. Anchors are in the bodies' frames, the axis
+ * (cosine and sine) in that of a; the places of the anchors, the direction of the axis and the
+ * centres of mass are in the world. Arrays of three: along, across, turn. Limits are equal where a
+ * direction is locked, infinite where it is free. */
 struct joint_row {
     float kind, slot_a, slot_b, enabled, awake, anchor_a[2], anchor_b[2], axis[2], place_a[2];
     float place_b[2], direction[2], center_a[2], center_b[2], value[3], lower[3], upper[3];

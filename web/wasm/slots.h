@@ -1,11 +1,12 @@
-/* slots.h: the one list of the numbers that pass between this layer and JavaScript.
+/* slots.h: the layout of the numbers that pass between this layer and JavaScript.
  *
- * A call takes and gives what does not fit into its arguments through `api_slots`, whose members
- * are named here; lists go through buffers of rows, named in rows.h. web/tools/slots.mjs reads both
- * and writes the same places for TypeScript, so that no number stands in two languages: a
- * struct `body_state` becomes the enum `BodyStateAt`, its member `gravity_scale` the entry
- * `gravityScale`, and `length` how many numbers it has. Of structs that end in `_options` the names
- * of the options are written as well, without those of structs in them.
+ * A call takes and returns what does not fit into its arguments through the union `api_slots`,
+ * whose structs are declared here; lists go through buffers of rows, declared in rows.h.
+ * web/tools/slots.mjs reads both files and writes the same indices for TypeScript, so that no index
+ * is written in two languages: a struct `body_state` becomes the enum `BodyStateAt`, its member
+ * `gravity_scale` the entry `gravityScale`, and the entry `length` is the number of its numbers.
+ * For structs whose name ends in `_options` it also writes the names of the options, without those
+ * of structs in them.
  *
  * All members of a struct have the same type. Handles are two numbers, index1 and generation;
  * places and vectors are x and y. */
@@ -14,9 +15,9 @@
 
 #include "rows.h"
 
-/* ---- parts of others ---- */
+/* ---- parts of other structs ---- */
 
-/* Rows or handles in wasm memory. */
+/* A list of rows, handles or bytes in wasm memory. */
 struct list {
     double address, count;
 };
@@ -31,24 +32,26 @@ struct filter_options {
     struct handle ignore;
 };
 
-/* What of a quality is another: 0, and -1 for the last two, takes the quality's own. Islands: 0 the
- * soft solver does all, 1 the direct one helps, at default's limits where the quality has none. */
+/* Changes of a quality: 0, for the last two -1, keeps the value of the quality. `islands`: 0, the
+ * soft solver solves all islands; 1, with an island solver, which has the limits of
+ * thud_quality_default where the quality has none. */
 struct quality_options {
     double substeps, contact_stiffness, contact_damping, detection, islands;
 };
 
-/* A shape about its own centre: a circle's radius is its first half extent. */
+/* A shape without a place. The radius of a circle is its first half extent. */
 struct solid {
     double kind, half_extents[2], angle;
 };
 
-/* A shape where it stands. */
+/* A shape at a place. */
 struct placed {
     struct solid solid;
     double center[2];
 };
 
-/* What acts in a direction of a joint. Infinite limits are none; an infinite target is the length.
+/* The drive of a direction of a joint. Infinite limits: no limits; a target of -infinity: the
+ * length.
  */
 struct drive_options {
     double lower, upper, frequency, damping, target, spring_force, motor_speed, motor_force;
@@ -58,16 +61,16 @@ struct frame_options {
     double position[2], angle;
 };
 
-/* Of a joint, what is told in other words than the C API's. Places are in the world, as are
- * `turned`, the angle of the joint's x axis, and `axis`, its direction. `worked_out` is a sum: 1
- * frame a and 2 frame b from these, 4 the length of a rod from what is between both ends, 8
- * `turned` from `axis`.
+/* Options of a joint that thud_joint_def has in another form. `rod`: the length of a distance.
+ * Places are in the world, and so are `turned`, the angle of the joint's x axis, and `axis`, its
+ * direction. `worked_out` is a sum of what api_joint_create is to compute: 1 frame a and 2 frame b
+ * from the places and `turned`, 4 `rod` from the distance of both anchors, 8 `turned` from `axis`.
  */
 struct joint_making {
     double kind, rod, ratio, worked_out, place_a[2], place_b[2], turned, axis[2];
 };
 
-/* Of a pair of shapes; the body is 0, 0 where the shape is gone. */
+/* A side of a pair of shapes; the body is 0, 0 where the shape was destroyed. */
 struct pair_side {
     double body[2], body_data, shape_data, sensor;
 };
@@ -85,7 +88,7 @@ struct advance {
     double steps, alpha;
 };
 
-/* As thud_stats; motion_* are pairs of moving shapes by how far their tests went. */
+/* As thud_stats. */
 struct stats {
     double steps, bodies, shapes, awake_bodies, pairs, contacts, colours, blocks, bytes;
     double step_allocations, substeps, step_seconds, direct_islands, direct_bodies, soft_islands;
@@ -102,7 +105,7 @@ struct measure {
     double penetration_max, penetration_mean, kinetic_energy, potential_energy;
 };
 
-/* 32 bits each. */
+/* The upper and the lower 32 bits of a hash. */
 struct hash {
     double upper, lower;
 };
@@ -150,7 +153,7 @@ struct tyre_options {
     double at[2], steer, thrust, brake, grip;
 };
 
-/* Not-a-number: what the shapes make of it. */
+/* As thud_rule: friction, restitution or surface_speed NaN is that of the two shapes. */
 struct rule_options {
     double meeting, solid_side[2], friction, restitution, surface_speed, most_impulse;
 };
@@ -164,8 +167,7 @@ struct number {
     double value;
 };
 
-/* By which the next step is made; `base` and what follows are the quality's, as in
- * quality_options. */
+/* As thud_step_settings. `base`: the number of the quality, whose values follow. */
 struct step_settings {
     double gravity[2], time_step, max_error, substeps, sleeping, base;
     struct quality_options quality;
@@ -181,7 +183,7 @@ struct shape_state {
     double category, mask, group, sensor, user_data, surface_speed, events;
 };
 
-/* The pair is of bodies, or of a gear's joints. */
+/* pair_a and pair_b: the bodies of a joint, or the joints of a gear. */
 struct joint_options {
     double collide_connected, break_force, break_torque, only_reports, enabled, user_data;
     struct handle pair_a, pair_b;
@@ -190,7 +192,7 @@ struct joint_options {
     struct joint_making making;
 };
 
-/* Of each drive the force of limit, spring and motor. */
+/* As thud_joint_state; `drive` has the forces of limit, spring and motor for each direction. */
 struct joint_state {
     double kind, body_a[2], body_b[2], enabled, value[3], gap, angle_gap, force[2], torque;
     double drive[9], user_data;
@@ -201,13 +203,13 @@ struct joint_table {
     double rows, handles, count;
 };
 
-/* The points are thud's own: pairs of doubles. */
+/* As thud_terrain; the points, pairs of doubles, are the world's own. */
 struct terrain {
     double kind, slope, x0, spacing;
     struct list points;
 };
 
-/* The weights are of the segment's two vertices. */
+/* The ground at one x; `weights` are those of the segment's two vertices. */
 struct ground {
     double height, normal[2], segment, weights[2];
 };
@@ -216,8 +218,8 @@ struct foot {
     double height, x, normal[2];
 };
 
-/* Begin and end are of shapes: rows of event_pair; quarantined: handles of bodies. Times, of
- * sensor_begin and sensor_end, are floats. */
+/* begin, end, sensor_begin, sensor_end: rows of event_pair; quarantined: handles of bodies; hits:
+ * rows of hit_event; the times of sensor_begin and sensor_end: a float each. */
 struct events {
     struct list begin, end, sensor_begin, sensor_end, quarantined, hits;
     struct list sensor_begin_time, sensor_end_time;
@@ -241,12 +243,12 @@ struct mover_options {
     struct filter_options filter;
 };
 
-/* All that a mover keeps from one move to the next. */
+/* The state of a mover from one move to the next, see thud_mover. */
 struct mover_state {
     double position[2], on_ground, normal[2], shape[2], body[2], point[2], place[2], cosine, sine;
 };
 
-/* The sensors' handles, in doubles, stand behind the hits. */
+/* The handles of the sensors, two doubles each, follow the hits in memory. */
 struct mover_report {
     double position[2], on_ground, normal[2], shape[2], body[2], velocity[2], ground_velocity[2];
     double depth;
@@ -254,18 +256,18 @@ struct mover_report {
     double sensor_count;
 };
 
-/* The offset is from the first shape's centre to the second's. */
+/* `offset`: from the first shape's centre to the second's. */
 struct minkowski_pair {
     struct solid a, b;
     double offset[2];
 };
 
-/* Relative to the first shape's centre; the radius is that of the corners. */
+/* Places are relative to the first shape's centre; `radius`: of the rounded corners. */
 struct minkowski_sum {
     double overlaps, edge[2], radius, count, vertices[16];
 };
 
-/* Motions are x, y and the turn. */
+/* Motions: x, y and the rotation in radians. */
 struct geometry_pair {
     struct placed a, b;
     double motion_a[3], motion_b[3];
@@ -275,7 +277,7 @@ struct closest_features {
     double overlaps, distance, normal[2], point_a[2], point_b[2];
 };
 
-/* `sure`: bisection can have missed nothing. */
+/* `sure`: the motions are so short that bisection cannot have missed a collision. */
 struct meeting {
     double found, time, least, least_time, sure;
 };
@@ -284,7 +286,7 @@ struct crossing {
     double found, fraction, normal[2];
 };
 
-/* Turned by the cosine and the sine. */
+/* A bounding volume; `turn`: cosine and sine of its angle. */
 struct volume {
     double kind, center[2], half_extents[2], turn[2];
 };

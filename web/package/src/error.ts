@@ -1,8 +1,8 @@
 /**
  * Why a call failed. "null": an argument is missing, or is no handle. "invalid": a value is out of
  * range or of the wrong type. "stale": the handle's object, or the world, was destroyed. "memory":
- * out of memory. "locked": the call is not allowed inside a callback of the world. "load": the
- * engine could not be loaded.
+ * out of memory. "locked": the call is not allowed inside a callback of the world (a listener, a
+ * pair filter or a cast listener). "load": the engine could not be loaded.
  */
 export type ErrorCode = "null" | "invalid" | "stale" | "memory" | "locked" | "load";
 

@@ -27,6 +27,7 @@ import { bodyAt, fill, indexOf, jointAt, numbersOf, vecAt } from "./numbers.js";
 import { generationOf, index1Of, Kind } from "./plain/handles.js";
 import type { BodyRef, JointRef, Vec2 } from "./types.js";
 
+/** The options of joints that only have two bodies, and of joints with a place. */
 const PAIR = ["kind", "bodyA", "bodyB"];
 const PLACED = [...PAIR, "frameA", "frameB", "at", "axis", "angle"];
 

@@ -5,6 +5,7 @@
 import { JointRowAt } from "./generated/slots.js";
 import type { BodyId, BodyRef, JointId, JointRef, Vec2 } from "./types.js";
 
+/** The kinds of joints, in the order of thud_joint_kind. */
 export const JOINT_KINDS = [
   "distance",
   "hinge",

@@ -53,6 +53,7 @@ export interface LevelBody {
   shapes: LevelShape[];
 }
 
+/** The options of a joint without its bodies or joints. */
 type Untied<T> = T extends unknown ? Omit<T, "bodyA" | "bodyB" | "jointA" | "jointB"> : never;
 
 /** A joint between two bodies, or a gear between two joints. */
@@ -91,6 +92,7 @@ export interface Level {
   problems: Problem[];
 }
 
+/** The options of readLevel. */
 export interface ReadOptions {
   /** Whether what cannot be modelled is left out; false: the level is refused. Default false. */
   skip?: boolean;

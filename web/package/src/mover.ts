@@ -70,14 +70,15 @@ export class Mover {
 
   /**
    * Makes a mover, not on ground.
-   * @throws {ThudError} "invalid" for an unknown option or a value out of range; "memory".
+   * @throws {ThudError} "invalid" for an unknown option or a value out of range (with "thud/first",
+   * until `explainErrors` is called, each move throws for a value out of range instead); "memory".
    */
   constructor(world: World, options: MoverOptions) {
     const { exports, slots } = world.engine;
     const [kind, hx, hy, angle] = solidNumbers(options.shape);
     const { filter = {}, body, up = [0, 1], gravityScale = 1 } = options;
     const numbers = numbersOf("Mover", options, MOVER_OPTIONS, OTHERS);
-    // The engine checks the options in each move only; the explainer checks them here.
+    // The engine checks the options in each move only; the explainer, where loaded, does so here.
     const unknown = new ThudError("invalid", "Mover");
     const wrong = explained(unknown, "Mover", options);
     if (wrong !== unknown) throw wrong;

@@ -102,6 +102,7 @@ export function writeOptions(
   }
 }
 
+/** The options of a quality, as numbersOf takes them. */
 const QUALITY = ["base", ...QUALITY_OPTIONS] as const;
 
 /**

@@ -6,7 +6,7 @@ import type { BodyId, BodyRef, ShapeId, Vec2 } from "./types.js";
 
 /**
  * Which shapes a query finds: those that would collide with a shape of this category, mask and
- * group. Category and mask must not both be 0.
+ * group. Category and mask must not both be 0 unless the group is above 0.
  */
 export interface QueryFilter {
   /** The category bits of the query. Default all. */
@@ -60,6 +60,7 @@ export type SolidShape =
   | { kind: "aabb"; halfWidth: number; halfHeight: number }
   | { kind: "obb"; halfWidth: number; halfHeight: number; angle: number };
 
+/** The shape closest to a point. */
 export interface ClosestHit {
   shape: ShapeId;
   /** The closest point of the shape's surface, in the world. */

@@ -47,6 +47,7 @@ export class Rest {
     return this.#loading;
   }
 
+  /** Fetches and compiles the file, and joins it to the first, unless that has been done. */
   async #fetch(): Promise<void> {
     if (this.#done) return;
     let bytes: BufferSource;

@@ -97,9 +97,12 @@ export const BODY_KINDS = ["static", "kinematic", "dynamic"] as const;
  */
 export type BodyKind = (typeof BODY_KINDS)[number];
 
+/** The kinds of shapes, in the order of thud_shape_kind. */
 export const SHAPE_KINDS = ["circle", "aabb", "obb", "terrain"] as const;
+/** A circle, an axis-aligned box, an oriented box, or a ground line. */
 export type ShapeKind = (typeof SHAPE_KINDS)[number];
 
+/** The options of `Engine.createWorld`. */
 export interface WorldOptions {
   /** Gravity, length/s². Default [0, -10]. */
   gravity?: Vec2;
@@ -135,7 +138,7 @@ export interface WorldOptions {
   restitutionThreshold?: number;
   /** Pairs that approach faster make hit events: length scales per second, 0 to 10⁶. Default 1. */
   hitSpeed?: number;
-  /** No body moves faster: length scales per second, above 0, up to 10⁶. Default 10⁶. */
+  /** No body moves faster: length scales per second, above 0, up to 10⁶. Default: 10⁶. */
   maximumSpeed?: number;
   /** Whether bodies at rest may sleep. Default true. */
   sleeping?: boolean;
@@ -172,6 +175,7 @@ export interface StepCalls {
   after?: () => void;
 }
 
+/** The options of `World.createBody`. */
 export interface BodyOptions {
   /**
    * What moves the body: forces and contacts ("dynamic"), its own velocity alone ("kinematic"), or
@@ -248,6 +252,7 @@ export interface Mass {
   center?: Vec2;
 }
 
+/** The options of every kind of shape. */
 export interface ShapeOptions {
   /** The density, mass per area, 0 to 10¹². Default 1. */
   density?: number;
@@ -287,7 +292,7 @@ export interface ShapeOptions {
   userData?: number;
 }
 
-/** Sizes are from 10⁻⁴ to 16384 length scales, of static bodies to 32000. */
+/** The options of a circle. Sizes are 10⁻⁴ to 16384 length scales, of static bodies up to 32000. */
 export interface CircleOptions extends ShapeOptions {
   /** The kind, as `shapeState` returns it; may be left out. */
   kind?: "circle";
@@ -303,7 +308,7 @@ export interface CircleOptions extends ShapeOptions {
   offset?: Vec2;
 }
 
-/** Sizes are from 10⁻⁴ to 16384 length scales, of static bodies to 32000. */
+/** The options of an AABB. Sizes are 10⁻⁴ to 16384 length scales, of static bodies up to 32000. */
 export interface BoxOptions extends ShapeOptions {
   /** The kind, as `shapeState` returns it; may be left out. */
   kind?: "aabb";
@@ -324,6 +329,7 @@ export interface BoxOptions extends ShapeOptions {
   offset?: Vec2;
 }
 
+/** The options of an OBB. */
 export interface ObbOptions extends Omit<BoxOptions, "kind"> {
   /** The kind, as `shapeState` returns it; may be left out. */
   kind?: "obb";
@@ -373,6 +379,7 @@ export interface Foot {
   normal: Vec2;
 }
 
+/** All values of a body, as `World.bodyState` returns them. */
 export interface BodyState {
   kind: BodyKind;
   /** The place of its origin in the world. */

@@ -35,6 +35,7 @@ const forgotten =
  */
 const EVERYWHERE = 0.999e9;
 
+/** The lowest layer of World, see the head of this file. */
 export class WorldBase {
   readonly engine: Engine;
   #address: number;

@@ -27,6 +27,7 @@ const FILTER = ["category", "mask", "group"] as const;
 const LOCKS = ["x", "y"] as const;
 const MASS = ["mass", "inertia", "center", "."] as const;
 
+/** The layer of World with setters. */
 export class WorldEdits extends WorldJoints {
   // ---- shapes ----
 

@@ -24,6 +24,7 @@ const WIND = ["density", "drag", "lift"] as const;
 const TYRE = [NaN, NaN, 0, 0, 0, NaN] as const;
 const NO_OTHERS: readonly string[] = [];
 
+/** The layer of World with explosions, wind, water, rolling resistance, grip and tyres. */
 export class WorldFields extends WorldForces {
   /**
    * Applies impulses to the dynamic bodies around a place, away from it, at once; shapes that

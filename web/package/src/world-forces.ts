@@ -18,6 +18,7 @@ import { Kind, kindOf } from "./plain/handles.js";
 import type { StepSettings } from "./view-types.js";
 import { WorldEdits } from "./world-edits.js";
 
+/** The layer of World with forces, points and single values. */
 export class WorldForces extends WorldEdits {
   // ---- forces and impulses ----
 

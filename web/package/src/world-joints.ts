@@ -47,11 +47,13 @@ import type { BodyRef, JointId, JointRef } from "./types.js";
 import { WorldViews } from "./world-views.js";
 
 const SIDES = ["a", "b"] as const;
+/** The options of setJointBreaking: breakForce, breakTorque, onlyReports. */
 const BREAKING = JOINT_OPTIONS.slice(
   JointOptionsAt.breakForce,
   JointOptionsAt.onlyReports + 1,
 );
 
+/** The layer of World with joints. */
 export class WorldJoints extends WorldViews {
   /**
    * Creates a joint between two bodies, or a gear between two joints. It takes effect with the next
@@ -212,7 +214,9 @@ export class WorldJoints extends WorldViews {
    * All joints for drawing, as views into wasm memory, valid until the next call of the engine:
    * anchors and axes with the bodies at `alpha` between the last two steps, relative to the origin,
    * both as in `poses`; limits and forces.
-   * @throws {ThudError} "invalid" for alpha outside [0, 1]; "memory".
+   * It has no joints (count 0) where alpha is outside [0, 1] or the origin further than 10⁹ length
+   * scales.
+   * @throws {ThudError} "memory".
    */
   jointTable(alpha = 1, originX = 0, originY = 0): JointTable {
     const { engine } = this;

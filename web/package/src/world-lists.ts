@@ -1,7 +1,8 @@
 /**
  * The layer of World with lists of handles: bodies, shapes, moved bodies, the shapes that a sensor
  * overlaps, and pairs that met. Lists are in the order of slots. thud_lists.h describes them in
- * full. All are allowed inside callbacks.
+ * full. All are allowed inside callbacks. Each throws a ThudError "memory" where a list has no
+ * room.
  */
 import { ThudError } from "./error.js";
 import { HandleAt, ListAt, PairAt, PairSideAt, ShapeStateAt } from "./generated/slots.js";
@@ -11,6 +12,7 @@ import { WorldRules } from "./rules/world-rules.js";
 import type { BodyId, ShapeId, ShapeRef } from "./types.js";
 import type { ContactEvent, Events, Meeting, Pair, PairSide } from "./view-types.js";
 
+/** The layer of World with lists. */
 export class WorldLists extends WorldRules {
   /**
    * The array of thud_body_seen in wasm memory, with the poses that movedBodies last listed, and

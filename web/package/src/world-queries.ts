@@ -36,8 +36,10 @@ import { Kind, numberOfPair } from "./plain/handles.js";
 import type { ShapeId, ShapeRef, Vec2, Into } from "./types.js";
 import { WorldBase } from "./world-base.js";
 
+/** The numbers of the default filter. */
 const EVERYTHING = filterNumbers({});
 
+/** The layer of World with queries. */
 export class WorldQueries extends WorldBase {
   /**
    * The first shape on the ray from `origin` to `origin` + `translation`, or null. `translation` is

@@ -49,6 +49,7 @@ const SOLIDS = {
   obb: [...FORMS.obb, "offset"],
 };
 
+/** The method that creates a shape of each kind, for messages. */
 const CREATE = {
   circle: "createCircle",
   aabb: "createAabb",
@@ -56,6 +57,7 @@ const CREATE = {
   terrain: "createTerrain",
 } as const;
 
+/** The module's function that creates a shape of each kind. */
 const MODULE_CREATE = {
   circle: "api_circle_create",
   aabb: "api_aabb_create",
@@ -73,6 +75,7 @@ type SolidLike = ShapeOptions & {
   angle?: number;
 };
 
+/** The layer of World with shapes and terrain. */
 export class WorldShapes extends WorldLists {
   /**
    * Adds a circle to a body.

@@ -63,6 +63,7 @@ const DRAWN = [
   "jointForces",
 ] as const;
 
+/** The layer of World with poses, events, statistics, errors and drawing. */
 export class WorldViews extends WorldQueries {
   #poses = EMPTY;
   #contacts = new Float64Array(0);

@@ -30,11 +30,13 @@ import {
 import { generationOf, index1Of, Kind, kindOf, numberOfPair } from "./plain/handles.js";
 import { WorldShapes } from "./world-shapes.js";
 
+/** Options of createBody that are no numbers of the module's body. */
 const BODY_OTHERS = ["shapes", "locks"];
 /** The module's functions by kind of handle. */
 const DESTROY = ["", "api_body_destroy", "api_shape_destroy", "api_joint_destroy"];
 const IS_VALID = ["", "api_body_is_valid", "api_shape_is_valid", "api_joint_is_valid"];
 
+/** A world. Make it by `Engine.createWorld`, and free it by `close`. */
 export class World extends WorldShapes {
   // ---- bodies ----
 

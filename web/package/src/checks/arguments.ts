@@ -24,10 +24,14 @@ import {
 const { friction, restitution, surfaceSpeed, density } = MATERIAL;
 /** A torque or an angular impulse, and the components of a force or impulse (THUD_PUSH_MAX). */
 const PUSH = { least: -1e30, most: 1e30 };
+/** A point in a body's frame, length scales (THUD_SIZE_MAX). */
 const OFFSET = { least: -16384, most: 16384, pair: true, scaled: true };
+/** A force or an impulse, as a vector. */
 const PUSHES = { ...PUSH, pair: true };
+/** x or y of a place in the world, or a height. */
 const COORDINATE = { ...PLACE, pair: false };
 const COUNT = { ...POSITIVE, least: 1 };
+/** The length of a distance joint, length scales (THUD_JOINT_LENGTH_MAX). */
 const LENGTH = { least: 0, most: 1e6, above: true, scaled: true };
 
 /**

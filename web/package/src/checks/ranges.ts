@@ -8,6 +8,7 @@ import { ThudError } from "../error.js";
 import { isRefusal } from "./hook.js";
 import { show } from "./show.js";
 
+/** The range of an option. */
 interface Range {
   /** The minimum. */
   readonly least: number;
@@ -25,6 +26,7 @@ interface Range {
   readonly needed?: boolean;
 }
 
+/** The ranges of the options of a call or an object, by the option's name. */
 export type Ranges = Readonly<Record<string, Range>>;
 
 /** The largest finite number in single precision. */
@@ -34,21 +36,30 @@ const FARTHEST = 1e9;
 export const PLACE: Range = { least: -FARTHEST, most: FARTHEST, pair: true, scaled: true };
 /** The translation of a cast: at most from one end of the world to the other. */
 export const WAY: Range = { ...PLACE, least: -2 * FARTHEST, most: 2 * FARTHEST };
+/** Radians. */
 export const ANGLE: Range = { least: -1e6, most: 1e6 };
+/** A finite number, and two of them. */
 export const ANY: Range = { least: -FINITE, most: FINITE };
 export const VECTOR: Range = { ...ANY, pair: true };
 export const POSITIVE: Range = { least: 0, most: FINITE };
+/** Speeds of WorldOptions, length scales a second. */
 const SPEED: Range = { least: 0, most: 1e6 };
+/** The contact frequency over the substep rate; 0 takes the quality's. */
 const STIFFNESS: Range = { least: 0.01, most: 0.5, orZero: true };
+/** The damping ratio of contacts. */
 const DAMPING: Range = { least: 0, most: 100 };
+/** A length, length scales. */
 const DISTANCE: Range = { least: 0, most: FARTHEST, scaled: true };
+/** The density of air or water, mass per area. */
 const FLUID: Range = { least: 0, most: 1e12 };
+/** A coefficient of drag, lift or rolling resistance; in water 1/s. */
 export const DRAG: Range = { least: 0, most: 1e6 };
 /**
  * A radius or half extent. On a static body the engine accepts up to 32000 length scales; the
  * message names the smaller maximum of other bodies.
  */
 export const SIZE: Range = { least: 1e-4, most: 16384, scaled: true, needed: true };
+/** A radius or half extent of a shape without a body. */
 const EXTENT: Range = { least: 0, most: FINITE, above: true, needed: true };
 
 export const WORLD_RANGES: Ranges = {
@@ -82,12 +93,14 @@ export const BODY_RANGES: Ranges = {
   angularDamping: POSITIVE,
 };
 
+/** The material of shapes. */
 export const MATERIAL = {
   density: { least: 0, most: 1e12 },
   friction: { least: 0, most: 1e6 },
   restitution: { least: 0, most: 1 },
   surfaceSpeed: { least: -1e6, most: 1e6, scaled: true },
 } satisfies Ranges;
+/** A place in a body's frame, length scales. */
 const OFFSET: Range = { least: -16384, most: 16384, pair: true, scaled: true };
 
 export const RULE_RANGES: Ranges = {
@@ -145,6 +158,7 @@ export const EXPLOSION_RANGES: Ranges = {
 
 export const WIND_RANGES: Ranges = { density: FLUID, drag: DRAG, lift: DRAG };
 
+/** The velocity of wind or water, length/s. */
 export const FLOW: Range = { least: -1e6, most: 1e6, pair: true, scaled: true };
 export const WATER_RANGES: Ranges = {
   point: PLACE,
@@ -155,6 +169,7 @@ export const WATER_RANGES: Ranges = {
   angularDrag: DRAG,
 };
 
+/** Mass times length/s². */
 const FORCE: Range = { least: 0, most: 1e30 };
 export const TYRE_RANGES: Ranges = {
   at: { ...PLACE, needed: true },
@@ -217,6 +232,7 @@ export function whyNot(options: object, ranges: Ranges, scale: number, path = ""
   return null;
 }
 
+/** Whether a value, or each of a pair, is a number in the range. */
 function isWithin(value: unknown, range: Range, scale: number): boolean {
   if (!range.pair) return isNumberWithin(value, range, scale);
   const pair = value as ArrayLike<unknown> | null;

@@ -14,6 +14,7 @@ export function show(value: unknown): string {
   return told.length > LONGEST ? `${told.slice(0, LONGEST)}…` : told;
 }
 
+/** The value in full; `depth`: the number of lists and objects around it. */
 function written(value: unknown, depth: number): string {
   if (typeof value === "string") return JSON.stringify(value);
   if (typeof value === "function") return "a function";

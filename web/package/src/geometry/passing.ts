@@ -7,6 +7,7 @@ import { checkGeometry, type Motion, type PlacedShape, putPair } from "./pair.js
 
 export type { Motion, PlacedShape } from "./pair.js";
 
+/** The closest points of two shapes. */
 export interface ClosestPoints {
   /** Whether the shapes share a point; touching counts. */
   overlaps: boolean;
@@ -53,6 +54,7 @@ export function timeOfImpact(
   return s[MeetingAt.found] === 0 ? null : s[MeetingAt.time];
 }
 
+/** The collision of two moving shapes. */
 export interface Collision {
   /**
    * The fraction of the motions, 0 to 1, at which the shapes are still apart; they overlap within
@@ -85,6 +87,7 @@ export function timeOfCollision(
   };
 }
 
+/** How two moving circles pass or hit each other. */
 export interface Approach {
   /** The time of impact as a fraction of the motions, 0 to 1; null where there is none. */
   time: number | null;
@@ -115,6 +118,7 @@ export function circlesApproach(
   };
 }
 
+/** Where a point enters a Minkowski sum. */
 export interface SumCrossing {
   /** The fraction of the relative motion, 0 to 1. */
   fraction: number;

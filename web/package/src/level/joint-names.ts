@@ -13,6 +13,9 @@ export const KINDS: Record<JointKind, Direction[]> = {
   filter: [],
   gear: [],
 };
+/**
+ * The properties of a drive, after the name of its direction, and those of every kind but filters.
+ */
 const DRIVE = "lower upper frequency damping target spring_force motor_speed motor_force".split(" ");
 const COMMON = ["break_force", "break_torque", "collide_connected"];
 

@@ -137,6 +137,7 @@ function shiftOf({ tileoffset }: JsonRecord, axis: string): number {
 
 // ---- what collides ----
 
+/** The forms with which a tile collides. */
 export interface TileForms {
   /**
    * open: a property says that the tile does not collide. unmarked: nothing says whether it does,

@@ -37,6 +37,7 @@ const rule = (
   type?: string,
 ): Rule => ({ parents, element, kind, name, type });
 
+/** All rules: elements without a rule for their parent are ignored. */
 const RULES: Rule[] = [
   rule("map", "tileset", "list", "tilesets"),
   rule("template", "tileset", "field"),

@@ -6,6 +6,7 @@ import type { JointKind } from "../joint-types.js";
 import type { BodyKind, BodyOptions, ShapeOptions } from "../types.js";
 import { jointKnows } from "./joint-names.js";
 
+/** A value of JSON; undefined for a field that is missing. */
 export type Json = null | boolean | number | string | Json[] | JsonRecord | undefined;
 export interface JsonRecord {
   [name: string]: Json;
@@ -50,6 +51,7 @@ export class Report {
   skipped = 0;
   fatal = 0;
 
+  /** Adds a problem; `object`: the id of the object, 0: none. */
   add(severity: Problem["severity"], object: number, text: string): void {
     if (severity === "skip") this.skipped++;
     if (severity === "fatal") this.fatal++;

@@ -20,6 +20,7 @@ export const enum Kind {
   shape,
   joint,
 }
+/** The names of the kinds, by their number. */
 const NAMES: readonly (Id["kind"] | "")[] = ["", "body", "shape", "joint"];
 
 /**

@@ -7,6 +7,7 @@ import { shapeId } from "../numbers.js";
 import type { StepCalls } from "../types.js";
 import type { Listener, Listeners, PairFilter } from "./rule-types.js";
 
+/** The callbacks of a world. */
 interface Callbacks extends Listeners, StepCalls {
   filter?: PairFilter;
 }

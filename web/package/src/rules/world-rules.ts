@@ -15,9 +15,14 @@ import {
   type RuleFound,
 } from "./rule-types.js";
 
+/**
+ * The options of setListeners, and the parts of a row in the order of the bits of
+ * thud_contact_part.
+ */
 const LISTENERS = ["prologue", "epilogue", "without"] as const;
 const CONTACT_PARTS = ["bodies", "point"] as const;
 
+/** See the head of this file. */
 export class WorldRules extends WorldFields {
   /**
    * Sets the rule between each kind of `first` and each of `second` (category bits, at least one
