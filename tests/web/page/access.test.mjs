@@ -4,7 +4,6 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import {
-  choose,
   DESKTOP,
   failureText,
   openLevel,
@@ -290,24 +289,6 @@ test("forced_colours_and_more_contrast_show_what_is_chosen", async () => {
   assert.notEqual(await ground("[data-panel=options]"), await ground("[data-panel=code]"));
   const [on, off] = ["#dock :checked + span", "#dock :not(:checked) + span"];
   assert.notEqual(await ground(on), await ground(off));
-  await close();
-});
-
-test("chosen_theme_is_shown_as_chosen_where_the_browser_stores_nothing", async () => {
-  const { page, close } = await open("&panel=options", { ...DESKTOP, colorScheme: "dark" }, (page) =>
-    page.addInitScript(() => {
-      Storage.prototype.setItem = Storage.prototype.getItem = () => {
-        throw new DOMException("denied", "SecurityError");
-      };
-    }),
-  );
-  await choose(page, "theme", "light");
-  assert.equal(await page.getAttribute("html", "data-theme"), "light");
-  await page.click("#dock .close");
-  await page.click("[data-panel=options]");
-  assert.equal(await page.inputValue("[name=theme]:checked"), "light");
-  await choose(page, "theme", "system");
-  assert.equal(await page.getAttribute("html", "data-theme"), "dark");
   await close();
 });
 
