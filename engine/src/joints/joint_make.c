@@ -96,7 +96,7 @@ static thud_result find_dynamic_body(const thud_world *w, thud_joint_id id, td_b
         td_body_at(w, joint->body[0])->kind != THUD_STATIC) {
         return td_refuse(
             w, THUD_ERROR_INVALID,
-            "joint create: a gear needs hinges, wheels, sliders or distances with a static body");
+            "joint create: a gear is of hinges, wheels, sliders or distances with a static body");
     }
     *body = joint->body[1];
     return THUD_OK;

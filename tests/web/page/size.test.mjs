@@ -17,8 +17,12 @@ test(`first_picture_loads_less_than_${BOUND}_kB`, async (t) => {
   const folder = copyOfPage(t);
   const { url } = await serve(t, createStaticServer(folder));
   const browser = await launchChromium({ webgl: false });
-  t.after(() => browser.close());
   const context = await browser.newContext();
+  t.after(async () => {
+    // The page may ask for the rest once more while it is closed.
+    await context.unrouteAll({ behavior: "ignoreErrors" });
+    await browser.close();
+  });
   context.setDefaultTimeout(PATIENCE);
   // Files that the service worker caches for later visits are fetched after the first picture and
   // do not count.
