@@ -49,7 +49,8 @@ THUD_API thud_result thud_body_set_target(thud_world *world, thud_body_id body, 
 THUD_API thud_result thud_body_velocity_at(const thud_world *world, thud_body_id body,
                                            thud_pos point, thud_vec2 *out);
 /* Points and vectors from the body's frame (its origin and axes) to the world's, and back. Points
- * in the body's frame are in single precision. */
+ * in the body's frame are in single precision. What the rotation would make greater than the
+ * greatest float is that float. */
 THUD_API thud_result thud_body_world_point(const thud_world *world, thud_body_id body,
                                            thud_vec2 point, thud_pos *out);
 THUD_API thud_result thud_body_local_point(const thud_world *world, thud_body_id body,

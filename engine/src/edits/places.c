@@ -5,6 +5,8 @@
 #include "state/body.h"
 #include "state/handles.h"
 
+#include <float.h>
+
 /* Finds a body; refuses a null `out`. */
 static thud_result find(const thud_world *w, thud_body_id id, const void *out,
                         td_body_index *index) {
@@ -39,10 +41,15 @@ thud_result thud_body_velocity_at(const thud_world *w, thud_body_id id, thud_pos
     return THUD_OK;
 }
 
+/* A float, also where a vector of the greatest floats gets longer than those by its rotation. */
+static float finite_float(double x) {
+    return (float)td_min_double(td_max_double(x, (double)-FLT_MAX), (double)FLT_MAX);
+}
+
 /* (x, y) turned by the rotation of the pose (sign 1) or by its inverse (sign -1). */
 static thud_vec2 rotated(const td_pose *pose, double x, double y, double sign) {
     double c = (double)pose->c, s = sign * (double)pose->s;
-    return (thud_vec2){(float)(c * x - s * y), (float)(s * x + c * y)};
+    return (thud_vec2){finite_float(c * x - s * y), finite_float(s * x + c * y)};
 }
 
 thud_result thud_body_world_point(const thud_world *w, thud_body_id id, thud_vec2 point,

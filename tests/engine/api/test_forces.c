@@ -4,6 +4,7 @@
 
 #include <thud/thud_forces.h>
 #include <thud/thud_reads.h>
+#include <float.h>
 #include <thud/thud_version.h>
 
 static thud_body_state get(thud_world *world, thud_body_id body) {
@@ -194,6 +195,13 @@ static void points_go_there_and_back(void **state) {
     near((double)v.y, 1, 1e-6);
     OK(thud_body_local_vector(world, box, v, &back));
     near((double)back.x, 1, 1e-6);
+    /* A vector of the greatest floats, half a right angle on, is longer along one axis than they.
+     */
+    OK(thud_body_set_transform(world, box, (thud_pos){3, 4}, 0.78539816339744831));
+    OK(thud_body_world_vector(world, box, (thud_vec2){FLT_MAX, FLT_MAX}, &v));
+    assert_true(v.y == FLT_MAX);
+    OK(thud_body_local_vector(world, box, (thud_vec2){-FLT_MAX, -FLT_MAX}, &v));
+    assert_true(v.x == -FLT_MAX);
     assert_int_equal(thud_body_local_point(world, box, (thud_pos){INFINITY, 0}, &back),
                      THUD_ERROR_INVALID);
     assert_int_equal(thud_body_world_point(world, box, (thud_vec2){0, 0}, NULL), THUD_ERROR_NULL);
