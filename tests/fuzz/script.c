@@ -8,9 +8,9 @@ static unsigned dice(fuzz_session *s) {
     return s->script[s->asked++ % SESSION_SCRIPT];
 }
 
-/* After this number of bytes of the script that callbacks have read, they make no more calls, so
- * that no input makes more than tens of thousands. Chosen: a kept input with 142,767 calls takes 16
- * s under sanitizers. */
+/* Once the callbacks have read more bytes of the script than this, they make no more calls: an
+ * input then makes some twenty thousand calls at most, and takes seconds under sanitizers. Chosen.
+ */
 enum { BYTES_READ_MAX = 20000 };
 
 void session_ask(fuzz_session *s) {

@@ -48,8 +48,7 @@
  * motors stall. Such a joint gives the body no speed, and its force is what it reaches within one
  * step from 0. This does not apply to kinematic bodies, nor to a body that a joint has made faster
  * than its detection can see. A known fault: a rope that is shortened without end, far beyond what
- * stands in its way, may draw a body through a floor all the same (three of 4,000 random worlds
- * with four such ropes, which tests/guarantees/passing.c describes). */
+ * stands in its way, may in rare cases draw a body through a floor all the same. */
 #ifndef THUD_JOINT_H
 #define THUD_JOINT_H
 

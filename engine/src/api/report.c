@@ -193,8 +193,7 @@ uint64_t thud_world_hash(const thud_world *w) {
     uint64_t hash = 0xcbf29ce484222325ull;
     for (td_body_index i = {0}; w && i.at < w->bodies.count; i.at++) {
         const td_body *body = td_body_at(w, i);
-        /* Anchors of locks are no bodies of the caller's, and go in the step after their lock. */
-        if ((body->flags & (TD_BODY_LIVE | TD_BODY_ANCHOR)) != TD_BODY_LIVE) {
+        if (!td_body_lives(w, i)) {
             continue;
         }
         const td_pose *pose = td_pose_at(w, i);

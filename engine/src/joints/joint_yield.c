@@ -495,8 +495,9 @@ static void mark_body(thud_world *w, td_awake_slot slot, int mark) {
 }
 
 /* Whether a drive has a limit of length, and no spring, and the limit was exceeded, as the step
- * began, by more than TD_JOINT_CLOSING takes back in a substep: a rope that is much too short.
- * Without limits the base of point 0 is 0. */
+ * began, by more than TD_JOINT_CLOSING takes back in a substep: a rope that is much too short. The
+ * soft solver closes such a limit slowly (max_limit_bias in wide_drive.c). Without limits the base
+ * of point 0 is 0. */
 static bool limit_far_exceeded(const thud_world *w, const td_lane *at, int kind) {
     const td_drive_rows *rows = td_drive_rows_at(at->block);
     float far =

@@ -3,6 +3,7 @@
 #ifndef TD_LISTS_H
 #define TD_LISTS_H
 
+#include "state/body.h"
 #include "state/handles.h"
 
 /* Refuses null pointers and a negative capacity. `out` may be null where capacity is 0. */
@@ -12,11 +13,6 @@ static inline thud_result td_list_check(const thud_world *w, const void *out, in
         return td_refuse(w, THUD_ERROR_NULL, "list: world, out or count is null");
     }
     return capacity >= 0 ? THUD_OK : td_refuse(w, THUD_ERROR_INVALID, "list: capacity is negative");
-}
-
-/* Whether the slot has a body that the caller made: anchors of locks (locks.c) are not listed. */
-static inline bool td_body_lives(const thud_world *w, td_body_index body) {
-    return (td_body_at(w, body)->flags & (TD_BODY_LIVE | TD_BODY_ANCHOR)) == TD_BODY_LIVE;
 }
 
 /* Whether the slot has a shape. */

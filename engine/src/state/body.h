@@ -87,4 +87,10 @@ void td_deferred_apply(thud_world *w);
  */
 bool td_deferred_turns(const thud_world *w, td_body_index body);
 
+/* Whether the slot has a body that the caller made: the anchor of a lock (edits/locks.c)
+ * is none, and goes in the step after its lock. */
+static inline bool td_body_lives(const thud_world *w, td_body_index body) {
+    return (td_body_at(w, body)->flags & (TD_BODY_LIVE | TD_BODY_ANCHOR)) == TD_BODY_LIVE;
+}
+
 #endif
