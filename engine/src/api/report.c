@@ -192,12 +192,11 @@ static uint64_t bits_of(float x) {
 uint64_t thud_world_hash(const thud_world *w) {
     uint64_t hash = 0xcbf29ce484222325ull;
     for (td_body_index i = {0}; w && i.at < w->bodies.count; i.at++) {
-        const td_body *body = td_body_at(w, i);
         if (!td_body_lives(w, i)) {
             continue;
         }
         const td_pose *pose = td_pose_at(w, i);
-        const float *v = td_body_velocity(w, body);
+        const float *v = td_body_velocity(w, td_body_at(w, i));
         hash = mix(hash, (uint64_t)pose->center.x);
         hash = mix(hash, (uint64_t)pose->center.y);
         hash = mix(hash, pose->angle);
