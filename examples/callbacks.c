@@ -12,7 +12,7 @@ enum { PLAIN, ICE, TRAMPOLINE, ONE_WAY }; /* materials, the user data of shapes 
 /* The material of a shape; PLAIN where the shape no longer exists. */
 static uint64_t material_of(const thud_world *world, thud_shape_id shape) {
     thud_shape_state state = {.user_data = PLAIN};
-    thud_shape_get(world, shape, &state);
+    thud_shape_get_state(world, shape, &state);
     return state.user_data;
 }
 
@@ -29,7 +29,7 @@ static bool prologue(thud_world *world, const thud_contact *contact,
         settings->restitution = 1.2f; /* above 1: each bounce is higher */
         break;
     case ONE_WAY: /* collides with a body that comes down on it and was above it a step before */
-        thud_body_get(world, contact->body_b, &body);
+        thud_body_get_state(world, contact->body_b, &body);
         return contact->normal.y > 0.7f && body.velocity.y < 0.2f &&
                contact->separation > body.velocity.y / 60 - 0.05f;
     }
@@ -60,7 +60,7 @@ static thud_body_id add_crate(thud_world *world, double x, double y, float vx, f
     thud_body_def body_def = thud_default_body_def();
     thud_body_shape square = {thud_aabb_at(0, 0, 0.5, 0.5), NULL};
     thud_body_id body;
-    body_def.kind = THUD_DYNAMIC;
+    body_def.kind = THUD_BODY_DYNAMIC;
     body_def.position = (thud_pos){x, y};
     body_def.velocity = (thud_vec2){vx, vy};
     if (thud_body_create_with_shapes(world, &body_def, &square, 1, &body, NULL) != THUD_OK)
@@ -70,7 +70,7 @@ static thud_body_id add_crate(thud_world *world, double x, double y, float vx, f
 
 static thud_body_state state_of(const thud_world *world, thud_body_id body) {
     thud_body_state state = {0};
-    thud_body_get(world, body, &state);
+    thud_body_get_state(world, body, &state);
     return state;
 }
 
@@ -102,7 +102,7 @@ int main(void) {
     int coins = 0;
     for (int i = 0; i < 180; i++) {
         thud_world_step(world);
-        coins += thud_world_events(world).sensor_begin_count;
+        coins += thud_events_of(world).sensor_begin_count;
         highest = fmax(highest, i > 60 ? state_of(world, jumper).position.y : 0);
     }
     printf("the skater glides at %.2f\n", (double)state_of(world, skater).velocity.x);

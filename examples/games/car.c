@@ -19,7 +19,7 @@ typedef struct game {
 } game;
 
 static void set_up(game *g) {
-    thud_shape_instance walls[] = {thud_aabb_at(0, 0, 17, 6), thud_aabb_at(-31, 0, 1, 20),
+    thud_geometry walls[] = {thud_aabb_at(0, 0, 17, 6), thud_aabb_at(-31, 0, 1, 20),
                                    thud_aabb_at(31, 0, 1, 20), thud_aabb_at(0, -19, 30, 1),
                                    thud_aabb_at(0, 19, 30, 1)};
     for (int i = 0; i < 5; i++)
@@ -28,10 +28,10 @@ static void set_up(game *g) {
         thud_body_options gate = {.sensor = true, .category = GATE, .user_data = i};
         thud_body_id body =
             thud_body_make(g->world, thud_circle_at(places[i].x, places[i].y, 5), &gate);
-        thud_body_shapes(g->world, body, &g->oil, 1, NULL); /* oil is the last one */
+        thud_body_get_shapes(g->world, body, &g->oil, 1, NULL); /* oil is the last one */
     }
     for (int i = 0; i < CARS; i++) {
-        thud_body_options car = {.kind = THUD_DYNAMIC, .category = CAR, .user_data = i};
+        thud_body_options car = {.kind = THUD_BODY_DYNAMIC, .category = CAR, .user_data = i};
         car.linear_damping = 0.3f;
         car.angular_damping = 1;
         car.friction = 0.1f;
@@ -46,7 +46,7 @@ static void roll(const game *g, thud_body_id car, float ahead, double steer) {
     double sine, cosine;
     bool oily = false;
     thud_sincos(steer, &sine, &cosine);
-    thud_body_world_point(g->world, car, (thud_vec2){ahead, 0}, &at);
+    thud_body_get_world_point(g->world, car, (thud_vec2){ahead, 0}, &at);
     thud_shape_contains_point(g->world, g->oil, at, &oily);
     thud_vec2 across = {-sine, cosine};
     thud_body_apply_grip(g->world, car, (thud_vec2){ahead, 0}, across, 0, oily ? 4 : 20);
@@ -56,7 +56,7 @@ static void roll(const game *g, thud_body_id car, float ahead, double steer) {
  * it stops. */
 static void drive(const game *g, int i) {
     thud_vec2 to, middle = {0, 0}, ahead = {1, 0};
-    thud_body_local_point(g->world, g->cars[i], places[g->passed[i] % GATES], &to);
+    thud_body_get_local_point(g->world, g->cars[i], places[g->passed[i] % GATES], &to);
     double steer = to.x < 0 ? copysign(0.5, to.y) : fmax(-0.5, fmin(0.5, to.y / to.x));
     double speed = g->passed[i] < LAPS * GATES ? 8 + 0.4 * fmax(to.x, 0) - 6 * fabs(steer) : 0;
     thud_body_apply_grip(g->world, g->cars[i], middle, ahead, speed, 16 + 2 * i);
@@ -72,13 +72,13 @@ int main(void) {
         for (int i = 0; i < CARS; i++)
             drive(&g, i);
         thud_world_step(g.world);
-        for (thud_met m = {0}; thud_world_next_meeting(g.world, GATE, CAR, &m);) {
+        for (thud_event_pair m = {0}; thud_world_next_event_pair(g.world, GATE, CAR, &m);) {
             unsigned car = m.b.body_data, *passed = &g.passed[car];
             if (m.a.body_data == *passed % GATES && ++*passed == LAPS * GATES)
                 printf("place %d: car %d after %.2f s\n", ++home, car + 1, steps / 60.0);
         }
     }
-    printf("hash %016llx\n", (unsigned long long)thud_world_hash(g.world));
+    printf("hash %016llx\n", (unsigned long long)thud_hash_of(g.world));
     thud_world_destroy(g.world);
     return home < CARS;
 }

@@ -61,7 +61,7 @@ enum { IMAGE_EVERY = 8 };
  * taken. */
 static size_t take_image(fuzz_session *s, bool after) {
     size_t bytes = 0;
-    if (thud_world_snapshot_size(s->world, &bytes) != THUD_OK) {
+    if (thud_world_get_snapshot_size(s->world, &bytes) != THUD_OK) {
         return 0;
     }
     if (2 * bytes > s->image_room && !after) {
@@ -90,8 +90,8 @@ void call_begin(fuzz_session *s, const char *text) {
     call->text = text;
     call->image = s->depth == 0 && fuzz_calls_made % IMAGE_EVERY == 0 ? take_image(s, false) : 0;
     call->told = s->told;
-    call->hash = thud_world_hash(s->world);
-    call->stats = thud_world_stats(s->world);
+    call->hash = thud_hash_of(s->world);
+    call->stats = thud_stats_of(s->world);
     call->outer = s->memory_allowed;
     s->memory_allowed = call->again ? -1 : allowed(s);
     take_mode(s);
@@ -105,8 +105,8 @@ static void check_refusal(fuzz_session *s, const session_call *call) {
     if (s->result == THUD_ERROR_MEMORY) {
         return; /* waiting edits may have been applied; the twins are compared instead */
     }
-    thud_stats stats = thud_world_stats(s->world);
-    if (thud_world_hash(s->world) != call->hash || stats.steps != call->stats.steps ||
+    thud_stats stats = thud_stats_of(s->world);
+    if (thud_hash_of(s->world) != call->hash || stats.steps != call->stats.steps ||
         stats.bodies != call->stats.bodies || stats.shapes != call->stats.shapes ||
         stats.awake_bodies != call->stats.awake_bodies || stats.contacts != call->stats.contacts ||
         stats.pairs != call->stats.pairs) {

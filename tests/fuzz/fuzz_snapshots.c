@@ -61,7 +61,7 @@ static void goes_on(fuzz_session *s, const char *good, size_t bytes, const uint6
     }
     for (int i = 0; i < STEPS; i++) {
         TRY(s, thud_world_step(s->world));
-        if (s->result != THUD_OK || thud_world_hash(s->world) != hash[i]) {
+        if (s->result != THUD_OK || thud_hash_of(s->world) != hash[i]) {
             fuzz_fail(s, "%d steps after a good snapshot the world is another one", i + 1);
         }
     }
@@ -72,13 +72,13 @@ static void restore_changed(fuzz_session *s, const uint8_t *changes, size_t coun
     uint64_t hash[STEPS];
     s->operation = "restoring what was changed";
     s->mood = 0; /* callbacks make no more calls, so that the steps are the same */
-    TRY(s, thud_world_snapshot_size(s->world, &bytes));
+    TRY(s, thud_world_get_snapshot_size(s->world, &bytes));
     char *good = malloc(bytes), *bad = malloc(bytes);
     TRY(s, thud_world_snapshot(s->world, good, bytes, NULL));
     unsigned asked = s->asked;
     for (int i = 0; i < STEPS; i++) {
         TRY(s, thud_world_step(s->world));
-        hash[i] = thud_world_hash(s->world);
+        hash[i] = thud_hash_of(s->world);
     }
     memcpy(bad, good, bytes);
     for (size_t i = 0; i < count; i++) {
@@ -87,9 +87,9 @@ static void restore_changed(fuzz_session *s, const uint8_t *changes, size_t coun
     mend_checksum(bad, bytes);
     fuzz_calls_made++;
     int told = s->told;
-    uint64_t before = thud_world_hash(s->world);
+    uint64_t before = thud_hash_of(s->world);
     thud_result result = thud_world_restore(s->world, bad, bytes);
-    if (result != THUD_OK && (s->told == told || thud_world_hash(s->world) != before)) {
+    if (result != THUD_OK && (s->told == told || thud_hash_of(s->world) != before)) {
         fuzz_fail(s, "a changed snapshot is refused unheard, or the world has changed");
     }
     s->asked = asked;

@@ -16,30 +16,30 @@ static void fraction(fuzz_session *s, double value) {
 }
 
 void play_check(fuzz_session *s) {
-    thud_shape_instance shape = pick_instance(s, false);
+    thud_geometry shape = pick_instance(s, false);
     fuzz_calls_made += 2;
-    bool valid = thud_placed_check(&shape) == THUD_OK;
-    if (!valid && thud_shapes_overlap(&shape, &shape)) {
+    bool valid = thud_geometry_check(&shape) == THUD_OK;
+    if (!valid && thud_geometry_overlap(&shape, &shape)) {
         fuzz_fail(s, "a shape that is none overlaps itself");
     }
-    if (valid && !thud_shapes_overlap(&shape, &shape)) {
+    if (valid && !thud_geometry_overlap(&shape, &shape)) {
         fuzz_fail(s, "a shape does not overlap itself");
     }
 }
 
 void play_pair(fuzz_session *s) {
-    thud_shape_instance a = pick_instance(s, false), b = pick_instance(s, false);
+    thud_geometry a = pick_instance(s, false), b = pick_instance(s, false);
     double margin = fabs(pick_coordinate(s));
     thud_closest closest;
     thud_contacts contacts;
-    PURE(s, closest, thud_shapes_closest(&a, &b, &closest));
+    PURE(s, closest, thud_geometry_closest(&a, &b, &closest));
     if (s->result == THUD_OK) {
         note_number(s, closest.distance);
         note_number(s, closest.ax + closest.ay + closest.bx + closest.by);
         unit_normal(s, closest.nx, closest.ny);
     }
     bool valid = s->result == THUD_OK;
-    PURE(s, contacts, thud_shapes_contacts(&a, &b, margin, &contacts));
+    PURE(s, contacts, thud_geometry_contacts(&a, &b, margin, &contacts));
     if (s->result == THUD_OK) {
         if (contacts.count < 0 || contacts.count > 2 || !valid) {
             fuzz_fail(s, "%d contacts", contacts.count);
@@ -49,8 +49,8 @@ void play_pair(fuzz_session *s) {
             unit_normal(s, contacts.point[i].nx, contacts.point[i].ny);
         }
     }
-    bool overlap = COUNTED(thud_shapes_overlap(&a, &b));
-    if (overlap != COUNTED(thud_shapes_overlap(&b, &a))) {
+    bool overlap = COUNTED(thud_geometry_overlap(&a, &b));
+    if (overlap != COUNTED(thud_geometry_overlap(&b, &a))) {
         fuzz_fail(s, "a overlaps b, and b not a");
     }
     if (overlap && !valid) {
@@ -59,21 +59,21 @@ void play_pair(fuzz_session *s) {
 }
 
 void play_pair_impact(fuzz_session *s) {
-    thud_shape_instance a = pick_instance(s, false), b = pick_instance(s, false);
+    thud_geometry a = pick_instance(s, false), b = pick_instance(s, false);
     thud_motion of_a = pick_motion(s), of_b = pick_motion(s);
     struct {
         bool hit;
         double time;
     } out;
     double target = fabs(pick_coordinate(s)) / 8;
-    PURE(s, out, thud_shapes_time_of_impact(&a, of_a, &b, of_b, target, &out.hit, &out.time));
+    PURE(s, out, thud_geometry_time_of_impact(&a, of_a, &b, of_b, target, &out.hit, &out.time));
     if (s->result == THUD_OK) {
         fraction(s, out.time);
     }
 }
 
 void play_pair_collision(fuzz_session *s) {
-    thud_shape_instance a = pick_instance(s, false), b = pick_instance(s, false);
+    thud_geometry a = pick_instance(s, false), b = pick_instance(s, false);
     thud_motion of_a = pick_motion(s), of_b = pick_motion(s);
     struct {
         bool collided;
@@ -81,17 +81,17 @@ void play_pair_collision(fuzz_session *s) {
     } out;
     double tolerance = next_number(&s->bytes, 1e-6, 1.0 / 512);
     PURE(s, out,
-         thud_shapes_time_of_collision(&a, of_a, &b, of_b, tolerance, &out.collided, &out.time));
+         thud_geometry_time_of_collision(&a, of_a, &b, of_b, tolerance, &out.collided, &out.time));
     if (s->result == THUD_OK) {
         fraction(s, out.time);
     }
 }
 
 void play_approach(fuzz_session *s) {
-    thud_shape_instance a = pick_instance(s, false), b = pick_instance(s, false);
+    thud_geometry a = pick_instance(s, false), b = pick_instance(s, false);
     thud_motion of_a = pick_motion(s), of_b = pick_motion(s);
     thud_approach out;
-    PURE(s, out, thud_circles_approach(&a, of_a, &b, of_b, &out));
+    PURE(s, out, thud_geometry_approach(&a, of_a, &b, of_b, &out));
     if (s->result == THUD_OK) {
         fraction(s, out.time);
         fraction(s, out.least_time);
@@ -100,28 +100,28 @@ void play_approach(fuzz_session *s) {
 }
 
 void play_bisectable(fuzz_session *s) {
-    thud_shape_instance a = pick_instance(s, false), b = pick_instance(s, false);
+    thud_geometry a = pick_instance(s, false), b = pick_instance(s, false);
     thud_motion of_a = pick_motion(s), of_b = pick_motion(s);
-    bool valid = thud_placed_check(&a) == THUD_OK && thud_placed_check(&b) == THUD_OK;
-    if (COUNTED(thud_motion_is_bisectable(&a, of_a, &b, of_b)) && !valid) {
+    bool valid = thud_geometry_check(&a) == THUD_OK && thud_geometry_check(&b) == THUD_OK;
+    if (COUNTED(thud_geometry_is_bisectable(&a, of_a, &b, of_b)) && !valid) {
         fuzz_fail(s, "shapes that are none can be bisected");
     }
 }
 
 void play_shape_ray(fuzz_session *s) {
-    thud_shape_instance shape = pick_instance(s, false);
+    thud_geometry shape = pick_instance(s, false);
     thud_pos from = {pick_coordinate(s), pick_coordinate(s)};
     thud_pos along = {pick_coordinate(s), pick_coordinate(s)};
     double at, nx, ny;
-    s->calls[s->depth].text = "thud_shape_cast_ray";
-    if (COUNTED(thud_shape_cast_ray(&shape, from.x, from.y, along.x, along.y, &at, &nx, &ny))) {
+    s->calls[s->depth].text = "thud_geometry_cast_ray";
+    if (COUNTED(thud_geometry_cast_ray(&shape, from.x, from.y, along.x, along.y, &at, &nx, &ny))) {
         fraction(s, at);
         unit_normal(s, nx, ny);
     }
 }
 
 void play_minkowski(fuzz_session *s) {
-    thud_shape_instance a = pick_instance(s, false), b = pick_instance(s, false);
+    thud_geometry a = pick_instance(s, false), b = pick_instance(s, false);
     thud_pos p = {pick_coordinate(s), pick_coordinate(s)};
     thud_pos d = {pick_coordinate(s), pick_coordinate(s)};
     thud_minkowski sum;

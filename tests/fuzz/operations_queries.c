@@ -120,13 +120,13 @@ void play_ray_all(fuzz_session *s) {
 
 void play_cast_shape(fuzz_session *s) {
     way w = pick_way(s);
-    thud_shape_instance shape = pick_instance(s, true);
+    thud_geometry shape = pick_instance(s, true);
     FIRST(s, thud_world_cast_shape, &shape);
 }
 
 void play_cast_shape_all(fuzz_session *s) {
     way w = pick_way(s);
-    thud_shape_instance shape = pick_instance(s, true);
+    thud_geometry shape = pick_instance(s, true);
     ALL(s, thud_world_cast_shape_all, &shape);
 }
 
@@ -162,7 +162,7 @@ void play_cast_box_all(fuzz_session *s) {
 
 void play_overlap_shape(fuzz_session *s) {
     way w = pick_way(s);
-    thud_shape_instance shape = pick_instance(s, true);
+    thud_geometry shape = pick_instance(s, true);
     TRY(s, thud_world_overlap_shape(s->world, w.from, &shape, FILTER(w), session_overlap, s));
 }
 
@@ -216,7 +216,7 @@ void play_ray_each(fuzz_session *s) {
 
 void play_cast_each(fuzz_session *s) {
     way w = pick_way(s);
-    thud_shape_instance shape = pick_instance(s, true);
+    thud_geometry shape = pick_instance(s, true);
     TRY(s, thud_world_cast_shape_each(s->world, w.from, &shape, w.dx, w.dy, FILTER(w), session_cast,
                                       s));
 }
@@ -259,7 +259,7 @@ void play_rays(fuzz_session *s) {
 void play_casts(fuzz_session *s) {
     way w = pick_way(s);
     int count = pick_many(s);
-    thud_shape_instance shapes[2] = {pick_instance(s, true), pick_instance(s, true)};
+    thud_geometry shapes[2] = {pick_instance(s, true), pick_instance(s, true)};
     thud_shape_cast casts[MANY];
     thud_ray_hit hits[MANY];
     for (int i = 0; i < MANY; i++) {
@@ -280,7 +280,7 @@ void play_meets_ray(fuzz_session *s) {
     thud_ray_hit out;
     bool hit = false;
     memset(&out, CALL_FILL, sizeof out);
-    TRY(s, thud_shape_meets_ray(s->world, shape, w.from, w.dx, w.dy, &hit, &out));
+    TRY(s, thud_shape_cast_ray(s->world, shape, w.from, w.dx, w.dy, &hit, &out));
     check_first(s, hit, &out);
 }
 
@@ -310,7 +310,7 @@ void play_shape_bounds(fuzz_session *s) {
     thud_shape_id shape = pick_shape(s);
     thud_pos box[2];
     memset(box, CALL_FILL, sizeof box);
-    TRY(s, thud_shape_bounds(s->world, shape, &box[0], &box[1]));
+    TRY(s, thud_shape_get_bounds(s->world, shape, &box[0], &box[1]));
     if (s->result != THUD_OK) {
         call_untouched(s, box, sizeof box);
         return;

@@ -25,7 +25,7 @@ static void check_around(fuzz_session *s, const thud_volume *volume, const thud_
 
 void play_volume_fit(fuzz_session *s) {
     thud_shape_kind kind = pick_kind(s);
-    thud_shape_instance shape = pick_instance(s, false);
+    thud_geometry shape = pick_instance(s, false);
     thud_motion motion = pick_motion(s);
     thud_volume volume;
     PURE(s, volume, thud_volume_around_shape(kind, &shape, &volume));

@@ -78,7 +78,7 @@ static void check_hits(fuzz_session *s, const thud_events *e) {
 }
 
 static void check_events(fuzz_session *s) {
-    thud_events e = thud_world_events(s->world);
+    thud_events e = thud_events_of(s->world);
     book(s, &s->now.touches, "contact", e.begin, e.begin_count, e.end, e.end_count);
     book(s, &s->now.sensed, "sensing", e.sensor_begin, e.sensor_begin_count, e.sensor_end,
          e.sensor_end_count);
@@ -94,8 +94,8 @@ static void check_speed(const fuzz_session *s, thud_body_id body, const thud_bod
     bool held = fabs((double)state->velocity.x) <= most &&
                 fabs((double)state->velocity.y) <= most &&
                 fabsf(state->angular_velocity) <= 1.00001e8f;
-    if (!held && state->kind == THUD_DYNAMIC && state->awake &&
-        thud_world_stats(s->world).impacts == 0) {
+    if (!held && state->kind == THUD_BODY_DYNAMIC && state->awake &&
+        thud_stats_of(s->world).impacts == 0) {
         fuzz_fail(s, "a step leaves body %u the velocity %g, %g of at most %g, and the spin %g",
                   body.index1, (double)state->velocity.x, (double)state->velocity.y, most,
                   (double)state->angular_velocity);
@@ -104,10 +104,10 @@ static void check_speed(const fuzz_session *s, thud_body_id body, const thud_bod
 
 static void check_joint(fuzz_session *s, thud_joint_id joint) {
     thud_joint_state state;
-    if (thud_joint_get(s->world, joint, &state) != THUD_OK) {
+    if (thud_joint_get_state(s->world, joint, &state) != THUD_OK) {
         return;
     }
-    s->calls[0].text = "thud_joint_get";
+    s->calls[0].text = "thud_joint_get_state";
     note_number(s, state.gap);
     note_number(s, state.angle_gap);
     for (int i = 0; i < THUD_DIRECTION_COUNT; i++) {
@@ -117,10 +117,10 @@ static void check_joint(fuzz_session *s, thud_joint_id joint) {
 
 static void check_body(fuzz_session *s, thud_body_id body) {
     thud_body_state state;
-    if (thud_body_get(s->world, body, &state) != THUD_OK) {
+    if (thud_body_get_state(s->world, body, &state) != THUD_OK) {
         return;
     }
-    s->calls[0].text = "thud_body_get";
+    s->calls[0].text = "thud_body_get_state";
     note_place(s, state.position);
     note_place(s, state.center);
     note_number(s, state.angle);
@@ -143,8 +143,8 @@ static void check_body(fuzz_session *s, thud_body_id body) {
 static void check_poses(fuzz_session *s) {
     int count = -1;
     const thud_pose *poses =
-        thud_world_poses(s->world, (thud_pos){s->shift_x, s->shift_y}, 0.5, &count);
-    s->calls[0].text = "thud_world_poses";
+        thud_world_get_poses(s->world, (thud_pos){s->shift_x, s->shift_y}, 0.5, &count);
+    s->calls[0].text = "thud_world_get_poses";
     if (!poses && count != 0) {
         fuzz_fail(s, "no poses, and %d of them", count);
     }
@@ -164,7 +164,7 @@ static void check_poses(fuzz_session *s) {
 enum { SEGMENTS_MOST = 64 };
 
 static void check_counts(fuzz_session *s) {
-    thud_stats t = thud_world_stats(s->world);
+    thud_stats t = thud_stats_of(s->world);
     bool right = t.bodies >= 0 && t.shapes >= 0 && t.awake_bodies >= 0 &&
                  t.awake_bodies <= t.bodies && t.contacts >= 0 && t.contacts <= t.pairs &&
                  t.pairs <= t.shapes * t.shapes * SEGMENTS_MOST && t.direct_bodies <= t.bodies &&
@@ -186,21 +186,21 @@ static void check_counts(fuzz_session *s) {
 }
 
 static void check_figures(fuzz_session *s) {
-    thud_step_error e = thud_world_error(s->world);
-    s->calls[0].text = "thud_world_error";
+    thud_step_error e = thud_step_error_of(s->world);
+    s->calls[0].text = "thud_step_error_of";
     note_number(s, e.penetration_max);
     note_number(s, e.penetration_mean);
     note_number(s, e.residual);
     note_number(s, e.energy_change);
     note_bits(s, (uint64_t)e.overlaps);
-    thud_measure m = thud_world_measure(s->world);
-    s->calls[0].text = "thud_world_measure";
+    thud_measure m = thud_measure_of(s->world);
+    s->calls[0].text = "thud_measure_of";
     note_number(s, m.penetration_max);
     note_number(s, m.penetration_mean);
     note_number(s, m.kinetic_energy);
     note_place(s, (thud_pos){m.potential_energy, 0});
     if (s->twin != TWIN_SHIFT) {
-        note_bits(s, thud_world_hash(s->world));
+        note_bits(s, thud_hash_of(s->world));
     }
 }
 
@@ -229,7 +229,7 @@ void oracle_end(fuzz_session *s) {
         fuzz_fail(s, "the last step: %s", thud_result_text(s->result));
     }
     oracle_step(s);
-    thud_stats stats = thud_world_stats(s->world);
+    thud_stats stats = thud_stats_of(s->world);
     if (s->now.touches.count || s->now.sensed.count || stats.bodies || stats.pairs) {
         fuzz_fail(s, "%d contacts and %d sensings have no end, %d bodies and %d pairs are left",
                   s->now.touches.count, s->now.sensed.count, stats.bodies, stats.pairs);

@@ -89,7 +89,7 @@ typedef struct fuzz_session {
     char *image; /* a snapshot before a call in its first half, one after it in the second */
     size_t image_room;
     double unit, shift_x, shift_y;
-    thud_body_seen seen[SESSION_BODIES]; /* of thud_world_moved_bodies */
+    thud_body_seen seen[SESSION_BODIES]; /* of thud_world_get_moved_bodies */
 
     fuzz_bytes bytes;
     uint8_t script[SESSION_SCRIPT];

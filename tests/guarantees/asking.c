@@ -12,7 +12,7 @@ typedef struct crowd {
     thud_world *world;
     thud_body_id body[FOUND];
     thud_shape_id shape[FOUND];
-    thud_shape_instance placed[FOUND];
+    thud_geometry placed[FOUND];
     thud_filter filter[FOUND];
     bool sensor[FOUND];
 } crowd;
@@ -90,7 +90,7 @@ static void rays_hit_the_nearest(trial *t) {
         stir(t, &c);
         for (int i = 0; i < FOUND; i++) {
             if (asked_for(&c, &f, i) &&
-                thud_shape_cast_ray(&c.placed[i], x, y, dx, dy, &at, &nx, &ny)) {
+                thud_geometry_cast_ray(&c.placed[i], x, y, dx, dy, &at, &nx, &ny)) {
                 expected++;
                 nearest = fmin(nearest, at);
             }
@@ -139,7 +139,7 @@ static void casts_hit_by_hit_tell_what_all_do(trial *t) {
         thud_query_filter f = draw_query(t);
         thud_pos from = {trial_draw(t, -5, 5) * t->scale, trial_draw(t, -5, 5) * t->scale};
         double dx = trial_draw(t, -9, 9) * t->scale, dy = trial_draw(t, -9, 9) * t->scale;
-        thud_shape_instance ball = {.kind = THUD_CIRCLE, .c = 1, .hx = 0.3 * t->scale};
+        thud_geometry ball = {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = 0.3 * t->scale};
         thud_ray_hit all[FOUND];
         hearing h = {.last = k % 3 ? FOUND : k % 4};
         int count = 0;
@@ -188,7 +188,7 @@ static void overlaps_find_all(trial *t) {
         thud_query_filter f = draw_query(t);
         list l = {.c = &c};
         double angle = trial_draw(t, -1, 1);
-        thud_shape_instance box = {.kind = THUD_OBB,
+        thud_geometry box = {.kind = THUD_SHAPE_OBB,
                                    .x = trial_draw(t, -4, 4),
                                    .y = trial_draw(t, -4, 4),
                                    .c = cos(angle),
@@ -200,7 +200,7 @@ static void overlaps_find_all(trial *t) {
                                      box.hx * t->scale, box.hy * t->scale, angle, &f, note, &l));
         for (int i = 0; i < FOUND && !trial_failed(t); i++) {
             thud_closest near = {.distance = 1};
-            DO(t, thud_shapes_closest(&box, &c.placed[i], &near));
+            DO(t, thud_geometry_closest(&box, &c.placed[i], &near));
             bool wanted = near.distance <= 0 && asked_for(&c, &f, i);
             if (l.found[i] != wanted && (fabs(near.distance) > 1e-5 || l.found[i])) {
                 trial_fault(t, "box %d: shape %d, %g away, %s", k, i, near.distance,
@@ -220,7 +220,7 @@ static void closest_is_the_closest(trial *t) {
     }
     for (int k = 0; k < 12 && !trial_failed(t); k++) {
         thud_query_filter f = draw_query(t);
-        thud_shape_instance point = {.kind = THUD_CIRCLE,
+        thud_geometry point = {.kind = THUD_SHAPE_CIRCLE,
                                      .x = trial_draw(t, -5, 5),
                                      .y = trial_draw(t, -5, 5),
                                      .c = 1,
@@ -231,7 +231,7 @@ static void closest_is_the_closest(trial *t) {
         stir(t, &c);
         for (int i = 0; i < FOUND; i++) {
             thud_closest near = {.distance = 9};
-            DO(t, thud_shapes_closest(&c.placed[i], &point, &near));
+            DO(t, thud_geometry_closest(&c.placed[i], &point, &near));
             nearest = asked_for(&c, &f, i) ? fmin(nearest, near.distance) : nearest;
         }
         DO(t, thud_world_closest(c.world, (thud_pos){point.x * t->scale, point.y * t->scale},
@@ -256,11 +256,11 @@ static void casts_stop_at_the_first(trial *t) {
         thud_ray_hit out = {.fraction = 2};
         bool hit = false, meets;
         stir(t, &c);
-        thud_shape_instance ball = {.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1, .hx = r};
+        thud_geometry ball = {.kind = THUD_SHAPE_CIRCLE, .x = x, .y = y, .c = 1, .hx = r};
         for (int i = 0; i < FOUND; i++) {
             thud_motion still = {0}, way = {dx, dy, 0};
             if (asked_for(&c, &f, i)) {
-                DO(t, thud_shapes_time_of_impact(&ball, way, &c.placed[i], still, 0, &meets, &at));
+                DO(t, thud_geometry_time_of_impact(&ball, way, &c.placed[i], still, 0, &meets, &at));
                 first = meets ? fmin(first, at) : first;
             }
         }
@@ -284,12 +284,12 @@ static void movers_enter_nothing(trial *t) {
     trial_add(t, world, (part){.form = TURNED, .x = 3, .angle = 0.4, .hx = 1, .hy = 0.3});
     trial_wall(t, world, 0.5, 0, 0.4, 0.15);
     thud_pos start = trial_place(t, -3, 1);
-    thud_shape_instance shape = {.kind = trial_pick(t, 2) ? THUD_CIRCLE : THUD_AABB,
+    thud_geometry shape = {.kind = trial_pick(t, 2) ? THUD_SHAPE_CIRCLE : THUD_SHAPE_AABB,
                                  .x = start.x,
                                  .y = start.y,
                                  .c = 1,
                                  .hx = 0.4 * t->scale};
-    shape.hy = shape.kind == THUD_CIRCLE ? 0 : shape.hx;
+    shape.hy = shape.kind == THUD_SHAPE_CIRCLE ? 0 : shape.hx;
     thud_mover mover = thud_default_mover(shape);
     for (int k = 0; k < trial_steps(t, 2.5) && !trial_failed(t); k++) {
         thud_closest_hit near = {.distance = 9};

@@ -70,14 +70,14 @@ static thud_world *make_field(trial *t, int workers) {
         for (int i = 0; i < COLUMNS; i++) {
             double x = i * 1.5 - 225.0;
             trial_add(t, world,
-                      (part){.kind = THUD_DYNAMIC,
+                      (part){.kind = THUD_BODY_DYNAMIC,
                              .form = TURNED,
                              .x = x,
                              .y = 0.3,
                              .hx = 0.5,
                              .hy = 0.3});
             trial_add(t, world,
-                      (part){.kind = THUD_DYNAMIC,
+                      (part){.kind = THUD_BODY_DYNAMIC,
                              .form = TURNED,
                              .x = x,
                              .y = 0.91,
@@ -97,8 +97,8 @@ static void same_bits_any_workers(trial *t) {
     for (int i = 1; i <= 10 && !trial_failed(t); i++) {
         trial_run(t, one, 1);
         trial_run(t, two, 1);
-        thud_step_error a = thud_world_error(one), b = thud_world_error(two);
-        if (thud_world_hash(one) != thud_world_hash(two) ||
+        thud_step_error a = thud_step_error_of(one), b = thud_step_error_of(two);
+        if (thud_hash_of(one) != thud_hash_of(two) ||
             a.penetration_max != b.penetration_max || a.penetration_mean != b.penetration_mean ||
             a.residual != b.residual || a.energy_change != b.energy_change ||
             a.overlaps != b.overlaps) {
@@ -185,7 +185,7 @@ static bool see(thud_shape_id shape, void *context) {
     return true;
 }
 
-static void draw_nothing(thud_vec2 a, thud_vec2 b, thud_draw_style style, void *context) {
+static void draw_nothing(thud_vec2 a, thud_vec2 b, thud_style style, void *context) {
     (void)a;
     (void)b;
     (void)style;
@@ -201,9 +201,9 @@ static void ask_of_bodies(yard *y) {
         thud_volume volume;
         thud_closest_hit hit;
         int count = 0;
-        DO(t, thud_body_contacts(y->world, y->body[i], contacts, 4, &count));
-        DO(t, thud_body_volume(y->world, y->body[i], THUD_AABB, yard_origin(y), &volume));
-        DO(t, thud_body_shapes(y->world, y->body[i], &shape, 1, &count));
+        DO(t, thud_body_get_contacts(y->world, y->body[i], contacts, 4, &count));
+        DO(t, thud_body_get_volume(y->world, y->body[i], THUD_SHAPE_AABB, yard_origin(y), &volume));
+        DO(t, thud_body_get_shapes(y->world, y->body[i], &shape, 1, &count));
         DO(t, thud_shape_closest_point(y->world, shape, trial_place(t, 0, 2), &hit));
     }
 }
@@ -222,11 +222,11 @@ static void ask_much(yard *y) {
     DO(t, thud_world_cast_ray_all(y->world, trial_place(t, -4, 2), 8 * t->scale, 0, NULL, hits, 4,
                                   &count));
     DO(t, thud_world_overlap_circle(y->world, trial_place(t, 0, 2), 2 * t->scale, NULL, see, NULL));
-    DO(t, thud_world_bisection_limit(y->world, &limit));
+    DO(t, thud_world_get_bisection_limit(y->world, &limit));
     DO(t, thud_world_draw(y->world, &draw));
     ask_of_bodies(y);
-    thud_world_poses(y->world, (thud_pos){0, 0}, 0.5, &count);
-    thud_world_measure(y->world);
+    thud_world_get_poses(y->world, (thud_pos){0, 0}, 0.5, &count);
+    thud_measure_of(y->world);
     free(trial_snapshot(t, y->world).bytes);
     if (yard_told(y) != told) {
         trial_fault(t, "what is told changes as it is asked for");
@@ -278,7 +278,7 @@ static void same_bits_in_advance(trial *t) {
         for (; stepped < made; stepped++) {
             trial_run(t, other.world, 1);
         }
-        if (thud_world_hash(one.world) != thud_world_hash(other.world)) {
+        if (thud_hash_of(one.world) != thud_hash_of(other.world)) {
             trial_fault(t, "step %d differs", made);
         }
     }
@@ -301,15 +301,15 @@ typedef struct player {
 static void before_step(thud_world *world, void *context) {
     player *p = context;
     yard_before_step(&p->y);
-    thud_body_apply_force(world, p->y.body[0], (thud_vec2){0, (float)(p->made % 7)}, 0.5f);
+    thud_body_apply_force_and_torque(world, p->y.body[0], (thud_vec2){0, (float)(p->made % 7)}, 0.5f);
 }
 
 /* Stores yard_told of the step, and applies a force for the next one. */
 static void after_step(thud_world *world, void *context) {
     player *p = context;
-    thud_events e = thud_world_events(world);
+    thud_events e = thud_events_of(world);
     p->told[p->made++] = yard_told(&p->y);
-    thud_body_apply_force(world, p->y.body[1], (thud_vec2){(float)e.begin_count, 1}, 0);
+    thud_body_apply_force_and_torque(world, p->y.body[1], (thud_vec2){(float)e.begin_count, 1}, 0);
 }
 
 /* Starts a game: a yard with two more balls, which forces pull. */
@@ -317,7 +317,7 @@ static void play(player *p, trial *t) {
     *p = (player){.made = 0};
     yard_make(&p->y, t, trial_def(t), 0);
     for (int i = 0; i < 2; i++) {
-        part ball = {.kind = THUD_DYNAMIC, .form = BALL, .x = 2 * i - 1, .y = 3, .hx = 0.3};
+        part ball = {.kind = THUD_BODY_DYNAMIC, .form = BALL, .x = 2 * i - 1, .y = 3, .hx = 0.3};
         p->pulled[i] = trial_add(t, p->y.world, ball);
     }
 }
@@ -326,13 +326,13 @@ static void play(player *p, trial *t) {
 static void before_picture(player *p) {
     for (int i = 0; i < 2; i++) {
         thud_vec2 force = {0.3f * (float)i, 1.1f};
-        DO(p->y.t, thud_body_apply_force(p->y.world, p->pulled[i], force, 0.1f));
+        DO(p->y.t, thud_body_apply_force_and_torque(p->y.world, p->pulled[i], force, 0.1f));
     }
 }
 
 /* Counts the events of a picture's steps. */
 static void after_picture(player *p) {
-    thud_events e = thud_world_events(p->y.world);
+    thud_events e = thud_events_of(p->y.world);
     p->events += e.begin_count + e.end_count + e.hit_count;
     p->events += e.sensor_begin_count + e.sensor_end_count;
 }

@@ -73,7 +73,7 @@ static uint64_t cast(yard *y) {
     for (int i = 0; i < RAYS; i++) {
         hear(&hits[i], &digest);
     }
-    thud_shape_instance ball = {.kind = THUD_CIRCLE, .c = 1, .hx = 0.3 * t->scale};
+    thud_geometry ball = {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = 0.3 * t->scale};
     for (int i = 0; i < 4; i++) {
         DO(t, thud_world_cast_ray_each(y->world, middle, rays[7 * i].dx, rays[7 * i].dy, NULL, hear,
                                        &digest));
@@ -86,8 +86,8 @@ static uint64_t cast(yard *y) {
 /* Queries, reports and snapshots, which must change nothing, also between two edits. */
 static void ask(yard *y) {
     cast(y);
-    thud_world_error(y->world);
-    thud_world_measure(y->world);
+    thud_step_error_of(y->world);
+    thud_measure_of(y->world);
     free(trial_snapshot(y->t, y->world).bytes);
 }
 
@@ -250,7 +250,7 @@ static void late_inputs_end_as_a_straight_run(trial *t) {
         }
         DO(t, thud_rollback_advance(r, NULL));
     }
-    if (!trial_failed(t) && thud_rollback_get(r).replayed == 0) {
+    if (!trial_failed(t) && thud_progress_of(r).replayed == 0) {
         trial_fault(t, "no step was played again");
     }
     for (int player = 0; player < PLAYERS && r; player++) {
@@ -260,9 +260,9 @@ static void late_inputs_end_as_a_straight_run(trial *t) {
         DO(t, play(straight.world, inputs[i], &straight));
     }
     DO(t, thud_rollback_settle(r));
-    DO(t, thud_rollback_at(r, STEPS, &hash, NULL));
+    DO(t, thud_rollback_get_state(r, STEPS, &hash, NULL));
     if (!trial_failed(t) &&
-        (hash != thud_world_hash(straight.world) || yard_told(&late) != yard_told(&straight))) {
+        (hash != thud_hash_of(straight.world) || yard_told(&late) != yard_told(&straight))) {
         trial_fault(t, "late inputs end elsewhere");
     }
     thud_rollback_destroy(r);

@@ -16,7 +16,7 @@ static double fastest(trial *t, thud_world *world, double thickness) {
     case OVERLAP:
         return 0.8 * thickness / t->step;
     case BISECT:
-        DO(t, thud_world_bisection_limit(world, &limit));
+        DO(t, thud_world_get_bisection_limit(world, &limit));
         return 0.8 * limit / t->scale;
     default:
         return 1e4;
@@ -45,7 +45,7 @@ static void expect_stopped(trial *t, thud_world *world, const thud_body_id *shot
 static thud_body_id shoot(trial *t, thud_world *world, int i, double speed,
                           const thud_detection *detection) {
     return trial_add(t, world,
-                     (part){.kind = THUD_DYNAMIC,
+                     (part){.kind = THUD_BODY_DYNAMIC,
                             .form = (form)(i % FORMS),
                             .x = trial_draw(t, -3, -1),
                             .y = 4 * i,
@@ -86,7 +86,7 @@ static void moving_bodies_meet(trial *t) {
     }
     for (int i = 0; i < SHOTS; i++) {
         plate[i] = trial_add(t, world,
-                             (part){.kind = THUD_DYNAMIC,
+                             (part){.kind = THUD_BODY_DYNAMIC,
                                     .form = UPRIGHT,
                                     .x = half,
                                     .y = 4 * i,
@@ -95,7 +95,7 @@ static void moving_bodies_meet(trial *t) {
         shot[i] = shoot(t, world, i, 0, NULL);
     }
     double limit = 0;
-    DO(t, thud_world_bisection_limit(world, &limit));
+    DO(t, thud_world_get_bisection_limit(world, &limit));
     double most = swept ? 3e3 : fmin(0.4 * 2 * half / t->step, 0.4 * limit / t->scale);
     for (int i = 0; i < SHOTS; i++) {
         double u = draw_speed(t, most), v = trial_draw(t, 0, most);
@@ -126,7 +126,7 @@ static void bodies_own_detection_decides(trial *t) {
         bool plate = i % 2;
         if (plate) {
             trial_add(t, world,
-                      (part){.kind = THUD_DYNAMIC,
+                      (part){.kind = THUD_BODY_DYNAMIC,
                              .form = UPRIGHT,
                              .x = -0.3,
                              .y = 4 * i,
@@ -143,9 +143,9 @@ enum { GAS = 8 };
 
 /* The penetration depth of two bodies in length scales; 0 if they are apart. */
 static double overlap_of(trial *t, thud_world *world, thud_body_id a, thud_body_id b) {
-    thud_shape_instance one = trial_placed(t, world, a), other = trial_placed(t, world, b);
+    thud_geometry one = trial_placed(t, world, a), other = trial_placed(t, world, b);
     thud_closest c = {.distance = 1};
-    DO(t, thud_shapes_closest(&one, &other, &c));
+    DO(t, thud_geometry_closest(&one, &other, &c));
     return fmax(-c.distance, 0);
 }
 
@@ -164,7 +164,7 @@ static void swept_bodies_keep_apart(trial *t) {
     }
     for (int i = 0; i < GAS; i++) {
         body[i] = trial_add(t, world,
-                            (part){.kind = THUD_DYNAMIC,
+                            (part){.kind = THUD_BODY_DYNAMIC,
                                    .form = (form)(i % FORMS),
                                    .x = i % 3 * 1.5 - 1.5,
                                    .y = i / 3 * 1.5 - 1.5,
@@ -201,17 +201,17 @@ static winches reel_from_outside(yard *y) {
     trial *t = y->t;
     winches w;
     for (int i = 0; i < ROPES; i++) {
-        thud_joint_def def = thud_default_joint_def(THUD_DISTANCE);
+        thud_joint_def def = thud_default_joint_def(THUD_JOINT_DISTANCE);
         thud_body_def hook = thud_default_body_def();
         thud_pos from = trial_place(t, at[i][0], at[i][1]);
         thud_body_state s = {.mass = 0};
         def.body_b = y->body[3 * i];
         hook.position = from;
         DO(t, thud_body_create(y->world, &hook, &def.body_a));
-        DO(t, thud_body_get(y->world, def.body_b, &s));
-        def.drive[THUD_ALONG].limited = true;
-        def.drive[THUD_ALONG].upper = (float)hypot(s.position.x - from.x, s.position.y - from.y);
-        w.drive[i] = def.drive[THUD_ALONG];
+        DO(t, thud_body_get_state(y->world, def.body_b, &s));
+        def.drive[THUD_DIRECTION_ALONG].limited = true;
+        def.drive[THUD_DIRECTION_ALONG].upper = (float)hypot(s.position.x - from.x, s.position.y - from.y);
+        w.drive[i] = def.drive[THUD_DIRECTION_ALONG];
         DO(t, thud_joint_create(y->world, &def, &w.rope[i]));
     }
     return w;
@@ -227,11 +227,11 @@ static void reel_in(trial *t, thud_world *world, winches *w) {
         if (!thud_joint_is_valid(world, w->rope[i])) {
             continue;
         }
-        DO(t, thud_joint_get(world, w->rope[i], &s));
+        DO(t, thud_joint_get_state(world, w->rope[i], &s));
         double length = (double)w->drive[i].upper - 3 * t->scale * t->step;
-        double taut = s.value[THUD_ALONG] - 0.1 * t->scale;
+        double taut = s.value[THUD_DIRECTION_ALONG] - 0.1 * t->scale;
         w->drive[i].upper = (float)fmax(fmax(length, taut), 0.1 * t->scale);
-        DO(t, thud_joint_set_drive(world, w->rope[i], THUD_ALONG, &w->drive[i]));
+        DO(t, thud_joint_set_drive(world, w->rope[i], THUD_DIRECTION_ALONG, &w->drive[i]));
     }
 }
 
@@ -288,7 +288,7 @@ static void seams_catch_nothing(trial *t) {
     }
     make_seams(t, world, &smooth);
     thud_body_id slider = trial_add(t, world,
-                                    (part){.kind = THUD_DYNAMIC,
+                                    (part){.kind = THUD_BODY_DYNAMIC,
                                            .form = kind,
                                            .x = 1.3,
                                            .y = 0.3,
@@ -324,12 +324,12 @@ static void teleports_meet_nothing(trial *t) {
     DO(t, thud_body_set_velocity(world, body, (thud_vec2){0, 0}, 0));
     trial_run(t, world, 1);
     thud_body_state s = {.mass = 0};
-    DO(t, thud_body_get(world, body, &s));
-    thud_events e = thud_world_events(world);
+    DO(t, thud_body_get_state(world, body, &s));
+    thud_events e = thud_events_of(world);
     if (s.position.x != to.x || s.position.y != to.y || e.begin_count || e.hit_count) {
         trial_fault(t, "it is at %g, %g, and %d began", s.position.x, s.position.y, e.begin_count);
     }
-    if (e.end_count != 1 || thud_world_stats(world).contacts != 0) {
+    if (e.end_count != 1 || thud_stats_of(world).contacts != 0) {
         trial_fault(t, "%d of its contacts ended", e.end_count);
     }
     (void)other;

@@ -75,7 +75,7 @@ static bool make_steps(thud_world *world, const scene *s, int count) {
 /* Appends a snapshot, preceded by its size in 8 bytes, to the file of snapshots. */
 static bool take(matrix *m, const thud_world *world) {
     size_t size;
-    if (thud_world_snapshot_size(world, &size) != THUD_OK)
+    if (thud_world_get_snapshot_size(world, &size) != THUD_OK)
         return false;
     unsigned char *bytes = malloc(size), head[8];
     bool taken = bytes && thud_world_snapshot(world, bytes, size, NULL) == THUD_OK;
@@ -133,7 +133,7 @@ static void print_run(matrix *m, const plain_title *title, scene *s) {
     }
     printf("%s %s ", title->kind, title->name);
     if (done)
-        printf("%016" PRIx64 "\n", thud_world_hash(world));
+        printf("%016" PRIx64 "\n", thud_hash_of(world));
     else
         printf("refused: %s\n", m->reason);
     fflush(stdout);

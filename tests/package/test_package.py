@@ -23,7 +23,7 @@ int main() {
     thud_world *world;
     if (thud_world_create(&def, &world) != THUD_OK) return 1;
     thud_world_step(world);
-    int wrong = thud_world_stats(world).steps != 1;
+    int wrong = thud_stats_of(world).steps != 1;
     thud_world_destroy(world);
     return wrong;
 }

@@ -31,9 +31,9 @@ static uint64_t motion_of(const char *name, int most, const thud_world_def *def,
         OK(scene_step_thud(&s.fields, world));
     uint64_t hash = 0xcbf29ce484222325u;
     int count = 0;
-    OK(thud_world_bodies(world, NULL, 0, &count));
+    OK(thud_world_get_bodies(world, NULL, 0, &count));
     thud_body_id *all = malloc((size_t)count * sizeof *all);
-    OK(thud_world_bodies(world, all, count, &count));
+    OK(thud_world_get_bodies(world, all, count, &count));
     for (int i = 0; i < count; i++) {
         thud_body_state b = state_of(world, all[i]);
         float values[3] = {b.velocity.x, b.velocity.y, b.angular_velocity};

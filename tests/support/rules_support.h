@@ -37,7 +37,7 @@ static inline thud_body_id add(thud_world *w, thud_body_kind body_kind, uint32_t
 
 static inline thud_body_state get(thud_world *w, thud_body_id body) {
     thud_body_state state;
-    OK(thud_body_get(w, body, &state));
+    OK(thud_body_get_state(w, body, &state));
     return state;
 }
 
@@ -48,7 +48,7 @@ static inline void steps(thud_world *w, int count) {
 }
 
 /* The default rule with another way of meeting. */
-static inline thud_rule meeting(thud_meeting how) {
+static inline thud_rule meeting(thud_rule_kind how) {
     thud_rule rule = thud_default_rule();
     rule.meeting = how;
     return rule;

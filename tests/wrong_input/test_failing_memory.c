@@ -25,8 +25,8 @@ typedef struct call {
 
 static thud_result create_body(village *v) {
     thud_body_def def = thud_default_body_def();
-    def.kind = THUD_DYNAMIC;
-    def.position = (thud_pos){60 + 2.0 * thud_world_stats(v->world).bodies, 3};
+    def.kind = THUD_BODY_DYNAMIC;
+    def.position = (thud_pos){60 + 2.0 * thud_stats_of(v->world).bodies, 3};
     return thud_body_create(v->world, &def, &v->bare);
 }
 
@@ -145,7 +145,7 @@ static thud_result closest(village *v) {
 
 static thud_result volume(village *v) {
     thud_volume around;
-    return thud_body_volume(v->world, v->box, THUD_OBB, (thud_pos){0, 0}, &around);
+    return thud_body_get_volume(v->world, v->box, THUD_SHAPE_OBB, (thud_pos){0, 0}, &around);
 }
 
 /* A cast inside a cast, at each hit. */
@@ -173,7 +173,7 @@ static thud_result cast_rays(village *v) {
 
 static thud_result bounds(village *v) {
     thud_pos lower, upper;
-    return thud_shape_bounds(v->world, v->box_shape, &lower, &upper);
+    return thud_shape_get_bounds(v->world, v->box_shape, &lower, &upper);
 }
 
 static thud_result explode(village *v) {
@@ -192,7 +192,7 @@ static thud_result roll(village *v) {
 
 static thud_result poses(village *v) {
     int count;
-    return thud_world_poses(v->world, (thud_pos){0, 0}, 1, &count) ? THUD_OK : THUD_ERROR_MEMORY;
+    return thud_world_get_poses(v->world, (thud_pos){0, 0}, 1, &count) ? THUD_OK : THUD_ERROR_MEMORY;
 }
 
 static thud_result draw(village *v) {
@@ -201,7 +201,7 @@ static thud_result draw(village *v) {
 }
 
 static thud_result make_body(village *v) {
-    thud_shape_instance at = thud_circle_at(60 + 2.0 * thud_world_stats(v->world).bodies, 3, 0.5);
+    thud_geometry at = thud_circle_at(60 + 2.0 * thud_stats_of(v->world).bodies, 3, 0.5);
     return thud_body_make(v->world, at, NULL).index1 ? THUD_OK : THUD_ERROR_MEMORY;
 }
 
@@ -268,8 +268,8 @@ enum { CALLS = sizeof calls / sizeof *calls };
 /* Makes the call with failing allocations. Returns the number of failures before it succeeded. */
 static long make_with_failures(village *here, village *twin, const call *c) {
     for (long failures = 0;; failures++) {
-        uint64_t hash = thud_world_hash(here->world);
-        thud_stats before = thud_world_stats(here->world);
+        uint64_t hash = thud_hash_of(here->world);
+        thud_stats before = thud_stats_of(here->world);
         here->told = 0;
         memory_allowed = failures;
         thud_result result = c->make(here);
@@ -282,8 +282,8 @@ static long make_with_failures(village *here, village *twin, const call *c) {
         if (result != THUD_ERROR_MEMORY || here->told != 1) {
             fail_msg("%s: '%s', %d messages", c->name, thud_result_text(result), here->told);
         }
-        thud_stats after = thud_world_stats(here->world);
-        if (thud_world_hash(here->world) != hash || after.bodies != before.bodies ||
+        thud_stats after = thud_stats_of(here->world);
+        if (thud_hash_of(here->world) != hash || after.bodies != before.bodies ||
             after.shapes != before.shapes || after.steps != before.steps) {
             fail_msg("%s: the world has changed after %ld failures", c->name, failures);
         }
@@ -313,7 +313,7 @@ static long check_call(const call *c) {
     for (int i = 0; i < 90; i++) {
         village_step(&here);
         village_step(&twin);
-        if (thud_world_hash(here.world) != thud_world_hash(twin.world)) {
+        if (thud_hash_of(here.world) != thud_hash_of(twin.world)) {
             fail_msg("%s: differs at step %d from a call that never failed", c->name, i);
         }
     }

@@ -24,7 +24,7 @@ static void hit(village *v) {
 }
 
 static void pull(village *v) {
-    OK(thud_body_apply_force(v->world, v->ball, (thud_vec2){50, 0}, 1));
+    OK(thud_body_apply_force_and_torque(v->world, v->ball, (thud_vec2){50, 0}, 1));
 }
 
 /* Puts a body to sleep. */
@@ -76,7 +76,7 @@ static void create_sharp_sighted(village *v) {
     for (int i = 0; i < 3; i++) {
         thud_body_def def = thud_default_body_def();
         thud_body_id body;
-        def.kind = THUD_DYNAMIC;
+        def.kind = THUD_BODY_DYNAMIC;
         def.position = (thud_pos){-9 + 2 * i, 5};
         def.velocity.y = -300;
         def.detection = sharp[i];
@@ -155,7 +155,7 @@ enum { EDITS = sizeof edits / sizeof *edits };
 
 /* ---- calls that are refused ---- */
 
-static void never(thud_vec2 p, thud_draw_style style, void *context) {
+static void never(thud_vec2 p, thud_style style, void *context) {
     (void)p, (void)style, (void)context;
     fail_msg("%s", "drawn inside a callback");
 }
@@ -230,9 +230,9 @@ static void ask_everything(village *v) {
     assert_true(touching >= 3);
     OK(thud_world_closest(w, (thud_pos){185, 1}, 50, NULL, &found, &nearest));
     assert_true(found && nearest.shape.index1 == v->hill.index1);
-    OK(thud_body_volume(w, v->floor, THUD_CIRCLE, high, &volume));
-    assert_true(thud_world_measure(w).kinetic_energy > 0);
-    (void)thud_world_events(w);
+    OK(thud_body_get_volume(w, v->floor, THUD_SHAPE_CIRCLE, high, &volume));
+    assert_true(thud_measure_of(w).kinetic_energy > 0);
+    (void)thud_events_of(w);
 }
 
 /* ---- the callbacks ---- */
@@ -310,9 +310,9 @@ static void make_caller(caller *c, site s, const thud_detection *detection) {
 /* Fails if the two worlds differ in hash, statistics or events. */
 static void alike(const caller *a, const caller *b, const char *name, int step) {
     const thud_world *one = a->v.world, *other = b->v.world;
-    thud_stats s = thud_world_stats(one), t = thud_world_stats(other);
-    thud_events e = thud_world_events(one), f = thud_world_events(other);
-    if (thud_world_hash(one) != thud_world_hash(other) || s.bodies != t.bodies ||
+    thud_stats s = thud_stats_of(one), t = thud_stats_of(other);
+    thud_events e = thud_events_of(one), f = thud_events_of(other);
+    if (thud_hash_of(one) != thud_hash_of(other) || s.bodies != t.bodies ||
         s.shapes != t.shapes || s.contacts != t.contacts || s.awake_bodies != t.awake_bodies ||
         e.begin_count != f.begin_count || e.end_count != f.end_count) {
         fail_msg("%s in callback %d: step %d differs from that after the same edit between steps",

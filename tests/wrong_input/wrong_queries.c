@@ -7,20 +7,20 @@ static bool count_shape(thud_shape_id shape, void *context) {
     return true;
 }
 
-/* Shapes that thud_placed_check refuses. */
-static const thud_shape_instance no_shapes[] = {
-    {.kind = THUD_CIRCLE, .c = 1, .hx = NAN},
-    {.kind = THUD_CIRCLE, .c = 1, .hx = 0},
-    {.kind = THUD_CIRCLE, .c = 1, .hx = -1},
-    {.kind = THUD_CIRCLE, .x = NAN, .c = 1, .hx = 1},
-    {.kind = THUD_AABB, .c = 1, .hx = 1, .hy = 0},
-    {.kind = THUD_AABB, .c = 0.6, .s = 0.8, .hx = 1, .hy = 1},
-    {.kind = THUD_OBB, .c = 0, .s = 0, .hx = 1, .hy = 1},
-    {.kind = THUD_OBB, .c = 1, .s = INFINITY, .hx = 1, .hy = 1},
-    {.kind = THUD_TERRAIN, .c = 1, .hx = 1, .hy = 1},
+/* Shapes that thud_geometry_check refuses. */
+static const thud_geometry no_shapes[] = {
+    {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = NAN},
+    {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = 0},
+    {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = -1},
+    {.kind = THUD_SHAPE_CIRCLE, .x = NAN, .c = 1, .hx = 1},
+    {.kind = THUD_SHAPE_AABB, .c = 1, .hx = 1, .hy = 0},
+    {.kind = THUD_SHAPE_AABB, .c = 0.6, .s = 0.8, .hx = 1, .hy = 1},
+    {.kind = THUD_SHAPE_OBB, .c = 0, .s = 0, .hx = 1, .hy = 1},
+    {.kind = THUD_SHAPE_OBB, .c = 1, .s = INFINITY, .hx = 1, .hy = 1},
+    {.kind = THUD_SHAPE_TERRAIN, .c = 1, .hx = 1, .hy = 1},
     {.kind = (thud_shape_kind)99, .c = 1, .hx = 1, .hy = 1},
 };
-static const thud_shape_instance disc = {.kind = THUD_CIRCLE, .c = 1, .hx = 1};
+static const thud_geometry disc = {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = 1};
 static const double not_a_length[] = {NAN, INFINITY, -INFINITY, 0, -1};
 
 void wrong_rays_and_casts(void **state) {
@@ -55,7 +55,7 @@ void wrong_rays_and_casts(void **state) {
         REFUSED(INVALID, thud_world_cast_box_all(w, from, 1, 1, x, 1, 0, NULL, hits, 4, count));
     }
     for (int i = 0; i < COUNT(no_shapes); i++) {
-        const thud_shape_instance *none = &no_shapes[i];
+        const thud_geometry *none = &no_shapes[i];
         REFUSED(INVALID, thud_world_cast_shape(w, from, none, 1, 0, NULL, OUT_FLAG, hit));
         REFUSED(INVALID, thud_world_cast_shape_all(w, from, none, 1, 0, NULL, hits, 4, count));
     }
@@ -94,7 +94,7 @@ void wrong_overlaps_and_closest(void **state) {
         REFUSED(INVALID, thud_world_overlap_obb(w, nowhere, 1, 1, 1, NULL, count_shape, &asked));
         REFUSED(INVALID, thud_world_closest(w, nowhere, 10, NULL, OUT_FLAG, hit));
         REFUSED(INVALID, thud_world_closest(w, nor_here, 10, NULL, OUT_FLAG, hit));
-        REFUSED(INVALID, thud_body_volume(w, p->here.box, THUD_OBB, nowhere, &wrong_out.volume));
+        REFUSED(INVALID, thud_body_get_volume(w, p->here.box, THUD_SHAPE_OBB, nowhere, &wrong_out.volume));
     }
     EACH(x, not_a_length) {
         REFUSED(INVALID, thud_world_overlap_circle(w, from, x, NULL, count_shape, &asked));
@@ -127,13 +127,13 @@ void wrong_overlaps_and_closest(void **state) {
     /* A body with an endless line, or without shapes, has no bounding volume. */
     thud_volume *volume = &wrong_out.volume;
     thud_shape_state plain;
-    OK(thud_shape_get(w, p->here.plain, &plain));
-    REFUSED(INVALID, thud_body_volume(w, plain.body, THUD_AABB, from, volume));
-    REFUSED(INVALID, thud_body_volume(w, p->here.bare, THUD_AABB, from, volume));
-    REFUSED(INVALID, thud_body_volume(w, p->here.box, THUD_TERRAIN, from, volume));
-    REFUSED(INVALID, thud_body_volume(w, p->here.box, (thud_shape_kind)-1, from, volume));
-    REFUSED(NULL, thud_body_volume(w, p->here.box, THUD_AABB, from, NULL));
-    REFUSED_UNTOLD(NULL, thud_body_volume(NULL, p->here.box, THUD_AABB, from, volume));
+    OK(thud_shape_get_state(w, p->here.plain, &plain));
+    REFUSED(INVALID, thud_body_get_volume(w, plain.body, THUD_SHAPE_AABB, from, volume));
+    REFUSED(INVALID, thud_body_get_volume(w, p->here.bare, THUD_SHAPE_AABB, from, volume));
+    REFUSED(INVALID, thud_body_get_volume(w, p->here.box, THUD_SHAPE_TERRAIN, from, volume));
+    REFUSED(INVALID, thud_body_get_volume(w, p->here.box, (thud_shape_kind)-1, from, volume));
+    REFUSED(NULL, thud_body_get_volume(w, p->here.box, THUD_SHAPE_AABB, from, NULL));
+    REFUSED_UNTOLD(NULL, thud_body_get_volume(NULL, p->here.box, THUD_SHAPE_AABB, from, volume));
 }
 
 void wrong_movers(void **state) {
@@ -176,7 +176,7 @@ void wrong_movers(void **state) {
     BAD(INVALID, shape.x, 1e10);
     BAD(INVALID, shape.hx, 0);
     BAD(INVALID, shape.hx, -1);
-    BAD(INVALID, shape.kind, THUD_TERRAIN);
+    BAD(INVALID, shape.kind, THUD_SHAPE_TERRAIN);
     BAD(INVALID, shape.kind, (thud_shape_kind)77);
     BAD(INVALID, up.y, 0.5f);
     BAD(INVALID, skin, 0);

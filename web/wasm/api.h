@@ -57,7 +57,7 @@ thud_query_filter api_filter(const struct filter_options *options);
 
 /* The shape of a query or mover, with its centre at the origin. `hx`: the radius of a circle, or
  * half the width; `hy`: half the height; `angle`: radians, of an OBB. */
-thud_shape_instance api_placed(int kind, double hx, double hy, double angle);
+thud_geometry api_placed(int kind, double hx, double hy, double angle);
 
 static inline thud_body_id api_body(uint32_t index1, uint32_t generation) {
     return (thud_body_id){index1, generation};

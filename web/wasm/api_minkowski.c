@@ -4,7 +4,7 @@
 
 #include <thud/thud_minkowski.h>
 
-static thud_shape_instance instance(const struct solid *s) {
+static thud_geometry instance(const struct solid *s) {
     return api_placed(api_to_int(s->kind), s->half_extents[0], s->half_extents[1], s->angle);
 }
 
@@ -12,7 +12,7 @@ static thud_shape_instance instance(const struct solid *s) {
 int api_minkowski_sum(void) {
     const struct minkowski_pair *pair = &api_slots.minkowski_pair;
     double distance = 0.0, nx = 0.0, ny = 0.0, x = pair->offset[0], y = pair->offset[1];
-    thud_shape_instance a = instance(&pair->a), b = instance(&pair->b);
+    thud_geometry a = instance(&pair->a), b = instance(&pair->b);
     thud_minkowski sum;
     bool overlaps = false;
     thud_result result = thud_minkowski_sum(&a, &b, &sum);

@@ -30,7 +30,7 @@
 #include "thud_math.h"
 #include "thud_quality.h"
 #include "thud_queries.h"
-#include "thud_shapes.h"
+#include "thud_geometry.h"
 #include "thud_terrain.h"
 
 #ifdef __cplusplus
@@ -57,7 +57,7 @@ typedef struct thud_contact {
  * range, the log hook is told, and the pair keeps its own values. */
 typedef struct thud_contact_settings {
     float friction;    /* coefficient, [0, THUD_FRICTION_MAX] */
-    float restitution; /* speed after over speed before, [0, THUD_BOUNCE_MAX]; above 1 a bounce adds
+    float restitution; /* speed after over speed before, [0, THUD_PAIR_RESTITUTION_MAX]; above 1 a bounce adds
                           energy */
     float surface_speed; /* length/s, |.| <= THUD_SURFACE_SPEED_MAX length scales a second: the
                             speed of b over a at which friction is zero, along (normal.y,
@@ -119,7 +119,7 @@ typedef struct thud_world_def {
 THUD_API thud_world_def thud_default_world_def(void);
 /* The defaults with another quality. A program that only uses qualities without an island solver,
  * such as thud_quality_draft, and this call, does not link the island solver. */
-THUD_API thud_world_def thud_world_def_of(const thud_quality *quality);
+THUD_API thud_world_def thud_default_world_def_of(const thud_quality *quality);
 
 /* Creates a world, *out. THUD_ERROR_NULL for a null def or out, THUD_ERROR_INVALID for a def
  * without cookie or with a field out of range, THUD_ERROR_MEMORY; *out is then not written. */
@@ -137,10 +137,10 @@ THUD_API thud_result thud_world_step(thud_world *world);
 /* Advances the world by `elapsed` seconds, in [0, THUD_ADVANCE_MAX]: runs the whole steps that fit
  * into it together with the time that earlier calls left over, but at most `max_steps` (>= 1), and
  * drops the time of further steps. *steps: the number of steps run. *alpha, in [0, 1): the time
- * left over as a fraction of a step, for thud_world_poses. Call it once a frame; the motion does
+ * left over as a fraction of a step, for thud_world_get_poses. Call it once a frame; the motion does
  * not depend on the frame rate:
  *
- * Events, meetings, broken joints and impulses (thud_world_events and so on) are afterwards those
+ * Events, meetings, broken joints and impulses (thud_events_of and so on) are afterwards those
  * of all steps of the call, in order; none if it ran no step.
  *
  * Forces that were applied since the last call act over all of `elapsed`: each step applies their
@@ -196,9 +196,9 @@ THUD_API thud_result thud_world_set_sleeping(thud_world *world, bool sleeping);
 /* ---- bodies ---- */
 
 typedef enum thud_body_kind {
-    THUD_STATIC = 0, /* has no velocity; moves only by thud_body_set_transform */
-    THUD_KINEMATIC,  /* moves at the velocity that is set; no force or contact changes it */
-    THUD_DYNAMIC,    /* moves by forces and contacts */
+    THUD_BODY_STATIC = 0, /* has no velocity; moves only by thud_body_set_transform */
+    THUD_BODY_KINEMATIC,  /* moves at the velocity that is set; no force or contact changes it */
+    THUD_BODY_DYNAMIC,    /* moves by forces and contacts */
     THUD_BODY_KIND_COUNT
 } thud_body_kind;
 
@@ -210,7 +210,7 @@ typedef struct thud_body_def {
     thud_vec2 velocity;  /* of the centre of mass, length/s; default (0, 0); must be (0, 0) for
                             static  bodies */
     float angular_velocity; /* rad/s; default 0; must be 0 for static bodies. A step clamps it to
-                               |.| <= THUD_SPIN_MAX */
+                               |.| <= THUD_ANGULAR_SPEED_MAX */
     float gravity_scale;    /* factor of the world's gravity, finite; default 1 */
     float linear_damping;   /* 1/s, >= 0; default 0. A substep of h seconds divides the velocity by
                                1 + h * damping */
@@ -253,7 +253,7 @@ typedef struct thud_body_state {
 } thud_body_state;
 
 /* All values of a body. THUD_ERROR_NULL, THUD_ERROR_STALE; *out is then not written. */
-THUD_API thud_result thud_body_get(const thud_world *world, thud_body_id body,
+THUD_API thud_result thud_body_get_state(const thud_world *world, thud_body_id body,
                                    thud_body_state *out);
 
 /* Edits. An edit wakes the body and the bodies that touch it. Places and angles have the ranges of
@@ -277,7 +277,7 @@ THUD_API thud_result thud_body_apply_impulse(thud_world *world, thud_body_id bod
                                              thud_vec2 impulse, thud_pos point);
 /* Applies to a dynamic body a force, mass * length / s^2, at its centre of mass, and a torque,
  * through the next step, or through the time of the next thud_world_advance; forces add up. */
-THUD_API thud_result thud_body_apply_force(thud_world *world, thud_body_id body, thud_vec2 force,
+THUD_API thud_result thud_body_apply_force_and_torque(thud_world *world, thud_body_id body, thud_vec2 force,
                                            float torque);
 /* Of a dynamic body: true wakes it. False: it counts as at rest from now on, and falls asleep as
  * soon as its whole island does. */
@@ -292,7 +292,7 @@ THUD_API thud_result thud_body_set_user_data(thud_world *world, thud_body_id bod
 /* Writes up to `capacity` (>= 0) handles of the body's shapes to `out`, unless it is null. *count,
  * unless `count` is null, is the number of shapes of the body. THUD_ERROR_NULL, THUD_ERROR_STALE,
  * THUD_ERROR_INVALID for a negative capacity. */
-THUD_API thud_result thud_body_shapes(const thud_world *world, thud_body_id body,
+THUD_API thud_result thud_body_get_shapes(const thud_world *world, thud_body_id body,
                                       thud_shape_id *out, int capacity, int *count);
 
 /* ---- shapes ---- */
@@ -368,11 +368,11 @@ typedef struct thud_shape_state {
 } thud_shape_state;
 
 /* All values of a shape. THUD_ERROR_NULL, THUD_ERROR_STALE; *out is then not written. */
-THUD_API thud_result thud_shape_get(const thud_world *world, thud_shape_id shape,
+THUD_API thud_result thud_shape_get_state(const thud_world *world, thud_shape_id shape,
                                     thud_shape_state *out);
 /* The world's own copy of a terrain's line; its points are valid until the next edit of the world.
  * THUD_ERROR_INVALID for another kind of shape. Edits of the line are in thud_terrain.h. */
-THUD_API thud_result thud_shape_terrain(const thud_world *world, thud_shape_id shape,
+THUD_API thud_result thud_shape_get_terrain(const thud_world *world, thud_shape_id shape,
                                         thud_terrain *out);
 
 /* ---- reading all poses at once ---- */
@@ -388,7 +388,7 @@ typedef struct thud_pose {
  * elements; slots without a body have x = y = NaN. It belongs to the world and is valid until the
  * world's next call. Null and *count = 0 if memory is short, alpha is out of range, or |origin.x|
  * or |origin.y| > THUD_PLACE_MAX length scales. */
-THUD_API const thud_pose *thud_world_poses(thud_world *world, thud_pos origin, double alpha,
+THUD_API const thud_pose *thud_world_get_poses(thud_world *world, thud_pos origin, double alpha,
                                            int *count);
 
 /* ---- statistics ---- */
@@ -439,18 +439,18 @@ typedef struct thud_stats {
 } thud_stats;
 
 /* All 0 for a null world. */
-THUD_API thud_stats thud_world_stats(const thud_world *world);
+THUD_API thud_stats thud_stats_of(const thud_world *world);
 
 /* *speed: the thickness of the thinnest shape (terrain left out) over the time step, length/s;
  * infinite without shapes. A body that moves faster, counted with its rotation, may pass through a
  * shape between two steps, so that thud_detection_bisect misses the collision; slower bodies miss
  * none. THUD_ERROR_NULL. */
-THUD_API thud_result thud_world_bisection_limit(thud_world *world, double *speed);
+THUD_API thud_result thud_world_get_bisection_limit(thud_world *world, double *speed);
 
 /* The errors of the last step. They are collected while it is solved, so that the call costs a pass
  * over joints, where there are any, and otherwise nothing; after a step in which detection held
  * bodies back or resolved collisions, a pass over contacts as well. Only contacts of awake bodies
- * count (thud_world_measure also counts those of sleeping bodies), with bodies where detection left
+ * count (thud_measure_of also counts those of sleeping bodies), with bodies where detection left
  * them at the end of the step. The values do not depend on the number of workers. */
 typedef struct thud_step_error {
     /* Length, at the end of the step, over the points of touching pairs; rotations are linearised.
@@ -474,7 +474,7 @@ typedef struct thud_step_error {
 } thud_step_error;
 
 /* All 0 before the first step, and for a null world. */
-THUD_API thud_step_error thud_world_error(const thud_world *world);
+THUD_API thud_step_error thud_step_error_of(const thud_world *world);
 
 /* Penetration and energy of the present state. */
 typedef struct thud_measure {
@@ -486,11 +486,11 @@ typedef struct thud_measure {
 } thud_measure;
 
 /* Costs a pass over contacts and bodies. All 0 for a null world. */
-THUD_API thud_measure thud_world_measure(const thud_world *world);
+THUD_API thud_measure thud_measure_of(const thud_world *world);
 
 /* A hash of the exact position, angle and velocity of every body, in the order of slots, to compare
  * two runs. */
-THUD_API uint64_t thud_world_hash(const thud_world *world);
+THUD_API uint64_t thud_hash_of(const thud_world *world);
 
 #ifdef __cplusplus
 }

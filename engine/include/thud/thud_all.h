@@ -27,7 +27,7 @@
 #include "thud_reads.h"
 #include "thud_rollback.h"
 #include "thud_rules.h"
-#include "thud_shapes.h"
+#include "thud_geometry.h"
 #include "thud_snapshot.h"
 #include "thud_terrain.h"
 #include "thud_version.h"

@@ -12,7 +12,7 @@
 #include "thud_ids.h"
 #include "thud_math.h"
 #include "thud_queries.h"
-#include "thud_shapes.h"
+#include "thud_geometry.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -42,7 +42,7 @@ THUD_API thud_result thud_world_cast_ray_each(thud_world *world, thud_pos origin
 
 /* The same with a moving shape; `center` and `shape` as in thud_world_cast_shape. */
 THUD_API thud_result thud_world_cast_shape_each(thud_world *world, thud_pos center,
-                                                const thud_shape_instance *shape, double dx,
+                                                const thud_geometry *shape, double dx,
                                                 double dy, const thud_query_filter *filter,
                                                 thud_cast_fn *fn, void *context);
 
@@ -56,7 +56,7 @@ typedef struct thud_ray {
 
 typedef struct thud_shape_cast {
     thud_pos center;
-    const thud_shape_instance *shape; /* as in thud_world_cast_shape; not null */
+    const thud_geometry *shape; /* as in thud_world_cast_shape; not null */
     double dx, dy;                    /* the displacement of the shape */
     const thud_query_filter *filter;  /* null: everything but sensors */
 } thud_shape_cast;
@@ -78,11 +78,11 @@ THUD_API thud_result thud_world_cast_shapes(thud_world *world, const thud_shape_
 
 /* All return THUD_ERROR_STALE for a handle that names no shape, and THUD_ERROR_LOCKED for a shape
  * that was made inside the callback that asks. Output pointers must not be null, but those of
- * thud_shape_meets_ray. */
+ * thud_shape_cast_ray. */
 
 /* The first hit of the ray on the shape. *hit: whether there is one; if not, *out is not written. A
  * ray that starts inside the shape does not hit it. */
-THUD_API thud_result thud_shape_meets_ray(thud_world *world, thud_shape_id shape, thud_pos origin,
+THUD_API thud_result thud_shape_cast_ray(thud_world *world, thud_shape_id shape, thud_pos origin,
                                           double dx, double dy, bool *hit, thud_ray_hit *out);
 
 /* Whether the point is in the shape or on its edge. A point below the line of a terrain is inside.
@@ -96,7 +96,7 @@ THUD_API thud_result thud_shape_closest_point(thud_world *world, thud_shape_id s
 
 /* The smallest axis-aligned box around the shape, or around the line of a terrain.
  * THUD_ERROR_INVALID for flat terrain, which has no ends. */
-THUD_API thud_result thud_shape_bounds(thud_world *world, thud_shape_id shape, thud_pos *lower,
+THUD_API thud_result thud_shape_get_bounds(thud_world *world, thud_shape_id shape, thud_pos *lower,
                                        thud_pos *upper);
 
 #ifdef __cplusplus

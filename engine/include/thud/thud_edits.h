@@ -30,7 +30,7 @@ extern "C" {
 /* A circle, AABB or OBB in the body's frame; its offset, size and angle have the ranges of
  * thud_shape_create_circle and so on. The angle is exact to 1e-9. */
 typedef struct thud_body_shape {
-    thud_shape_instance shape; /* relative to the body's origin */
+    thud_geometry shape; /* relative to the body's origin */
     const thud_shape_def *def; /* null: thud_default_shape_def */
 } thud_body_shape;
 

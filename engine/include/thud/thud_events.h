@@ -69,7 +69,7 @@ typedef struct thud_events {
 } thud_events;
 
 /* All counts are 0 for a null world. */
-THUD_API thud_events thud_world_events(const thud_world *world);
+THUD_API thud_events thud_events_of(const thud_world *world);
 
 #ifdef __cplusplus
 }

@@ -14,7 +14,7 @@
  *
  * All return THUD_ERROR_NULL for a null pointer where none is allowed, THUD_ERROR_STALE,
  * THUD_ERROR_INVALID for a value that is not finite or out of range, for a body that is not
- * dynamic, and where a force would be larger than THUD_PUSH_MAX; then nothing has changed. */
+ * dynamic, and where a force would be larger than THUD_FORCE_MAX; then nothing has changed. */
 #ifndef THUD_FIELDS_H
 #define THUD_FIELDS_H
 
@@ -119,7 +119,7 @@ THUD_API thud_result thud_body_apply_buoyancy(thud_world *world, thud_body_id bo
  * function. Where there is no such part the centroid is the shape's centre. No output may be null.
  * Exact to 1e-15 of the shape's size, squared for the area; where a circle's part is so thin that
  * its area is below this, the centroid is some point of the part. */
-THUD_API thud_result thud_shape_below(const thud_shape_instance *shape, double x, double y,
+THUD_API thud_result thud_geometry_area_below(const thud_geometry *shape, double x, double y,
                                       double nx, double ny, double *area, double *center_x,
                                       double *center_y);
 
@@ -136,7 +136,7 @@ THUD_API thud_result thud_body_apply_rolling_resistance(thud_world *world, thud_
 /* ---- grip: tyres, and friction in games seen from above ---- */
 
 /* Drives a point of a body towards a speed along an axis, by a force along the axis of at most
- * `most`, in [0, THUD_PUSH_MAX]. Point and axis are in the body's frame; the axis has any length
+ * `most`, in [0, THUD_FORCE_MAX]. Point and axis are in the body's frame; the axis has any length
  * but 0. At speed 0 the force brakes, as a tyre sideways or a table under a sliding piece; at
  * another speed it drives, as a motor. |speed|
  * <= THUD_FLOW_MAX length scales a second; |x|, |y| of the point <= THUD_SIZE_MAX length scales.

@@ -7,16 +7,16 @@
  * (turn). Each direction is locked, free, or driven, depending on the kind:
  *
  *     kind            along               across     turn      what of frame b is used
- *     THUD_DISTANCE   the distance (*)    free       free      the position
- *     THUD_HINGE      locked              locked     driven    the position, and the angle as zero
+ *     THUD_JOINT_DISTANCE   the distance (*)    free       free      the position
+ *     THUD_JOINT_HINGE      locked              locked     driven    the position, and the angle as zero
  *                                                              of turn
- *     THUD_SLIDER     driven              locked     locked    likewise
- *     THUD_WELD       locked, or driven where it has a drive,  likewise
+ *     THUD_JOINT_SLIDER     driven              locked     locked    likewise
+ *     THUD_JOINT_WELD       locked, or driven where it has a drive,  likewise
  *                     each direction by itself
- *     THUD_WHEEL      driven              locked     driven    likewise
- *     THUD_TARGET     driven              driven     driven    likewise
- *     THUD_FILTER     free                free       free      nothing
- *     THUD_GEAR       couples two joints: see `gear` of the def
+ *     THUD_JOINT_WHEEL      driven              locked     driven    likewise
+ *     THUD_JOINT_TARGET     driven              driven     driven    likewise
+ *     THUD_JOINT_FILTER     free                free       free      nothing
+ *     THUD_JOINT_GEAR       couples two joints: see `gear` of the def
  *
  * A driven direction without limits, spring and motor is free.
  *
@@ -65,21 +65,21 @@ typedef struct thud_joint_id {
 } thud_joint_id;
 
 typedef enum thud_joint_kind {
-    THUD_DISTANCE = 0,
-    THUD_HINGE,
-    THUD_SLIDER,
-    THUD_WELD,
-    THUD_WHEEL,
-    THUD_TARGET,
-    THUD_FILTER, /* excludes contacts between the bodies' shapes, and does nothing else */
-    THUD_GEAR,
+    THUD_JOINT_DISTANCE = 0,
+    THUD_JOINT_HINGE,
+    THUD_JOINT_SLIDER,
+    THUD_JOINT_WELD,
+    THUD_JOINT_WHEEL,
+    THUD_JOINT_TARGET,
+    THUD_JOINT_FILTER, /* excludes contacts between the bodies' shapes, and does nothing else */
+    THUD_JOINT_GEAR,
     THUD_JOINT_KIND_COUNT
 } thud_joint_kind;
 
 typedef enum thud_direction {
-    THUD_ALONG = 0, /* of THUD_DISTANCE the distance */
-    THUD_ACROSS,
-    THUD_TURN,
+    THUD_DIRECTION_ALONG = 0, /* of THUD_JOINT_DISTANCE the distance */
+    THUD_DIRECTION_ACROSS,
+    THUD_DIRECTION_TURN,
     THUD_DIRECTION_COUNT
 } thud_direction;
 
@@ -87,7 +87,7 @@ typedef enum thud_direction {
  * drive may have a spring, a motor and limits at once. */
 typedef struct thud_drive {
     bool limited;       /* whether it has limits; default false */
-    float lower, upper; /* limits, lower <= upper; |.| of turn at most THUD_JOINT_TURN_MAX, of
+    float lower, upper; /* limits, lower <= upper; |.| of turn at most THUD_JOINT_ANGLE_MAX, of
                            lengths THUD_JOINT_LENGTH_MAX length scales; of a distance >= 0. Equal
                            limits lock the direction there. Default 0 */
     float frequency;    /* of the spring, Hz, [0, THUD_JOINT_FREQUENCY_MAX]; default 0: no spring.
@@ -99,7 +99,7 @@ typedef struct thud_drive {
     float damping;      /* damping ratio of the spring, [0, THUD_JOINT_DAMPING_MAX]; default 0.7;
                            1: critical */
     float target;       /* coordinate to which the spring pulls, with the range of limits:
-                           THUD_JOINT_TURN_MAX, THUD_JOINT_LENGTH_MAX. Default 0; of a distance
+                           THUD_JOINT_ANGLE_MAX, THUD_JOINT_LENGTH_MAX. Default 0; of a distance
                            -INFINITY, which stands for its length, also after
                            thud_joint_set_length */
     float spring_force; /* maximum force of the spring, [0, THUD_JOINT_FORCE_MAX]; default that: no
@@ -108,7 +108,7 @@ typedef struct thud_drive {
                            maximum for both, it is the maximum of the force in any direction. The
                            direction of the force is decided once a step */
     float motor_speed;  /* target speed of b relative to a, |.| <= THUD_JOINT_LENGTH_MAX length
-                           scales a second, or THUD_JOINT_SPIN_MAX radians a second; default 0 */
+                           scales a second, or THUD_JOINT_ANGULAR_SPEED_MAX radians a second; default 0 */
     float motor_force;  /* maximum force of the motor, [0, THUD_JOINT_FORCE_MAX]; default 0: no
                            motor; a speed without a force is logged. Along and across together as
                            for springs: with speed 0 and the same maximum it acts as friction */
@@ -164,7 +164,7 @@ THUD_NODISCARD THUD_API thud_result thud_joint_create(thud_world *world, const t
 THUD_API thud_result thud_joint_destroy(thud_world *world, thud_joint_id joint);
 THUD_API bool thud_joint_is_valid(const thud_world *world, thud_joint_id joint);
 
-/* Forces of a direction's drive, of THUD_TURN torques. Positive ones increase value[direction];
+/* Forces of a direction's drive, of THUD_DIRECTION_TURN torques. Positive ones increase value[direction];
  * they are within THUD_JOINT_FORCE_MAX, and 0 where the drive has no such part. */
 typedef struct thud_drive_forces {
     float limit, spring, motor;
@@ -175,7 +175,7 @@ typedef struct thud_joint_state {
     thud_body_id body_a, body_b;
     bool enabled;
     double value[THUD_DIRECTION_COUNT]; /* coordinates of b relative to a, lengths;
-                                           value[THUD_TURN] in (-pi, pi] */
+                                           value[THUD_DIRECTION_TURN] in (-pi, pi] */
     double gap;                         /* length by which locked directions are open and limits
                                            exceeded; of a gear its error, where that is a length */
     double angle_gap;                   /* likewise in rad; both >= 0 */
@@ -186,7 +186,7 @@ typedef struct thud_joint_state {
     uint64_t user_data;
 } thud_joint_state;
 
-THUD_API thud_result thud_joint_get(const thud_world *world, thud_joint_id joint,
+THUD_API thud_result thud_joint_get_state(const thud_world *world, thud_joint_id joint,
                                     thud_joint_state *out);
 /* A def of the joint as it is now, from which another like it can be made. Angles are in (-pi, pi];
  * what the kind does not use has its default. */
@@ -196,7 +196,7 @@ THUD_API thud_result thud_joint_get_def(const thud_world *world, thud_joint_id j
  * calls do. */
 THUD_API thud_result thud_joint_set_drive(thud_world *world, thud_joint_id joint,
                                           thud_direction direction, const thud_drive *drive);
-/* Of a THUD_DISTANCE only. */
+/* Of a THUD_JOINT_DISTANCE only. */
 THUD_API thud_result thud_joint_set_length(thud_world *world, thud_joint_id joint, float length);
 THUD_API thud_result thud_joint_set_enabled(thud_world *world, thud_joint_id joint, bool enabled);
 /* Sets the frame in a body (side 0: body_a, 1: body_b). Not of gears and filters. Wakes the bodies.
@@ -220,13 +220,13 @@ typedef struct thud_joint_event {
 
 /* Events, within a step in the order of the joints' slots; valid until the next step. `count` may
  * be null. */
-THUD_API const thud_joint_event *thud_world_joint_events(const thud_world *world, int *count);
+THUD_API const thud_joint_event *thud_world_get_joint_events(const thud_world *world, int *count);
 
 /* Joints of the world, or of a body, in a deterministic order. Writes at most `capacity` of them to
  * `out` (which may be null if that is 0), and returns how many there are; 0 if the body is stale.
  */
-THUD_API int thud_world_joints(const thud_world *world, thud_joint_id *out, int capacity);
-THUD_API int thud_body_joints(const thud_world *world, thud_body_id body, thud_joint_id *out,
+THUD_API int thud_world_get_joints(const thud_world *world, thud_joint_id *out, int capacity);
+THUD_API int thud_body_get_joints(const thud_world *world, thud_body_id body, thud_joint_id *out,
                               int capacity);
 
 /* Makes a world ready for joints, as creating one does. A world that never had a joint cannot be

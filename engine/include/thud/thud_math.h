@@ -3,7 +3,7 @@
  * Calls of a world take a place as a thud_pos by value, and relative quantities as a thud_vec2:
  * velocities, forces, normals, and offsets and sizes in a body's frame. Two quantities are passed
  * as single numbers, since they need double precision: the displacement (dx, dy) of a ray or cast,
- * and the sizes of a query's shape, as in thud_shape_instance. Geometry without a world is in
+ * and the sizes of a query's shape, as in thud_geometry. Geometry without a world is in
  * double precision throughout: its functions take and return coordinates as numbers (x, y; dx, dy;
  * nx, ny), and many points as an array of thud_pos. */
 #ifndef THUD_MATH_H

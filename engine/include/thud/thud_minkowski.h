@@ -21,13 +21,13 @@
 #ifndef THUD_MINKOWSKI_H
 #define THUD_MINKOWSKI_H
 
-#include "thud_shapes.h"
+#include "thud_geometry.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-#define THUD_MINKOWSKI_MAX 8 /* vertices of a sum */
+#define THUD_MINKOWSKI_VERTICES_MAX 8 /* vertices of a sum */
 
 /* A convex polygon about the origin, rounded by a radius. Circles and boxes are symmetric about
  * their centre, and so is the sum: vertex i + count / 2 is the negated vertex i, and the same holds
@@ -35,17 +35,17 @@ extern "C" {
 typedef struct thud_minkowski {
     /* The number of vertices: 1 for two circles, 8 for two boxes that are not parallel, else 4. */
     int count;
-    thud_pos vertices[THUD_MINKOWSKI_MAX]; /* counter-clockwise; two may coincide */
+    thud_pos vertices[THUD_MINKOWSKI_VERTICES_MAX]; /* counter-clockwise; two may coincide */
     /* Of the face from vertex i to i + 1, i < count / 2 (two circles have none): its unit outward
      * normal and its distance from the origin. */
-    thud_pos normals[THUD_MINKOWSKI_MAX / 2];
-    double offsets[THUD_MINKOWSKI_MAX / 2];
+    thud_pos normals[THUD_MINKOWSKI_VERTICES_MAX / 2];
+    double offsets[THUD_MINKOWSKI_VERTICES_MAX / 2];
     double radius; /* of the rounding, [0, THUD_VOLUME_MAX]; the caller may add a margin to it */
 } thud_minkowski;
 
 /* The sum of a and the reflected b. The centres of the shapes are not used, but must be valid.
  * Elements beyond count are 0. */
-THUD_API thud_result thud_minkowski_sum(const thud_shape_instance *a, const thud_shape_instance *b,
+THUD_API thud_result thud_minkowski_sum(const thud_geometry *a, const thud_geometry *b,
                                         thud_minkowski *sum);
 
 /* Whether the point (x, y) is in the sum or on its edge. |x|, |y| <= THUD_VOLUME_MAX. */
@@ -54,7 +54,7 @@ THUD_API thud_result thud_minkowski_contains(const thud_minkowski *sum, double x
 
 /* The point's signed distance from the edge of the sum, negative inside, and the unit normal along
  * which the point leaves the sum on the shortest way: the distance and normal of
- * thud_shapes_closest, from a to b. Where several faces are equally near, the normal is that of one
+ * thud_geometry_closest, from a to b. Where several faces are equally near, the normal is that of one
  * of them. |x|, |y| <= THUD_VOLUME_MAX. */
 THUD_API thud_result thud_minkowski_distance(const thud_minkowski *sum, double x, double y,
                                              double *distance, double *nx, double *ny);

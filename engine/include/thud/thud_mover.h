@@ -21,7 +21,7 @@
 #include "thud_ids.h"
 #include "thud_math.h"
 #include "thud_queries.h"
-#include "thud_shapes.h"
+#include "thud_geometry.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -61,7 +61,7 @@ THUD_API bool thud_mover_passes_one_way(const thud_mover *mover, const thud_move
                                         thud_vec2 velocity, void *context);
 
 struct thud_mover {
-    thud_shape_instance
+    thud_geometry
         shape;    /* the mover's place and size in the world; the caller may change it too */
     thud_vec2 up; /* opposite to gravity; its squared length is 1 within THUD_UNIT_ERROR; default
                      (0, 1). (0, 0) for games seen from above: there is no ground */
@@ -96,7 +96,7 @@ struct thud_mover {
 };
 
 /* A mover of this shape, not on ground, with the defaults. */
-THUD_API thud_mover thud_default_mover(thud_shape_instance shape);
+THUD_API thud_mover thud_default_mover(thud_geometry shape);
 
 /* What happened in a move. */
 typedef struct thud_mover_report {
@@ -115,7 +115,7 @@ typedef struct thud_mover_report {
     thud_shape_id sensors[THUD_MOVER_SENSORS];
 } thud_mover_report;
 
-/* Moves the mover by velocity * dt (length/s and s), |velocity| * dt <= THUD_MOVER_WAY_MAX, dt in
+/* Moves the mover by velocity * dt (length/s and s), |velocity| * dt <= THUD_MOVER_DISTANCE_MAX, dt in
  * (0, THUD_TIME_STEP_MAX], and by the motion of the ground since the last move. A velocity with a
  * positive part along `up` leaves the ground. A move ends after four hits in the air and four on
  * the ground.

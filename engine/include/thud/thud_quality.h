@@ -53,7 +53,7 @@ typedef struct thud_quality {
                         part. An island that uses up its share is left to the soft solver for some
                         steps, and for twice as many each time that this happens again */
     int island_patience; /* number of successive slow steps after which an island is left to the
-                            soft solver for a pause of 120 steps, 0 .. THUD_ISLAND_PATIENCE_MAX. A
+                            soft solver for a pause of 120 steps, 0 .. THUD_ISLAND_SLOW_STEPS_MAX. A
                             step is slow where the island needs more than eight factorisations, or
                             twenty times as many while it hardly moves. The pause also follows where
                             the direct result is not valid. It doubles each time that it follows

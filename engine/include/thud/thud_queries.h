@@ -7,7 +7,7 @@
  * equals the lower slot (thud_shape_id.index1 - 1).
  *
  * Places, and the ends of rays and casts, lie within THUD_PLACE_MAX length scales of the origin;
- * shapes must be valid by thud_placed_check. Otherwise a query returns THUD_ERROR_INVALID;
+ * shapes must be valid by thud_geometry_check. Otherwise a query returns THUD_ERROR_INVALID;
  * THUD_ERROR_NULL for a null world, and THUD_ERROR_MEMORY where memory is short: outputs are then
  * not written, and no callback has been called. A null filter lets all shapes but sensors be found.
  */
@@ -16,7 +16,7 @@
 
 #include "thud_ids.h"
 #include "thud_math.h"
-#include "thud_shapes.h"
+#include "thud_geometry.h"
 #include "thud_volumes.h"
 
 #ifdef __cplusplus
@@ -64,12 +64,12 @@ THUD_API thud_result thud_world_cast_ray_all(thud_world *world, thud_pos origin,
  * overlaps it at the start is hit at 0, with the normal of least penetration. *hit and *out as
  * above. */
 THUD_API thud_result thud_world_cast_shape(thud_world *world, thud_pos center,
-                                           const thud_shape_instance *shape, double dx, double dy,
+                                           const thud_geometry *shape, double dx, double dy,
                                            const thud_query_filter *filter, bool *hit,
                                            thud_ray_hit *out);
 /* All shapes that it hits, as thud_world_cast_ray_all. */
 THUD_API thud_result thud_world_cast_shape_all(thud_world *world, thud_pos center,
-                                               const thud_shape_instance *shape, double dx,
+                                               const thud_geometry *shape, double dx,
                                                double dy, const thud_query_filter *filter,
                                                thud_ray_hit *out, int capacity, int *count);
 
@@ -104,7 +104,7 @@ typedef bool thud_overlap_fn(thud_shape_id shape, void *context);
  * is turned by `angle`, rad, |angle| <= THUD_ANGLE_MAX. THUD_ERROR_NULL also for a null shape or
  * callback. */
 THUD_API thud_result thud_world_overlap_shape(thud_world *world, thud_pos center,
-                                              const thud_shape_instance *shape,
+                                              const thud_geometry *shape,
                                               const thud_query_filter *filter, thud_overlap_fn *fn,
                                               void *context);
 THUD_API thud_result thud_world_overlap_circle(thud_world *world, thud_pos center, double radius,
@@ -136,7 +136,7 @@ THUD_API thud_result thud_world_closest(thud_world *world, thud_pos point, doubl
 /* A bounding volume of this kind around all shapes of a body at their present places, relative to
  * `origin`; see thud_volumes.h. THUD_ERROR_STALE; THUD_ERROR_INVALID also for a body without shapes
  * or with flat terrain, which has no ends. */
-THUD_API thud_result thud_body_volume(thud_world *world, thud_body_id body, thud_shape_kind kind,
+THUD_API thud_result thud_body_get_volume(thud_world *world, thud_body_id body, thud_shape_kind kind,
                                       thud_pos origin, thud_volume *out);
 
 /* ---- the contacts of one body ---- */
@@ -159,7 +159,7 @@ typedef struct thud_manifold {
 /* The touching pairs of a body. *count is their number; at most `capacity` (>= 0) are written,
  * those first that began to touch last. `out` may be null where capacity is 0. THUD_ERROR_STALE,
  * THUD_ERROR_LOCKED inside a callback. */
-THUD_API thud_result thud_body_contacts(thud_world *world, thud_body_id body, thud_manifold *out,
+THUD_API thud_result thud_body_get_contacts(thud_world *world, thud_body_id body, thud_manifold *out,
                                         int capacity, int *count);
 
 #ifdef __cplusplus

@@ -7,7 +7,7 @@
  *     thud_rollback_options options = {.step = play, .state = &game, .state_bytes = sizeof game};
  *     thud_rollback_create(world, &options, &rollback);
  *     ... each step: one's own input, and those of the others as they arrive, with their step
- *     thud_rollback_input(rollback, me, thud_rollback_get(rollback).steps, held);
+ *     thud_rollback_input(rollback, me, thud_progress_of(rollback).steps, held);
  *     thud_rollback_advance(rollback, NULL);
  *
  * All calls return THUD_ERROR_NULL for a null pointer where none is allowed, and THUD_ERROR_LOCKED
@@ -80,13 +80,13 @@ typedef struct thud_rollback_progress {
 } thud_rollback_progress;
 
 /* All 0 for null. */
-THUD_API thud_rollback_progress thud_rollback_get(const thud_rollback *rollback);
+THUD_API thud_rollback_progress thud_progress_of(const thud_rollback *rollback);
 
 /* The world's hash, and a copy of the state (state_bytes), before one of the last `depth` steps or
  * before the next one. Up to `confirmed` the hash is the same on all peers; if it is not, `step` is
  * not deterministic. Either output may be null. Runs wrongly predicted steps again first, and fails
  * as thud_rollback_settle; THUD_ERROR_INVALID for a step that is not kept. */
-THUD_API thud_result thud_rollback_at(thud_rollback *rollback, int64_t step, uint64_t *hash,
+THUD_API thud_result thud_rollback_get_state(thud_rollback *rollback, int64_t step, uint64_t *hash,
                                       void *state);
 
 #ifdef __cplusplus

@@ -18,33 +18,33 @@ extern "C" {
 #endif
 
 /* How shapes of two kinds interact. */
-typedef enum thud_meeting {
-    THUD_COLLIDE = 0, /* they collide */
-    THUD_IGNORE,      /* they never make a pair, as if their filters excluded it; sensors neither */
-    THUD_ONE_WAY /* they collide on one side only, as a platform that is jumped through from below
+typedef enum thud_rule_kind {
+    THUD_RULE_COLLIDE = 0, /* they collide */
+    THUD_RULE_IGNORE,      /* they never make a pair, as if their filters excluded it; sensors neither */
+    THUD_RULE_ONE_WAY /* they collide on one side only, as a platform that is jumped through from below
                   */
-} thud_meeting;
+} thud_rule_kind;
 
 /* The number of enumerators; no enumerator itself, so that a switch need not name it. */
-enum { THUD_MEETING_COUNT = THUD_ONE_WAY + 1 };
+enum { THUD_RULE_KIND_COUNT = THUD_RULE_ONE_WAY + 1 };
 
 /* The rule of two kinds. Where friction, restitution or surface_speed is NaN, the default, the pair
  * has the value of its two shapes (thud_shape_def). A prologue is called after the rules, and not
  * for pairs that a rule lets pass. */
 typedef struct thud_rule {
-    thud_meeting meeting;
-    /* THUD_ONE_WAY: the side of the first kind's shape on which the second collides with it, as a
+    thud_rule_kind meeting;
+    /* THUD_RULE_ONE_WAY: the side of the first kind's shape on which the second collides with it, as a
      * direction in the frame of the first's body, of any length but 0. Default (0, 1): the top. A
      * shape that comes from this side collides until the two part. A shape that comes from another
      * side, or starts inside, passes until the two part or it has come out on this side. */
     thud_vec2 solid_side;
     float friction;      /* coefficient, [0, THUD_FRICTION_MAX]; default NaN */
-    float restitution;   /* [0, THUD_BOUNCE_MAX]; default NaN */
+    float restitution;   /* [0, THUD_PAIR_RESTITUTION_MAX]; default NaN */
     float surface_speed; /* length/s, |.| <= THUD_SURFACE_SPEED_MAX length scales a second; default
                             NaN. The speed of each of the two surfaces, clockwise, as in
                             thud_shape_def */
     /* mass * length / s, >= 0: a contact whose normal impulse in a step is larger than this makes
-     * an event, see thud_world_impulses. Default infinite: no events. */
+     * an event, see thud_world_get_impulse_events. Default infinite: no events. */
     float most_impulse;
 } thud_rule;
 
@@ -65,7 +65,7 @@ THUD_API thud_result thud_world_set_rule(thud_world *world, uint32_t first, uint
 /* Gets the rule of two kinds, one bit each: *out is the rule, or the default; *is_set: whether
  * there is one; *reversed: whether it was set with `second` as the first kind. Each output may be
  * null. */
-THUD_API thud_result thud_world_rule(const thud_world *world, uint32_t first, uint32_t second,
+THUD_API thud_result thud_world_get_rule(const thud_world *world, uint32_t first, uint32_t second,
                                      thud_rule *out, bool *is_set, bool *reversed);
 
 /* Prepares a world that never had a rule or filter for thud_world_restore from a snapshot with
@@ -97,7 +97,7 @@ typedef struct thud_impulse_event {
 
 /* The impulse events of the last step, or of all steps of the last thud_world_advance; valid until
  * the next of these calls. *count is their number; `count` may be null. */
-THUD_API const thud_impulse_event *thud_world_impulses(const thud_world *world, int *count);
+THUD_API const thud_impulse_event *thud_world_get_impulse_events(const thud_world *world, int *count);
 
 #ifdef __cplusplus
 }

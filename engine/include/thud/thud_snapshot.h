@@ -2,7 +2,7 @@
  * rollback in networked games, rewinding, and saved games. thud.h does not include this header.
  *
  *     size_t bytes;
- *     thud_world_snapshot_size(world, &bytes);
+ *     thud_world_get_snapshot_size(world, &bytes);
  *     void *buffer = malloc(bytes);
  *     thud_world_snapshot(world, buffer, bytes, NULL);
  *     ... steps, edits ...
@@ -41,20 +41,20 @@ extern "C" {
 
 /* *bytes: the size of a snapshot taken now: for each body with a shape about 0.5 kB, for each
  * touching pair about 0.25 kB. THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback. */
-THUD_API thud_result thud_world_snapshot_size(const thud_world *world, size_t *bytes);
+THUD_API thud_result thud_world_get_snapshot_size(const thud_world *world, size_t *bytes);
 
 /* Writes a snapshot to `buffer` of `capacity` bytes, which needs no alignment; *bytes (may be null)
  * is its size. The call makes two passes over the bytes, allocates nothing and does not change the
  * world. THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_INVALID where `capacity`
- * is less than the size by thud_world_snapshot_size. The buffer is then not written. */
+ * is less than the size by thud_world_get_snapshot_size. The buffer is then not written. */
 THUD_API thud_result thud_world_snapshot(const thud_world *world, void *buffer, size_t capacity,
                                          size_t *bytes);
 
 /* Restores the world, or another one made from the same def, to the state of the snapshot. Handles
  * that were valid then are valid again. Handles that were made since are stale, until a new body or
  * shape gets the same slot: the same calls make the same handles again. Another world takes over
- * the handles of the snapshot, and its own become stale. Pointers from thud_world_poses,
- * thud_world_events and thud_shape_terrain become invalid. The world's memory is used again.
+ * the handles of the snapshot, and its own become stale. Pointers from thud_world_get_poses,
+ * thud_events_of and thud_shape_get_terrain become invalid. The world's memory is used again.
  *
  * THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_INVALID, with the reason in the
  * log, for bytes that are cut short, damaged, no snapshot, or of another version or build of thud

@@ -109,7 +109,7 @@ static td_pull *pull_at(const thud_world *w, int body) {
 /* Whether the next step applies forces to the body: it is dynamic, enabled, not quarantined, and
  * awake or on the list of changes, by which an edit wakes it. */
 static bool accepts_force(const td_body *body) {
-    return (body->flags & TD_BODY_LIVE) && body->kind == THUD_DYNAMIC &&
+    return (body->flags & TD_BODY_LIVE) && body->kind == THUD_BODY_DYNAMIC &&
            !(body->flags & (TD_BODY_QUARANTINED | TD_BODY_DISABLED)) &&
            (body->awake.at > 0 || body->changes);
 }

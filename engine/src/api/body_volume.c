@@ -1,4 +1,4 @@
-/* body_volume.c: thud_body_volume, the bounding volume of a body: the bounding volumes of its
+/* body_volume.c: thud_body_get_volume, the bounding volume of a body: the bounding volumes of its
  * shapes, merged one by one (thud_volume_merge). */
 #include "state/body.h"
 #include "state/handles.h"
@@ -11,7 +11,7 @@
 /* The volume around one shape, relative to `origin`; of a terrain, around its line. */
 static thud_result around_shape(const thud_world *w, thud_shape_kind kind, int index,
                                 td_position origin, thud_volume *out) {
-    thud_shape_instance placed = td_shape_instance_of(w, index, td_preview_proxy(w, index), origin);
+    thud_geometry placed = td_shape_instance_of(w, index, td_preview_proxy(w, index), origin);
     if (!td_kind_is_line(placed.kind)) {
         return thud_volume_around_shape(kind, &placed, out);
     }
@@ -45,7 +45,7 @@ static bool has_volume(const thud_world *w, thud_shape_kind kind, td_body_index 
     return any && td_kind_is_volume(kind);
 }
 
-thud_result thud_body_volume(thud_world *w, thud_body_id id, thud_shape_kind kind, thud_pos origin,
+thud_result thud_body_get_volume(thud_world *w, thud_body_id id, thud_shape_kind kind, thud_pos origin,
                              thud_volume *out) {
     TD_IN_OWN_MODE;
     td_body_index index;

@@ -43,14 +43,14 @@ thud_result td_query_check_angle(const thud_world *w, double angle) {
     return td_check(w, "cast or overlap: angle", angle, -THUD_ANGLE_MAX, THUD_ANGLE_MAX);
 }
 
-thud_result td_query_check(const thud_world *w, thud_pos center, const thud_shape_instance *shape) {
-    bool valid = thud_placed_check(shape) == THUD_OK && td_place_valid(w, center.x, center.y) &&
+thud_result td_query_check(const thud_world *w, thud_pos center, const thud_geometry *shape) {
+    bool valid = thud_geometry_check(shape) == THUD_OK && td_place_valid(w, center.x, center.y) &&
                  td_place_valid(w, center.x + shape->x, center.y + shape->y);
     return valid ? THUD_OK : THUD_ERROR_INVALID;
 }
 
-thud_shape_instance td_query_instance(const thud_world *w, int index, td_position origin) {
-    thud_shape_instance shape = td_shape_instance_of(w, index, td_preview_proxy(w, index), origin);
+thud_geometry td_query_instance(const thud_world *w, int index, td_position origin) {
+    thud_geometry shape = td_shape_instance_of(w, index, td_preview_proxy(w, index), origin);
     double scale = 1.5 - 0.5 * (shape.c * shape.c +
                                 shape.s * shape.s); /* Newton step for 1 / sqrt(x) at x = 1 */
     shape.c *= scale;
@@ -58,7 +58,7 @@ thud_shape_instance td_query_instance(const thud_world *w, int index, td_positio
     return shape;
 }
 
-void td_query_bounds(thud_pos center, const thud_shape_instance *shape, thud_pos *lower,
+void td_query_bounds(thud_pos center, const thud_geometry *shape, thud_pos *lower,
                      thud_pos *upper) {
     double half_x = td_half_along(shape, 1.0, 0.0), half_y = td_half_along(shape, 0.0, 1.0);
     double x = center.x + shape->x, y = center.y + shape->y;
@@ -66,10 +66,10 @@ void td_query_bounds(thud_pos center, const thud_shape_instance *shape, thud_pos
     *upper = (thud_pos){x + half_x, y + half_y};
 }
 
-thud_shape_instance td_query_box(double half_x, double half_y, double angle) {
-    thud_shape_instance box = {.kind = THUD_AABB, .c = 1.0, .hx = half_x, .hy = half_y};
+thud_geometry td_query_box(double half_x, double half_y, double angle) {
+    thud_geometry box = {.kind = THUD_SHAPE_AABB, .c = 1.0, .hx = half_x, .hy = half_y};
     if (angle != 0.0) {
-        box.kind = THUD_OBB;
+        box.kind = THUD_SHAPE_OBB;
         box.c = 0.0;
         if (td_abs(angle) <= THUD_ANGLE_MAX) {
             td_sincos(angle, &box.s, &box.c);

@@ -20,20 +20,20 @@ thud_result td_query_check_angle(const thud_world *w, double angle);
 
 /* THUD_OK if a query's own shape is valid and it and `center`, about which it lies, are within the
  * world; else THUD_ERROR_INVALID, of which the log is not told. */
-thud_result td_query_check(const thud_world *w, thud_pos center, const thud_shape_instance *shape);
+thud_result td_query_check(const thud_world *w, thud_pos center, const thud_geometry *shape);
 
 /* The shape relative to `origin`, at the place where the edits made so far put it. Its rotation is
  * scaled to length 1 in double precision: at the end of a long cast the error of single precision
  * would be visible. */
-thud_shape_instance td_query_instance(const thud_world *w, int shape, td_position origin);
+thud_geometry td_query_instance(const thud_world *w, int shape, td_position origin);
 
 /* The bounding box of a shape that lies about `center`. */
-void td_query_bounds(thud_pos center, const thud_shape_instance *shape, thud_pos *lower,
+void td_query_bounds(thud_pos center, const thud_geometry *shape, thud_pos *lower,
                      thud_pos *upper);
 
 /* An AABB (angle 0) or OBB about the origin. Where the angle is out of range its (c, s) is (0, 0),
  * which td_query_check refuses. */
-thud_shape_instance td_query_box(double half_x, double half_y, double angle);
+thud_geometry td_query_box(double half_x, double half_y, double angle);
 
 /* Brings the preview (preview.h) and the broadphase up to date: the query sees shapes where the
  * edits made so far put them, while the edits themselves wait for the next step. Inside a callback
@@ -45,7 +45,7 @@ bool td_query_prepare(thud_world *w);
 bool td_query_list(thud_world *w, thud_pos lower, thud_pos upper);
 
 /* As thud_world_cast_shape_all, but finds only sensors, whatever filter->sensors is. */
-thud_result td_query_cast_sensors(thud_world *w, thud_pos center, const thud_shape_instance *shape,
+thud_result td_query_cast_sensors(thud_world *w, thud_pos center, const thud_geometry *shape,
                                   double dx, double dy, const thud_query_filter *filter,
                                   thud_ray_hit *out, int capacity, int *count);
 

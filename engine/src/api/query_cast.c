@@ -125,7 +125,7 @@ thud_result thud_world_cast_ray_all(thud_world *w, thud_pos origin, double dx, d
     return result != THUD_OK ? result : cast_all(w, &way, out, capacity, count);
 }
 
-thud_result thud_world_cast_shape(thud_world *w, thud_pos center, const thud_shape_instance *shape,
+thud_result thud_world_cast_shape(thud_world *w, thud_pos center, const thud_geometry *shape,
                                   double dx, double dy, const thud_query_filter *filter, bool *hit,
                                   thud_ray_hit *out) {
     TD_IN_OWN_MODE;
@@ -134,7 +134,7 @@ thud_result thud_world_cast_shape(thud_world *w, thud_pos center, const thud_sha
     return result != THUD_OK ? result : cast_first(w, &way, hit, out);
 }
 
-thud_result td_query_cast_sensors(thud_world *w, thud_pos center, const thud_shape_instance *shape,
+thud_result td_query_cast_sensors(thud_world *w, thud_pos center, const thud_geometry *shape,
                                   double dx, double dy, const thud_query_filter *filter,
                                   thud_ray_hit *out, int capacity, int *count) {
     td_path way = {td_shape_meets, center,           .dx = dx,       .dy = dy,
@@ -144,7 +144,7 @@ thud_result td_query_cast_sensors(thud_world *w, thud_pos center, const thud_sha
 }
 
 thud_result thud_world_cast_shape_all(thud_world *w, thud_pos center,
-                                      const thud_shape_instance *shape, double dx, double dy,
+                                      const thud_geometry *shape, double dx, double dy,
                                       const thud_query_filter *filter, thud_ray_hit *out,
                                       int capacity, int *count) {
     TD_IN_OWN_MODE;
@@ -157,14 +157,14 @@ thud_result thud_world_cast_shape_all(thud_world *w, thud_pos center,
 thud_result thud_world_cast_circle(thud_world *w, thud_pos center, double radius, double dx,
                                    double dy, const thud_query_filter *filter, bool *hit,
                                    thud_ray_hit *out) {
-    thud_shape_instance circle = {.kind = THUD_CIRCLE, .c = 1.0, .hx = radius};
+    thud_geometry circle = {.kind = THUD_SHAPE_CIRCLE, .c = 1.0, .hx = radius};
     return thud_world_cast_shape(w, center, &circle, dx, dy, filter, hit, out);
 }
 
 thud_result thud_world_cast_circle_all(thud_world *w, thud_pos center, double radius, double dx,
                                        double dy, const thud_query_filter *filter,
                                        thud_ray_hit *out, int capacity, int *count) {
-    thud_shape_instance circle = {.kind = THUD_CIRCLE, .c = 1.0, .hx = radius};
+    thud_geometry circle = {.kind = THUD_SHAPE_CIRCLE, .c = 1.0, .hx = radius};
     return thud_world_cast_shape_all(w, center, &circle, dx, dy, filter, out, capacity, count);
 }
 
@@ -176,7 +176,7 @@ thud_result thud_world_cast_box(thud_world *w, thud_pos center, double half_x, d
     if (result != THUD_OK) {
         return result;
     }
-    thud_shape_instance box = td_query_box(half_x, half_y, angle);
+    thud_geometry box = td_query_box(half_x, half_y, angle);
     return thud_world_cast_shape(w, center, &box, dx, dy, filter, hit, out);
 }
 
@@ -189,6 +189,6 @@ thud_result thud_world_cast_box_all(thud_world *w, thud_pos center, double half_
     if (result != THUD_OK) {
         return result;
     }
-    thud_shape_instance box = td_query_box(half_x, half_y, angle);
+    thud_geometry box = td_query_box(half_x, half_y, angle);
     return thud_world_cast_shape_all(w, center, &box, dx, dy, filter, out, capacity, count);
 }

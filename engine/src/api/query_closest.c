@@ -9,8 +9,8 @@
 #include "terrain/terrain.h"
 
 void td_query_measure(const thud_world *w, int index, td_position origin, thud_closest *out) {
-    thud_shape_instance shape = td_query_instance(w, index, origin);
-    thud_shape_instance point = {.kind = THUD_CIRCLE, .c = 1.0};
+    thud_geometry shape = td_query_instance(w, index, origin);
+    thud_geometry point = {.kind = THUD_SHAPE_CIRCLE, .c = 1.0};
     if (!td_kind_is_line(shape.kind)) {
         td_closest(&shape, &point, out);
         return;

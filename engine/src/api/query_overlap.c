@@ -8,20 +8,20 @@
 
 /* Whether a shape of the world overlaps the query's shape, which is relative to `origin`. */
 static bool overlaps(const thud_world *w, int index, td_position origin,
-                     const thud_shape_instance *exact) {
-    thud_shape_instance shape = td_query_instance(w, index, origin);
+                     const thud_geometry *exact) {
+    thud_geometry shape = td_query_instance(w, index, origin);
     if (!td_kind_is_line(shape.kind)) {
-        return thud_shapes_overlap(exact, &shape);
+        return thud_geometry_overlap(exact, &shape);
     }
     thud_terrain terrain = td_terrain_view(w, index);
-    thud_shape_instance relative = *exact;
+    thud_geometry relative = *exact;
     relative.x -= shape.x;
     relative.y -= shape.y;
     return thud_terrain_overlap(&terrain, &relative);
 }
 
 /* Calls the callback for each candidate that overlaps, until it returns false. */
-static void report_overlaps(thud_world *w, td_position origin, const thud_shape_instance *exact,
+static void report_overlaps(thud_world *w, td_position origin, const thud_geometry *exact,
                             const thud_query_filter *filter, thud_overlap_fn *fn, void *context) {
     bool was_locked = w->locked;
     /* Queries that the callback makes list their candidates in an array of their own. */
@@ -41,7 +41,7 @@ static void report_overlaps(thud_world *w, td_position origin, const thud_shape_
 }
 
 thud_result thud_world_overlap_shape(thud_world *w, thud_pos center,
-                                     const thud_shape_instance *shape,
+                                     const thud_geometry *shape,
                                      const thud_query_filter *filter, thud_overlap_fn *fn,
                                      void *context) {
     TD_IN_OWN_MODE;
@@ -68,7 +68,7 @@ thud_result thud_world_overlap_shape(thud_world *w, thud_pos center,
 thud_result thud_world_overlap_circle(thud_world *w, thud_pos center, double radius,
                                       const thud_query_filter *filter, thud_overlap_fn *fn,
                                       void *context) {
-    thud_shape_instance circle = {.kind = THUD_CIRCLE, .c = 1.0, .hx = radius};
+    thud_geometry circle = {.kind = THUD_SHAPE_CIRCLE, .c = 1.0, .hx = radius};
     return thud_world_overlap_shape(w, center, &circle, filter, fn, context);
 }
 
@@ -76,7 +76,7 @@ thud_result thud_world_overlap_aabb(thud_world *w, thud_pos lower, thud_pos uppe
                                     const thud_query_filter *filter, thud_overlap_fn *fn,
                                     void *context) {
     TD_IN_OWN_MODE;
-    thud_shape_instance box =
+    thud_geometry box =
         td_query_box(0.5 * (upper.x - lower.x), 0.5 * (upper.y - lower.y), 0.0);
     thud_pos center = {lower.x + box.hx, lower.y + box.hy};
     return thud_world_overlap_shape(w, center, &box, filter, fn, context);
@@ -90,7 +90,7 @@ thud_result thud_world_overlap_obb(thud_world *w, thud_pos center, double half_x
     if (result != THUD_OK) {
         return result;
     }
-    thud_shape_instance box = td_query_box(half_x, half_y, angle);
-    box.kind = THUD_OBB;
+    thud_geometry box = td_query_box(half_x, half_y, angle);
+    box.kind = THUD_SHAPE_OBB;
     return thud_world_overlap_shape(w, center, &box, filter, fn, context);
 }

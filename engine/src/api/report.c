@@ -7,7 +7,7 @@
 #include "constraint/lanes.h"
 #include "base/rotation.h"
 
-thud_events thud_world_events(const thud_world *w) {
+thud_events thud_events_of(const thud_world *w) {
     if (!w) {
         return (thud_events){0};
     }
@@ -32,7 +32,7 @@ thud_events thud_world_events(const thud_world *w) {
 
 /* Interpolation goes back from the last step's pose by (1 - alpha) of the body's motion in it,
  * thud_world.delta. */
-const thud_pose *thud_world_poses(thud_world *w, thud_pos origin, double alpha, int *count) {
+const thud_pose *thud_world_get_poses(thud_world *w, thud_pos origin, double alpha, int *count) {
     TD_IN_OWN_MODE;
     if (count) {
         *count = 0;
@@ -83,7 +83,7 @@ const char *thud_stage_name(thud_stage stage) {
     return (int)stage >= 0 && stage < THUD_STAGE_COUNT ? names[stage] : "unknown";
 }
 
-thud_stats thud_world_stats(const thud_world *w) {
+thud_stats thud_stats_of(const thud_world *w) {
     if (!w) {
         return (thud_stats){0};
     }
@@ -101,7 +101,7 @@ thud_stats thud_world_stats(const thud_world *w) {
     return stats;
 }
 
-thud_step_error thud_world_error(const thud_world *w) {
+thud_step_error thud_step_error_of(const thud_world *w) {
     if (!w) {
         return (thud_step_error){0};
     }
@@ -152,7 +152,7 @@ static void measure_penetration(const thud_world *w, thud_measure *m) {
     m->penetration_mean = points ? sum / points : 0.0;
 }
 
-thud_measure thud_world_measure(const thud_world *w) {
+thud_measure thud_measure_of(const thud_world *w) {
     TD_IN_OWN_MODE;
     thud_measure m = {0};
     if (!w) {
@@ -161,7 +161,7 @@ thud_measure thud_world_measure(const thud_world *w) {
     measure_penetration(w, &m);
     for (td_body_index i = {0}; i.at < w->bodies.count; i.at++) {
         const td_body *body = td_body_at(w, i);
-        if (!(body->flags & TD_BODY_LIVE) || body->kind != THUD_DYNAMIC) {
+        if (!(body->flags & TD_BODY_LIVE) || body->kind != THUD_BODY_DYNAMIC) {
             continue;
         }
         const float *v = td_body_velocity(w, body);
@@ -189,7 +189,7 @@ static uint64_t bits_of(float x) {
     return bits;
 }
 
-uint64_t thud_world_hash(const thud_world *w) {
+uint64_t thud_hash_of(const thud_world *w) {
     uint64_t hash = 0xcbf29ce484222325ull;
     for (td_body_index i = {0}; w && i.at < w->bodies.count; i.at++) {
         if (!td_body_lives(w, i)) {

@@ -17,7 +17,7 @@ static thud_world *unconst(const thud_world *w) {
     return pointer.same;
 }
 
-thud_result thud_world_snapshot_size(const thud_world *w, size_t *bytes) {
+thud_result thud_world_get_snapshot_size(const thud_world *w, size_t *bytes) {
     if (!w || !bytes) {
         return td_refuse(w, THUD_ERROR_NULL, "snapshot size: world or bytes is null");
     }

@@ -18,7 +18,7 @@
 #include <stdatomic.h>
 #include <string.h>
 
-thud_world_def thud_world_def_of(const thud_quality *quality) {
+thud_world_def thud_default_world_def_of(const thud_quality *quality) {
     return (thud_world_def) {
         .gravity = {0.0f, -10.0f}, .time_step = 1.0 / 60.0, .length_scale = 1.0f,
         .quality = quality, .push_speed = 3.0f, .restitution_threshold = 1.0f, .hit_speed = 1.0f,

@@ -78,7 +78,7 @@ thud_result thud_world_cast_ray_each(thud_world *w, thud_pos origin, double dx, 
 }
 
 thud_result thud_world_cast_shape_each(thud_world *w, thud_pos center,
-                                       const thud_shape_instance *shape, double dx, double dy,
+                                       const thud_geometry *shape, double dx, double dy,
                                        const thud_query_filter *filter, thud_cast_fn *fn,
                                        void *context) {
     TD_IN_OWN_MODE;
@@ -86,7 +86,7 @@ thud_result thud_world_cast_shape_each(thud_world *w, thud_pos center,
         return td_refuse(w, THUD_ERROR_NULL, "cast: world, shape or callback is null");
     }
     thud_query_filter own = copied(filter);
-    thud_shape_instance moving = *shape;
+    thud_geometry moving = *shape;
     td_path way = {td_shape_meets, center, .dx = dx, .dy = dy, .shape = &moving, .filter = &own};
     thud_result result = td_path_check(w, &way);
     if (result == THUD_OK && td_query_check(w, center, &moving) != THUD_OK) {

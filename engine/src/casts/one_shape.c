@@ -44,7 +44,7 @@ static thud_result measure(thud_world *w, thud_shape_id id, thud_pos point, int 
     return result;
 }
 
-thud_result thud_shape_meets_ray(thud_world *w, thud_shape_id id, thud_pos origin, double dx,
+thud_result thud_shape_cast_ray(thud_world *w, thud_shape_id id, thud_pos origin, double dx,
                                  double dy, bool *hit, thud_ray_hit *out) {
     TD_IN_OWN_MODE;
     if (!w) {
@@ -113,7 +113,7 @@ static void line_bounds(const thud_terrain *line, thud_pos *lower, thud_pos *upp
     }
 }
 
-thud_result thud_shape_bounds(thud_world *w, thud_shape_id id, thud_pos *lower, thud_pos *upper) {
+thud_result thud_shape_get_bounds(thud_world *w, thud_shape_id id, thud_pos *lower, thud_pos *upper) {
     TD_IN_OWN_MODE;
     int index;
     if (!w || !lower || !upper) {
@@ -131,7 +131,7 @@ thud_result thud_shape_bounds(thud_world *w, thud_shape_id id, thud_pos *lower, 
     if (result != THUD_OK) {
         return result;
     }
-    thud_shape_instance shape = td_query_instance(w, index, (td_position){0, 0});
+    thud_geometry shape = td_query_instance(w, index, (td_position){0, 0});
     if (line) {
         thud_terrain terrain = td_terrain_view(w, index);
         line_bounds(&terrain, lower, upper);

@@ -18,7 +18,7 @@ struct td_path {
     thud_pos origin;                  /* of the path, in the world */
     td_position from;                 /* the same in fixed point */
     double dx, dy;                    /* the displacement from the origin to the end, length */
-    const thud_shape_instance *shape; /* the moving shape, about the origin; null: a point */
+    const thud_geometry *shape; /* the moving shape, about the origin; null: a point */
     const thud_query_filter *filter;  /* null: everything but sensors */
     bool sensors;                     /* only sensors are hit */
 };

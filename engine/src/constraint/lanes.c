@@ -13,7 +13,7 @@ static td_slots *pool_of(thud_world *w, int kind) {
 
 /* The awake slot of the body if the solver moves it, else 0. */
 static td_awake_slot moving_slot(const td_body *body) {
-    return body->kind == THUD_DYNAMIC && body->awake.at > 0 ? body->awake : (td_awake_slot){0};
+    return body->kind == THUD_BODY_DYNAMIC && body->awake.at > 0 ? body->awake : (td_awake_slot){0};
 }
 
 /* Sets or clears the colour of a bin at a body. Slot 0, the bin of sleeping lanes and the overflow
@@ -31,7 +31,7 @@ static void mark_colour(thud_world *w, td_awake_slot slot, int bin, bool taken) 
 static int choose_bin(thud_world *w, const td_constraint *constraint) {
     const td_body *a = td_body_at(w, constraint->body[0]);
     const td_body *b = td_body_at(w, constraint->body[1]);
-    bool fixed = a->kind == THUD_STATIC;
+    bool fixed = a->kind == THUD_BODY_STATIC;
     td_awake_slot slot_a = moving_slot(a), slot_b = moving_slot(b);
     uint64_t taken = 1ull << TD_OVERFLOW;
     if (slot_a.at) {
@@ -184,8 +184,8 @@ static void place(thud_world *w, int index, int bin) {
         w->touching += td_is_contact(constraint);
     }
     set_slots(w, td_block_at(w, kind, block), lane, constraint);
-    if (td_body_at(w, constraint->body[0])->kind == THUD_KINEMATIC ||
-        td_body_at(w, constraint->body[1])->kind == THUD_KINEMATIC) {
+    if (td_body_at(w, constraint->body[0])->kind == THUD_BODY_KINEMATIC ||
+        td_body_at(w, constraint->body[1])->kind == THUD_BODY_KINEMATIC) {
         td_block_at(w, kind, block)->shared = 1;
         w->scratch.sequenced = false;
     }

@@ -13,7 +13,7 @@
  * of the reference face of `face`, to the width of that face. Writes the ends that are within
  * `margin` above the face: places halfway between edge and face, and separations. Returns their
  * number, 0 to 2. */
-static int clip_incident_edge(const thud_shape_instance *face, const thud_shape_instance *other,
+static int clip_incident_edge(const thud_geometry *face, const thud_geometry *other,
                               double nx, double ny, double margin, double *x, double *y,
                               double *separation) {
     double u, v, tx = -ny, ty = nx;
@@ -53,9 +53,9 @@ static int clip_incident_edge(const thud_shape_instance *face, const thud_shape_
 
 /* The separation along axis i: 0 and 1 are the axes of a, 2 and 3 those of b. (*nx, *ny) is the
  * axis as a unit normal from a to b. */
-static double separation_on_axis(const thud_shape_instance *a, const thud_shape_instance *b, int i,
+static double separation_on_axis(const thud_geometry *a, const thud_geometry *b, int i,
                                  double *nx, double *ny) {
-    const thud_shape_instance *box = i < 2 ? a : b;
+    const thud_geometry *box = i < 2 ? a : b;
     double x = i % 2 ? -box->s : box->c, y = i % 2 ? box->c : box->s;
     double along = (b->x - a->x) * x + (b->y - a->y) * y;
     *nx = along < 0.0 ? -x : x;
@@ -64,11 +64,11 @@ static double separation_on_axis(const thud_shape_instance *a, const thud_shape_
 }
 
 /* The number of different axes: four, or two where both boxes are upright and share theirs. */
-static int axis_count(const thud_shape_instance *a, const thud_shape_instance *b) {
+static int axis_count(const thud_geometry *a, const thud_geometry *b) {
     return td_kind_turns(a->kind) || td_kind_turns(b->kind) ? 4 : 2;
 }
 
-bool td_boxes_overlap(const thud_shape_instance *a, const thud_shape_instance *b) {
+bool td_boxes_overlap(const thud_geometry *a, const thud_geometry *b) {
     double nx, ny;
     if (axis_count(a, b) == 2) { /* separation_on_axis for c = 1 and s = 0 */
         return td_abs(b->x - a->x) - a->hx - b->hx <= 0.0 &&
@@ -82,11 +82,11 @@ bool td_boxes_overlap(const thud_shape_instance *a, const thud_shape_instance *b
     return true;
 }
 
-bool td_internal_edge_boxes(const thud_shape_instance *a, const thud_shape_instance *b,
+bool td_internal_edge_boxes(const thud_geometry *a, const thud_geometry *b,
                             double margin, td_axis_hidden_fn *hidden, void *context,
                             td_internal_edge_contact *out) {
     double best = -1e300, best_of_all = -1e300;
-    const thud_shape_instance *face = NULL;
+    const thud_geometry *face = NULL;
     for (int i = 0; i < axis_count(a, b); i++) {
         double nx, ny, separation = separation_on_axis(a, b, i, &nx, &ny);
         best_of_all = separation > best_of_all ? separation : best_of_all;

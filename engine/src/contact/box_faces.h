@@ -17,7 +17,7 @@ typedef struct td_internal_edge_contact {
 } td_internal_edge_contact;
 
 /* Whether two boxes share a point. Boxes that touch do. */
-bool td_boxes_overlap(const thud_shape_instance *a, const thud_shape_instance *b);
+bool td_boxes_overlap(const thud_geometry *a, const thud_geometry *b);
 
 /* Whether the axis with the unit normal (nx, ny), from a to b, is excluded, because a neighbour of
  * one of the boxes hides the face or corner that the normal belongs to. */
@@ -27,7 +27,7 @@ typedef bool td_axis_hidden_fn(double nx, double ny, void *context);
  * contact along it. False, with *out undefined, where all axes are excluded, where the boxes are
  * further apart than `margin`, where the axis has a much deeper overlap than an excluded one
  * (OPEN_DEPTH_RATIO_MAX in box_faces.c), or where no point of it is within `margin`. */
-bool td_internal_edge_boxes(const thud_shape_instance *a, const thud_shape_instance *b,
+bool td_internal_edge_boxes(const thud_geometry *a, const thud_geometry *b,
                             double margin, td_axis_hidden_fn *hidden, void *context,
                             td_internal_edge_contact *out);
 

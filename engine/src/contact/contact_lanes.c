@@ -27,7 +27,7 @@ static void fill(thud_world *w, td_block *block, int lane, int index) {
     block->shape_b[lane] = contact->shape_b;
     td_contact_settle(w, block, lane, index);
     block->armed |= !(a->plain && b->plain) || b->internal_edges ||
-                    (a->internal_edges && td_body_at(w, a->body)->kind != THUD_STATIC);
+                    (a->internal_edges && td_body_at(w, a->body)->kind != THUD_BODY_STATIC);
     block->mark[lane].internal_edges = td_internal_edges_of(a, b);
 }
 

@@ -48,7 +48,7 @@ typedef struct probe {
 /* A td_neighbour_fn: whether the neighbour contains the place. */
 static bool covers_point(const td_neighbourhood *s, int neighbour, void *context) {
     const probe *p = context;
-    thud_shape_instance n = td_neighbour_instance(s, neighbour);
+    thud_geometry n = td_neighbour_instance(s, neighbour);
     return td_neighbour_contains(s, neighbour, &n, p->x, p->y, 0.5 * TD_NEIGHBOUR_GAP * s->unit);
 }
 
@@ -56,7 +56,7 @@ static bool covers_point(const td_neighbourhood *s, int neighbour, void *context
  * normal. */
 static bool hides_corner(const td_neighbourhood *s, int neighbour, void *context) {
     const probe *p = context;
-    thud_shape_instance n = td_neighbour_instance(s, neighbour);
+    thud_geometry n = td_neighbour_instance(s, neighbour);
     return td_neighbour_contains(s, neighbour, &n, p->x, p->y, TD_NEIGHBOUR_GAP * s->unit) &&
            td_neighbour_extends(s, neighbour, &n, p->x, p->y, p->nx, p->ny,
                                 CORNER_RISE_MIN * s->unit);
@@ -65,7 +65,7 @@ static bool hides_corner(const td_neighbourhood *s, int neighbour, void *context
 /* Whether `fn` is true for some neighbour at the place of `p`. Only neighbours whose bounds contain
  * that point are asked: no other one covers it. */
 static bool any_neighbour_at(const td_neighbourhood *s, td_neighbour_fn *fn, probe *p) {
-    thud_shape_instance place = {.kind = THUD_CIRCLE, .x = p->x, .y = p->y, .c = 1.0};
+    thud_geometry place = {.kind = THUD_SHAPE_CIRCLE, .x = p->x, .y = p->y, .c = 1.0};
     return td_neighbour_any(s, &place, fn, p);
 }
 
@@ -168,7 +168,7 @@ static bool is_open(const thud_world *w, const td_block *block, int lane) {
 }
 
 /* Whether (nx, ny) is, to rounding, a normal of a face of the box. */
-static bool is_face_normal(const thud_shape_instance *box, double nx, double ny) {
+static bool is_face_normal(const thud_geometry *box, double nx, double ny) {
     return feature_of(box->c, box->s, nx, ny, FACE_SINE_MAX).face != TD_NONE;
 }
 
@@ -198,7 +198,7 @@ static sides sides_of(const td_internal_edge_pair *p) {
  * `context`: sides. */
 static bool is_hidden(double nx, double ny, void *context) {
     const sides *s = context;
-    const thud_shape_instance *placed = s->pair->placed;
+    const thud_geometry *placed = s->pair->placed;
     bool face =
         s->count > 1 && (is_face_normal(&placed[0], nx, ny) || is_face_normal(&placed[1], nx, ny));
     bool hidden = false;
@@ -206,7 +206,7 @@ static bool is_hidden(double nx, double ny, void *context) {
         const td_neighbourhood *neighbourhood = &s->neighbourhood[i];
         double x = s->sign[i] * nx, y = s->sign[i] * ny;
         if (neighbourhood->moves) {
-            td_to_frame(&(thud_shape_instance){.c = neighbourhood->c, .s = neighbourhood->s}, x, y,
+            td_to_frame(&(thud_geometry){.c = neighbourhood->c, .s = neighbourhood->s}, x, y,
                         &x, &y);
         }
         hidden = is_ghost(neighbourhood, x, y, face ? RESTING_FACE_SINE_MAX : FACE_SINE_MAX);
@@ -309,8 +309,8 @@ static void average_points(td_internal_edge_contact *c) {
 static bool same_surface(const thud_world *w, const td_contact *to, const td_contact *from,
                          int side) {
     return td_same_body(to->body[side], from->body[side]) ||
-           (td_body_at(w, to->body[side])->kind == THUD_STATIC &&
-            td_body_at(w, from->body[side])->kind == THUD_STATIC);
+           (td_body_at(w, to->body[side])->kind == THUD_BODY_STATIC &&
+            td_body_at(w, from->body[side])->kind == THUD_BODY_STATIC);
 }
 
 /* Moves the impulses of a lane that is about to be cleared to a contact of the same kind between
@@ -342,7 +342,7 @@ static void transfer_impulses(thud_world *w, td_block *block, int kind, int lane
 
 /* td_internal_edge_ops.contact. */
 static bool open_contact(const td_internal_edge_pair *p, td_internal_edge_contact *contact) {
-    const thud_shape_instance *a = &p->placed[0], *b = &p->placed[1];
+    const thud_geometry *a = &p->placed[0], *b = &p->placed[1];
     sides s = sides_of(p);
     return td_kind_is_box(a->kind) && td_kind_is_box(b->kind) &&
            td_internal_edge_boxes(a, b, (double)(TD_SPECULATIVE * p->w->unit), is_hidden, &s,

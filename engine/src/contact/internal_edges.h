@@ -38,7 +38,7 @@ enum { TD_SHAPE_UNSEEN = 4 };
 typedef struct td_internal_edge_pair {
     thud_world *w;
     int shape[2];
-    thud_shape_instance placed[2];
+    thud_geometry placed[2];
 } td_internal_edge_pair;
 
 /* The value of td_lane_marks.internal_edges for the lane of a and b: the mask of a. It is all bits

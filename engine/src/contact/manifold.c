@@ -39,7 +39,7 @@ thud_manifold td_manifold_of(const thud_world *w, const td_contact *contact) {
     return out;
 }
 
-thud_result thud_body_contacts(thud_world *w, thud_body_id id, thud_manifold *out, int capacity,
+thud_result thud_body_get_contacts(thud_world *w, thud_body_id id, thud_manifold *out, int capacity,
                                int *count) {
     TD_IN_OWN_MODE;
     td_body_index index;

@@ -27,12 +27,12 @@ static float separation_by_rows(const thud_world *w, const td_lane *at, int poin
  * surface, is returned where a terrain does overlap, which has no exact depth here. */
 static float exact_distance(const thud_world *w, const td_constraint *contact, float known) {
     td_position origin = td_shape_proxy_at(w, contact->shape_a)->center;
-    thud_shape_instance shape = td_shape_instance(w, contact->shape_b, origin);
+    thud_geometry shape = td_shape_instance(w, contact->shape_b, origin);
     thud_closest closest;
     if (td_kind_is_line(td_shape_at(w, contact->shape_a)->kind)) {
         return w->ground->overlap(w, contact->shape_a, &shape) ? known : 0.0f;
     }
-    thud_shape_instance other = td_shape_instance(w, contact->shape_a, origin);
+    thud_geometry other = td_shape_instance(w, contact->shape_a, origin);
     td_closest(&other, &shape, &closest);
     return (float)closest.distance;
 }

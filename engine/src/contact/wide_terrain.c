@@ -20,7 +20,7 @@ static void one_lane(const thud_world *w, const td_block *block, int lane, float
     int a = block->shape_a[lane], b = block->shape_b[lane];
     const td_contact *contact = td_contact_at(w, block->constraint[lane]);
     thud_terrain terrain = td_terrain_view(w, a);
-    thud_shape_instance placed = td_shape_instance(w, b, td_shape_proxy_at(w, a)->center);
+    thud_geometry placed = td_shape_instance(w, b, td_shape_proxy_at(w, a)->center);
     td_terrain_manifold m;
     td_terrain_segment_manifold(&terrain, contact->child, &placed,
                                 td_shape_at(w, a)->internal_edges, (double)margin, &m);

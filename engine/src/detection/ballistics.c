@@ -82,7 +82,7 @@ void td_ballistics_set_parabolas(thud_world *w) {
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         td_trajectory *f = td_trajectory_at(w, slot);
         const td_body *body = td_body_at(w, f->body);
-        if (body->kind != THUD_DYNAMIC || body->detection->rank != TD_RANK_SWEPT ||
+        if (body->kind != THUD_BODY_DYNAMIC || body->detection->rank != TD_RANK_SWEPT ||
             w->skin == 0.0f) {
             continue;
         }

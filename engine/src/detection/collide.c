@@ -48,7 +48,7 @@ static side side_of(thud_world *w, td_body_index index, const td_impact_point *a
             s.motion[k] = (f.motion[k] + fall * (time - f.since)) / w->def.time_step;
         }
         s.trajectory = td_trajectory_at(w, body->awake);
-        if (body->kind == THUD_DYNAMIC) {
+        if (body->kind == THUD_BODY_DYNAMIC) {
             s.inv_mass = (double)body->inv_mass;
             s.inv_inertia = (double)body->inv_inertia;
         }
@@ -219,7 +219,7 @@ static void stop_mutual_fall(const thud_world *w, const side *a, const side *b, 
  * `fall` adds until then, motions per step. A body that keeps its motion has no impact counted. */
 static void write_back(const thud_world *w, const side *s) {
     td_trajectory *f = s->trajectory;
-    if (!f || s->body->kind != THUD_DYNAMIC) {
+    if (!f || s->body->kind != THUD_BODY_DYNAMIC) {
         return;
     }
     float *velocity = td_row(&w->velocity, s->body->awake);
@@ -241,7 +241,7 @@ static void write_back(const thud_world *w, const side *s) {
 /* Whether the body's motion follows its velocity from here on: it is in free flight, or no impulse
  * changes it. */
 static bool moves_by_velocity(const side *s) {
-    return !s->trajectory || s->trajectory->free || s->body->kind != THUD_DYNAMIC;
+    return !s->trajectory || s->trajectory->free || s->body->kind != THUD_BODY_DYNAMIC;
 }
 
 /* Sets the motion to the velocity. */

@@ -50,7 +50,7 @@ static thud_contact contact_view(const sweep *s, int other, double time) {
     const thud_world *w = s->w;
     bool ground = td_kind_is_line(td_shape_at(w, other)->kind);
     td_position origin = ground ? td_shape_proxy_at(w, other)->center : s->swept.start;
-    thud_shape_instance shape = td_placed_at(&s->swept.placed, &s->swept.motion, time);
+    thud_geometry shape = td_placed_at(&s->swept.placed, &s->swept.motion, time);
     shape.x += (double)(s->swept.start.x - origin.x) / w->to_fixed;
     shape.y += (double)(s->swept.start.y - origin.y) / w->to_fixed;
     shape.hx += s->shrink;
@@ -59,7 +59,7 @@ static thud_contact contact_view(const sweep *s, int other, double time) {
     if (ground) {
         c = w->ground->below(w, other, &shape);
     } else {
-        thud_shape_instance b = td_shape_instance(w, other, origin);
+        thud_geometry b = td_shape_instance(w, other, origin);
         td_closest(&b, &shape, &c);
     }
     td_position at = {origin.x + td_round64(0.5 * (c.ax + c.bx) * w->to_fixed),
@@ -119,7 +119,7 @@ static void record_hit(sweep *s, int other, const td_swept_hit *hit) {
  * with. */
 static bool stops_at(const sweep *s, int other) {
     const td_shape *shape = td_shape_at(s->w, other);
-    return td_body_at(s->w, shape->body)->kind == THUD_STATIC &&
+    return td_body_at(s->w, shape->body)->kind == THUD_BODY_STATIC &&
            !(shape->flags & TD_SHAPE_HOLLOW) && td_pair_allowed(s->w, s->shape, other);
 }
 
@@ -130,10 +130,10 @@ static void sweep_against_shape(sweep *s, int other) {
     }
     const td_swept *swept = &s->swept;
     thud_motion motion = swept->motion, still = {0.0, 0.0, 0.0};
-    thud_shape_instance b = td_shape_instance(s->w, other, swept->start);
-    td_swept_hit hit = {thud_shapes_overlap(&swept->placed, &b), false, 1.0};
+    thud_geometry b = td_shape_instance(s->w, other, swept->start);
+    td_swept_hit hit = {thud_geometry_overlap(&swept->placed, &b), false, 1.0};
     motion.turn = hit.inside ? 0.0 : motion.turn;
-    thud_shapes_time_of_impact(hit.inside ? &swept->core : &swept->placed, motion, &b, still, 0.0,
+    thud_geometry_time_of_impact(hit.inside ? &swept->core : &swept->placed, motion, &b, still, 0.0,
                                &hit.hit, &hit.time);
     record_hit(s, other, &hit);
 }
@@ -172,7 +172,7 @@ static void set_shape(sweep *s, int index, const float *delta, float c, float si
     s->shape = index;
     s->shrink = (double)shrink;
     s->swept.placed =
-        (thud_shape_instance){.kind = (thud_shape_kind)shape->kind,
+        (thud_geometry){.kind = (thud_shape_kind)shape->kind,
                               .x = (double)(c * arm_x - sine * arm_y),
                               .y = (double)(sine * arm_x + c * arm_y),
                               .c = turns ? (double)(c * shape->angle_c - sine * shape->angle_s)
@@ -181,7 +181,7 @@ static void set_shape(sweep *s, int index, const float *delta, float c, float si
                                          : 0.0,
                               .hx = (double)(hx - shrink),
                               .hy = td_kind_is_round(shape->kind) ? 0.0 : (double)(hy - shrink)};
-    s->swept.core = (thud_shape_instance){.kind = THUD_CIRCLE,
+    s->swept.core = (thud_geometry){.kind = THUD_SHAPE_CIRCLE,
                                           .x = s->swept.placed.x,
                                           .y = s->swept.placed.y,
                                           .c = 1.0,

@@ -11,8 +11,8 @@
 
 /* Whether the pair is within its target distance at a time in [0, 1]. */
 static bool is_within_target(const td_approach *p, double time) {
-    thud_shape_instance a = td_placed_at(&p->a, &p->motion_a, time);
-    thud_shape_instance b = td_placed_at(&p->b, &p->motion_b, time);
+    thud_geometry a = td_placed_at(&p->a, &p->motion_a, time);
+    thud_geometry b = td_placed_at(&p->b, &p->motion_b, time);
     thud_closest closest;
     td_closest(&a, &b, &closest);
     return closest.distance <= p->target;

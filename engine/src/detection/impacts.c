@@ -147,7 +147,7 @@ static bool is_over_budget(const thud_world *w) {
 static void requeue_early_stop(thud_world *w, int number, td_trajectory *const trajectories[2]) {
     for (int side = 0; side < 2; side++) {
         td_trajectory *f = trajectories[side];
-        if (f && td_body_at(w, f->body)->kind == THUD_DYNAMIC &&
+        if (f && td_body_at(w, f->body)->kind == THUD_BODY_DYNAMIC &&
             (++f->impacts > IMPACTS_MAX || is_over_budget(w))) {
             hold_body_and_ring(w, f);
             td_toi_queue_update_body(w, f);
@@ -190,7 +190,7 @@ static void resolve_candidate(thud_world *w, int number, double time) {
     int impacts_max = settings.restitution < 1.0f ? IMPACTS_MAX : ELASTIC_IMPACTS_MAX;
     for (int side = 0; side < 2; side++) {
         td_trajectory *f = trajectories[side];
-        if (f && td_body_at(w, f->body)->kind == THUD_DYNAMIC && !impact.kept_motion[side] &&
+        if (f && td_body_at(w, f->body)->kind == THUD_BODY_DYNAMIC && !impact.kept_motion[side] &&
             (next_step || f->impacts > impacts_max || is_over_budget(w) ||
              !td_toi_candidates_find(w, f))) {
             hold_body_and_ring(w, f);
@@ -209,7 +209,7 @@ static void resolve_candidate(thud_world *w, int number, double time) {
 /* Whether the body is dynamic and its detection finds times of impact. */
 static bool is_bisected_or_swept(const thud_world *w, td_awake_slot slot) {
     const td_body *body = td_body_at(w, td_body_of(w, slot));
-    return body->kind == THUD_DYNAMIC && body->detection->meet;
+    return body->kind == THUD_BODY_DYNAMIC && body->detection->meet;
 }
 
 /* Sets a trajectory to the motion that the solver gave the body, from the start of the step. Of

@@ -61,7 +61,7 @@ static double leg_end_at(const thud_world *w, td_body_index body, double time) {
 
 /* A shape and its motion on a part of a leg; backward in time where that ends before it begins. */
 typedef struct moving_shape {
-    thud_shape_instance at; /* at the first time */
+    thud_geometry at; /* at the first time */
     thud_motion motion;     /* to the second time */
 } moving_shape;
 
@@ -70,8 +70,8 @@ static moving_shape moving_shape_of(const thud_world *w, int shape, double from,
                                     td_position origin) {
     td_trajectory trajectory =
         trajectory_at(w, td_shape_at(w, shape)->body, td_min_double(from, to));
-    thud_shape_instance at = td_trajectory_shape(w, &trajectory, shape, from, origin);
-    thud_shape_instance end = td_trajectory_shape(w, &trajectory, shape, to, origin);
+    thud_geometry at = td_trajectory_shape(w, &trajectory, shape, from, origin);
+    thud_geometry end = td_trajectory_shape(w, &trajectory, shape, to, origin);
     bool turns = td_kind_turns(at.kind);
     return (moving_shape){at,
                           {end.x - at.x, end.y - at.y,
@@ -105,7 +105,7 @@ static bool first_overlap(const thud_world *w, const shape_pair *c, double from,
         w->ground->time_of_impact(w, c->a, &b.at, b.motion, &hit, time);
     } else {
         moving_shape a = moving_shape_of(w, c->a, from, to, c->origin);
-        thud_shapes_time_of_impact(&a.at, a.motion, &b.at, b.motion, 0.0, &hit, time);
+        thud_geometry_time_of_impact(&a.at, a.motion, &b.at, b.motion, 0.0, &hit, time);
     }
     return hit;
 }
@@ -138,7 +138,7 @@ static bool is_detected(const thud_world *w, int a, int b) {
     bool fixed = false;
     for (int i = 0; i < 2; i++) {
         fixed |= (shapes[i]->flags & TD_SHAPE_SENSOR) &&
-                 td_body_at(w, shapes[i]->body)->kind == THUD_STATIC;
+                 td_body_at(w, shapes[i]->body)->kind == THUD_BODY_STATIC;
     }
     return detection->meet || (detection->rank == TD_RANK_CONTINUOUS && fixed);
 }

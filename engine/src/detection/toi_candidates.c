@@ -103,7 +103,7 @@ static double half_extent_quanta(const thud_world *w, double length) {
 
 /* Extends bounds to contain a placed shape with `slack` (a length) on each side, like
  * td_placed_bounds. */
-static void widen(const thud_world *w, const thud_shape_instance *p, td_position origin,
+static void widen(const thud_world *w, const thud_geometry *p, td_position origin,
                   double slack, td_far_bounds *b) {
     double x = (double)((origin.x + td_round64(p->x * w->to_fixed)) >> TD_COARSE_SHIFT);
     double y = (double)((origin.y + td_round64(p->y * w->to_fixed)) >> TD_COARSE_SHIFT);
@@ -119,8 +119,8 @@ static void widen(const thud_world *w, const thud_shape_instance *p, td_position
  * both ends by more than r |phi| / 2, where r bounds its distance from the body's centre; a
  * parabola leaves them by its sagitta at most. */
 static td_far_bounds bounds_ahead(const thud_world *w, const td_trajectory *f, int index) {
-    thud_shape_instance now = td_trajectory_shape(w, f, index, f->since, f->place);
-    thud_shape_instance end = td_trajectory_shape(w, f, index, 1.0, f->place);
+    thud_geometry now = td_trajectory_shape(w, f, index, f->since, f->place);
+    thud_geometry end = td_trajectory_shape(w, f, index, 1.0, f->place);
     double turn = 0.5 * td_abs(f->motion[2]) * (1.0 - f->since);
     double slack =
         (td_reach(&now) + td_abs(now.x) + td_abs(now.y)) * turn + (double)(TD_MEET * w->unit) +
@@ -211,7 +211,7 @@ static bool add_stray_record(thud_world *w, td_trajectory *f, const td_stray *s)
 
 bool td_toi_candidates_find(thud_world *w, td_trajectory *f) {
     const td_body *body = td_body_at(w, f->body);
-    bool detects = body->kind == THUD_DYNAMIC && body->detection->meet;
+    bool detects = body->kind == THUD_BODY_DYNAMIC && body->detection->meet;
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         td_stray s = {bounds_at_start(w, i), bounds_ahead(w, f, i), i, f->strays, detects};
         if (contains(&s.start, &s.ahead) || (td_shape_at(w, i)->flags & TD_SHAPE_HOLLOW)) {

@@ -45,7 +45,7 @@ static bool closes(thud_world *w, const td_toi_candidate *e, double now) {
 /* Whether an impact can stop the body: it is dynamic, awake and not held. */
 static bool can_stop(const thud_world *w, td_body_index body) {
     const td_body *b = td_body_at(w, body);
-    return b->kind == THUD_DYNAMIC && b->awake.at > 0 && !td_trajectory_at(w, b->awake)->held;
+    return b->kind == THUD_BODY_DYNAMIC && b->awake.at > 0 && !td_trajectory_at(w, b->awake)->held;
 }
 
 /* Whether the body had an impact in this step. */

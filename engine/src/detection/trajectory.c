@@ -12,7 +12,7 @@
 const thud_detection *td_detection_of(const thud_world *w, td_body_index body_a,
                                       td_body_index body_b) {
     const td_body *a = td_body_at(w, body_a), *b = td_body_at(w, body_b);
-    bool moves_a = a->kind == THUD_DYNAMIC, moves_b = b->kind == THUD_DYNAMIC;
+    bool moves_a = a->kind == THUD_BODY_DYNAMIC, moves_b = b->kind == THUD_BODY_DYNAMIC;
     return !moves_b || (moves_a && a->detection->rank > b->detection->rank) ? a->detection
                                                                             : b->detection;
 }
@@ -101,12 +101,12 @@ void td_trajectory_reduce_fall(const thud_world *w, td_trajectory *f, double x, 
     f->fall[1] -= y;
 }
 
-thud_shape_instance td_trajectory_shape(const thud_world *w, const td_trajectory *f, int index,
+thud_geometry td_trajectory_shape(const thud_world *w, const td_trajectory *f, int index,
                                         double time, td_position origin) {
     const td_shape *shape = td_shape_at(w, index);
     float c, s;
     td_angle_turn(angle_at(f, time), &c, &s);
-    thud_shape_instance p = {.kind = (thud_shape_kind)shape->kind,
+    thud_geometry p = {.kind = (thud_shape_kind)shape->kind,
                              .x = (double)(f->place.x - origin.x) / w->to_fixed +
                                   path_along(f, 0, time) +
                                   (double)(c * shape->arm_x - s * shape->arm_y),
@@ -155,7 +155,7 @@ static bool intervals_miss(double x, double motion, double reach) {
 }
 
 /* Half the width and height of a box that contains the shape, at any angle if it `turns`. */
-static void half_extents(const thud_shape_instance *p, bool turns, double *x, double *y) {
+static void half_extents(const thud_geometry *p, bool turns, double *x, double *y) {
     if (td_kind_is_round(p->kind)) {
         *x = *y = p->hx;
     } else if (turns) {
@@ -197,8 +197,8 @@ static bool stays_above_line(const thud_world *w, int terrain_shape, const td_ap
 
 /* The motion of a shape of the body between two placements, `duration` (share of the step) apart.
  */
-static thud_motion motion_between(const td_trajectory *f, const thud_shape_instance *from,
-                                  const thud_shape_instance *to, double duration) {
+static thud_motion motion_between(const td_trajectory *f, const thud_geometry *from,
+                                  const thud_geometry *to, double duration) {
     return (thud_motion){to->x - from->x, to->y - from->y,
                          td_kind_turns(from->kind) ? f->motion[2] * duration : 0.0};
 }
@@ -227,14 +227,14 @@ void td_toi_candidate_motions(const thud_world *w, const td_toi_candidate *e, do
         origin = td_shape_proxy_at(w, e->shape[0])->center;
         p->ground = td_terrain_view(w, e->shape[0]);
         p->a = td_trajectory_shape(w, &b, e->shape[1], now, origin);
-        thud_shape_instance end = td_trajectory_shape(w, &b, e->shape[1], until, origin);
+        thud_geometry end = td_trajectory_shape(w, &b, e->shape[1], until, origin);
         p->motion_a = motion_between(&b, &p->a, &end, until - now);
         return;
     }
     p->a = td_trajectory_shape(w, &a, e->shape[0], now, origin);
     p->b = td_trajectory_shape(w, &b, e->shape[1], now, origin);
-    thud_shape_instance end_a = td_trajectory_shape(w, &a, e->shape[0], until, origin);
-    thud_shape_instance end_b = td_trajectory_shape(w, &b, e->shape[1], until, origin);
+    thud_geometry end_a = td_trajectory_shape(w, &a, e->shape[0], until, origin);
+    thud_geometry end_b = td_trajectory_shape(w, &b, e->shape[1], until, origin);
     p->motion_a = motion_between(&a, &p->a, &end_a, until - now);
     p->motion_b = motion_between(&b, &p->b, &end_b, until - now);
 }
@@ -273,7 +273,7 @@ static double allowed_distance(thud_world *w, const td_toi_candidate *e, const t
 }
 
 bool td_toi_candidate_is_far(thud_world *w, const td_toi_candidate *e) {
-    if (td_body_at(w, e->body[0])->kind == THUD_STATIC) { /* its max_extent is not set */
+    if (td_body_at(w, e->body[0])->kind == THUD_BODY_STATIC) { /* its max_extent is not set */
         return false;
     }
     td_trajectory a = td_trajectory_of(w, e->body[0]), b = td_trajectory_of(w, e->body[1]);
@@ -329,7 +329,7 @@ bool td_toi_candidate_approach(thud_world *w, const td_toi_candidate *e, double 
 
 /* Replaces the contact points of a ghost by those along an allowed normal, or by none. */
 static void move_ghost_contacts(thud_world *w, const td_toi_candidate *e,
-                                const thud_shape_instance *a, const thud_shape_instance *b,
+                                const thud_geometry *a, const thud_geometry *b,
                                 thud_contacts *contacts) {
     td_internal_edge_pair pair = {w, {e->shape[0], e->shape[1]}, {*a, *b}};
     td_internal_edge_contact open = {.count = 0};
@@ -351,7 +351,7 @@ static void move_ghost_contacts(thud_world *w, const td_toi_candidate *e,
 #define NORMAL_TOLERANCE 1e-5
 
 bool td_is_at_sealed_end(const thud_world *w, int line, const thud_terrain *ground,
-                         const thud_shape_instance *shape, const thud_closest *met, double *x,
+                         const thud_geometry *shape, const thud_closest *met, double *x,
                          double *out) {
     unsigned sealed = td_shape_at(w, line)->internal_edges;
     for (int side = 0; side < 2; side++) {
@@ -369,7 +369,7 @@ bool td_is_at_sealed_end(const thud_world *w, int line, const thud_terrain *grou
 
 /* Removes the contact points of a shape at sealed ends of a line, which are ghosts. */
 static void drop_sealed_ends(const thud_world *w, int line, const thud_terrain *ground,
-                             const thud_shape_instance *shape, thud_contacts *contacts) {
+                             const thud_geometry *shape, thud_contacts *contacts) {
     int kept = 0;
     double x, out;
     for (int k = 0; k < contacts->count; k++) {
@@ -387,7 +387,7 @@ void td_toi_candidate_features(thud_world *w, const td_toi_candidate *e, double 
     if (td_kind_is_line(td_shape_at(w, e->shape[0])->kind)) {
         out->origin = td_shape_proxy_at(w, e->shape[0])->center;
         thud_terrain ground = td_terrain_view(w, e->shape[0]);
-        thud_shape_instance shape = td_trajectory_shape(w, &b, e->shape[1], time, out->origin);
+        thud_geometry shape = td_trajectory_shape(w, &b, e->shape[1], time, out->origin);
         thud_terrain_contacts(&ground, &shape, margin, &out->contacts);
         if (td_toi_candidate_has_internal_edges(w, e)) {
             drop_sealed_ends(w, e->shape[0], &ground, &shape, &out->contacts);
@@ -395,9 +395,9 @@ void td_toi_candidate_features(thud_world *w, const td_toi_candidate *e, double 
         return;
     }
     out->origin = a.place;
-    thud_shape_instance at_a = td_trajectory_shape(w, &a, e->shape[0], time, a.place);
-    thud_shape_instance at_b = td_trajectory_shape(w, &b, e->shape[1], time, a.place);
-    thud_shapes_contacts(&at_a, &at_b, margin, &out->contacts);
+    thud_geometry at_a = td_trajectory_shape(w, &a, e->shape[0], time, a.place);
+    thud_geometry at_b = td_trajectory_shape(w, &b, e->shape[1], time, a.place);
+    thud_geometry_contacts(&at_a, &at_b, margin, &out->contacts);
     if (out->contacts.count && td_toi_candidate_has_internal_edges(w, e)) {
         move_ghost_contacts(w, e, &at_a, &at_b, &out->contacts);
     }

@@ -14,7 +14,7 @@ bool td_islands_room(thud_world *w, td_array *array, int count) {
 
 td_awake_slot td_island_neighbour(const thud_world *w, const td_constraint *constraint, int side) {
     const td_body *other = td_body_at(w, constraint->body[1 - side]);
-    bool moves = other->kind == THUD_DYNAMIC && other->awake.at > 0;
+    bool moves = other->kind == THUD_BODY_DYNAMIC && other->awake.at > 0;
     return moves ? other->awake : (td_awake_slot){0};
 }
 

@@ -45,11 +45,11 @@
 
 /* ---- the result ---- */
 
-/* Clamps each number of a velocity to the world's maximum speed, and its turn to THUD_SPIN_MAX. */
+/* Clamps each number of a velocity to the world's maximum speed, and its turn to THUD_ANGULAR_SPEED_MAX. */
 static void clamp_velocity(const thud_world *w, double velocity[3]) {
     double speed_max = (double)(w->def.maximum_speed * w->unit);
     for (int k = 0; k < 3; k++) {
-        double max = k < 2 ? speed_max : (double)THUD_SPIN_MAX;
+        double max = k < 2 ? speed_max : (double)THUD_ANGULAR_SPEED_MAX;
         velocity[k] = velocity[k] > max ? max : velocity[k] < -max ? -max : velocity[k];
     }
 }

@@ -139,7 +139,7 @@ static bool velocities_are_valid(const td_island_work *work) {
     bool all = true;
     for (int i = 0; i < work->island->bodies; i++) {
         const double *v = work->problem.bodies[i].velocity;
-        all &= td_finite(v[0]) && td_finite(v[1]) && td_abs(v[2]) <= (double)THUD_SPIN_MAX;
+        all &= td_finite(v[0]) && td_finite(v[1]) && td_abs(v[2]) <= (double)THUD_ANGULAR_SPEED_MAX;
     }
     return all;
 }

@@ -72,7 +72,7 @@ thud_result thud_body_set_fixed_rotation(thud_world *w, thud_body_id id, bool fi
     if (result == THUD_OK) {
         td_body *body = td_body_at(w, index);
         flag(body, TD_BODY_FIXED, fixed);
-        if (fixed && body->kind == THUD_DYNAMIC) {
+        if (fixed && body->kind == THUD_BODY_DYNAMIC) {
             td_body_velocity(w, body)[2] = 0.0f;
         }
         update_mass(w, index);
@@ -111,7 +111,7 @@ static const char *mass_error(const thud_world *w, const td_body *body, const th
                               td_reason *why) {
     double max_offset = (double)(THUD_SIZE_MAX * w->unit);
     double min = (double)THUD_MASS_MIN, max = (double)THUD_MASS_MAX;
-    if (body->kind != THUD_DYNAMIC) {
+    if (body->kind != THUD_BODY_DYNAMIC) {
         return "set mass: the body is not dynamic";
     }
     if (!m) {

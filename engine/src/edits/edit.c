@@ -29,7 +29,7 @@ thud_result td_edit_shape(const thud_world *w, thud_shape_id id, int *index) {
  * sleep, and for the shapes of a static body a wake means that edited terrain is examined. */
 static void wake_other(thud_world *w, int edge) {
     td_body_index other = td_other_body(w, edge);
-    if (td_constraint_at(w, edge / 2)->open && td_body_at(w, other)->kind != THUD_STATIC) {
+    if (td_constraint_at(w, edge / 2)->open && td_body_at(w, other)->kind != THUD_BODY_STATIC) {
         td_body_mark(w, other, TD_CHANGE_WAKE);
     }
 }

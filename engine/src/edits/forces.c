@@ -4,20 +4,20 @@
 #include "state/body.h"
 #include "state/handles.h"
 
-/* Whether x is a number within THUD_PUSH_MAX. */
+/* Whether x is a number within THUD_FORCE_MAX. */
 static bool is_push(double x) {
-    return td_abs(x) <= (double)THUD_PUSH_MAX;
+    return td_abs(x) <= (double)THUD_FORCE_MAX;
 }
 
 /* Finds a dynamic body. */
 static thud_result find(const thud_world *w, thud_body_id id, td_body_index *index) {
     thud_result result = td_find_body(w, id, index);
-    return result == THUD_OK && td_body_at(w, *index)->kind != THUD_DYNAMIC
+    return result == THUD_OK && td_body_at(w, *index)->kind != THUD_BODY_DYNAMIC
                ? td_refuse(w, THUD_ERROR_INVALID, "force or impulse: the body is not dynamic")
                : result;
 }
 
-thud_result thud_body_apply_force_at(thud_world *w, thud_body_id id, thud_vec2 force,
+thud_result thud_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 force,
                                      thud_pos point) {
     TD_IN_OWN_MODE;
     td_body_index index;
@@ -25,7 +25,7 @@ thud_result thud_body_apply_force_at(thud_world *w, thud_body_id id, thud_vec2 f
     if (result != THUD_OK) {
         return result;
     }
-    double max = (double)THUD_PUSH_MAX;
+    double max = (double)THUD_FORCE_MAX;
     td_reason why;
     if (!td_in(&why, "apply force at: x of force", (double)force.x, -max, max) ||
         !td_in(&why, "apply force at: y of force", (double)force.y, -max, max) ||
@@ -39,7 +39,7 @@ thud_result thud_body_apply_force_at(thud_world *w, thud_body_id id, thud_vec2 f
     if (!(is_push(x) && is_push(y) && is_push(x - y))) {
         return td_refuse(w, THUD_ERROR_INVALID, "apply force at: its torque is out of range");
     }
-    return thud_body_apply_force(w, id, force, (float)(x - y));
+    return thud_body_apply_force_and_torque(w, id, force, (float)(x - y));
 }
 
 /* Applies the impulse (x, y) at the centre of mass and the angular impulse `turn`. Inside a
@@ -59,7 +59,7 @@ static thud_result apply_impulse(thud_world *w, thud_body_id id, double x, doubl
     }
     if (w->locked) {
         thud_vec2 force = {(float)(x / time), (float)(y / time)};
-        return thud_body_apply_force(w, id, force, (float)(turn / time));
+        return thud_body_apply_force_and_torque(w, id, force, (float)(turn / time));
     }
     if (!(body->flags & TD_BODY_QUARANTINED)) {
         float *velocity = td_body_velocity(w, body);

@@ -57,7 +57,7 @@ static thud_result make_anchor(thud_world *w, td_position near, thud_body_id *id
 /* Which axes a lock (a joint, or TD_NONE) locks. A wheel leaves the axis of its frame free. */
 static void read_locks(const thud_world *w, int lock, bool *x, bool *y) {
     const td_joint *joint = lock == TD_NONE ? NULL : td_joint_at(w, lock);
-    bool both = joint && joint->kind == THUD_HINGE;
+    bool both = joint && joint->kind == THUD_JOINT_HINGE;
     *x = joint && (both || td_abs((double)joint->axis_s) > 0.5);
     *y = joint && (both || !*x);
 }
@@ -65,7 +65,7 @@ static void read_locks(const thud_world *w, int lock, bool *x, bool *y) {
 /* Makes the lock of x, y or both, in place of the one that the body has. Room for the joint is
  * reserved before the anchor is made. */
 static thud_result make_lock(thud_world *w, td_body_index index, bool x, bool y) {
-    thud_joint_def def = thud_default_joint_def(x && y ? THUD_HINGE : THUD_WHEEL);
+    thud_joint_def def = thud_default_joint_def(x && y ? THUD_JOINT_HINGE : THUD_JOINT_WHEEL);
     if (!td_slots_reserve(&w->memory, &w->joints, 1) || !td_joint_reserve(w, (int)def.kind)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "set locks: out of memory");
     }
@@ -98,7 +98,7 @@ thud_result thud_body_set_locks(thud_world *w, thud_body_id id, bool x, bool y) 
     if (result != THUD_OK) {
         return result;
     }
-    if (td_body_at(w, index)->kind != THUD_DYNAMIC) {
+    if (td_body_at(w, index)->kind != THUD_BODY_DYNAMIC) {
         return td_refuse(w, THUD_ERROR_INVALID, "set locks: the body is not dynamic");
     }
     int lock = lock_of(w, index);
@@ -114,7 +114,7 @@ thud_result thud_body_set_locks(thud_world *w, thud_body_id id, bool x, bool y) 
     return THUD_OK;
 }
 
-thud_result thud_body_locks(const thud_world *w, thud_body_id id, bool *x, bool *y) {
+thud_result thud_body_get_locks(const thud_world *w, thud_body_id id, bool *x, bool *y) {
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result == THUD_OK) {

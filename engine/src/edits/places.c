@@ -23,7 +23,7 @@ static thud_result find_at(const thud_world *w, thud_body_id id, double x, doubl
     return result != THUD_OK ? result : td_check_place(w, "point of a body: x or y of point", x, y);
 }
 
-thud_result thud_body_velocity_at(const thud_world *w, thud_body_id id, thud_pos point,
+thud_result thud_body_get_velocity_at(const thud_world *w, thud_body_id id, thud_pos point,
                                   thud_vec2 *out) {
     TD_IN_OWN_MODE;
     td_body_index index;
@@ -52,7 +52,7 @@ static thud_vec2 rotated(const td_pose *pose, double x, double y, double sign) {
     return (thud_vec2){finite_float(c * x - s * y), finite_float(s * x + c * y)};
 }
 
-thud_result thud_body_world_point(const thud_world *w, thud_body_id id, thud_vec2 point,
+thud_result thud_body_get_world_point(const thud_world *w, thud_body_id id, thud_vec2 point,
                                   thud_pos *out) {
     TD_IN_OWN_MODE;
     td_body_index index;
@@ -68,7 +68,7 @@ thud_result thud_body_world_point(const thud_world *w, thud_body_id id, thud_vec
     return THUD_OK;
 }
 
-thud_result thud_body_local_point(const thud_world *w, thud_body_id id, thud_pos point,
+thud_result thud_body_get_local_point(const thud_world *w, thud_body_id id, thud_pos point,
                                   thud_vec2 *out) {
     TD_IN_OWN_MODE;
     td_body_index index;
@@ -99,12 +99,12 @@ static thud_result rotate_vector(const thud_world *w, thud_body_id id, thud_vec2
     return THUD_OK;
 }
 
-thud_result thud_body_world_vector(const thud_world *w, thud_body_id id, thud_vec2 vector,
+thud_result thud_body_get_world_vector(const thud_world *w, thud_body_id id, thud_vec2 vector,
                                    thud_vec2 *out) {
     return rotate_vector(w, id, vector, 1.0, out);
 }
 
-thud_result thud_body_local_vector(const thud_world *w, thud_body_id id, thud_vec2 vector,
+thud_result thud_body_get_local_vector(const thud_world *w, thud_body_id id, thud_vec2 vector,
                                    thud_vec2 *out) {
     return rotate_vector(w, id, vector, -1.0, out);
 }

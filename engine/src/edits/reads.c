@@ -6,7 +6,7 @@
 #include "state/body.h"
 #include "state/handles.h"
 
-thud_result thud_body_position(const thud_world *w, thud_body_id id, thud_pos *position) {
+thud_result thud_body_get_position(const thud_world *w, thud_body_id id, thud_pos *position) {
     TD_IN_OWN_MODE;
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
@@ -16,7 +16,7 @@ thud_result thud_body_position(const thud_world *w, thud_body_id id, thud_pos *p
     return result;
 }
 
-thud_result thud_body_rotation(const thud_world *w, thud_body_id id, double *angle, float *cosine,
+thud_result thud_body_get_rotation(const thud_world *w, thud_body_id id, double *angle, float *cosine,
                                float *sine) {
     TD_IN_OWN_MODE;
     td_body_index index;
@@ -37,7 +37,7 @@ thud_result thud_body_rotation(const thud_world *w, thud_body_id id, double *ang
     return THUD_OK;
 }
 
-thud_result thud_body_velocity(const thud_world *w, thud_body_id id, thud_vec2 *velocity,
+thud_result thud_body_get_velocity(const thud_world *w, thud_body_id id, thud_vec2 *velocity,
                                float *angular_velocity) {
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
@@ -54,7 +54,7 @@ thud_result thud_body_velocity(const thud_world *w, thud_body_id id, thud_vec2 *
     return THUD_OK;
 }
 
-thud_result thud_body_user_data(const thud_world *w, thud_body_id id, uint64_t *user_data) {
+thud_result thud_body_get_user_data(const thud_world *w, thud_body_id id, uint64_t *user_data) {
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result == THUD_OK && user_data) {
@@ -63,7 +63,7 @@ thud_result thud_body_user_data(const thud_world *w, thud_body_id id, uint64_t *
     return result;
 }
 
-thud_result thud_shape_user_data(const thud_world *w, thud_shape_id id, uint64_t *user_data) {
+thud_result thud_shape_get_user_data(const thud_world *w, thud_shape_id id, uint64_t *user_data) {
     int index = 0;
     thud_result result = td_find_shape(w, id, &index);
     if (result == THUD_OK && user_data) {
@@ -72,7 +72,7 @@ thud_result thud_shape_user_data(const thud_world *w, thud_shape_id id, uint64_t
     return result;
 }
 
-thud_result thud_shape_body(const thud_world *w, thud_shape_id id, thud_body_id *body) {
+thud_result thud_shape_get_body(const thud_world *w, thud_shape_id id, thud_body_id *body) {
     int index = 0;
     thud_result result = td_find_shape(w, id, &index);
     if (result == THUD_OK && body) {
@@ -81,7 +81,7 @@ thud_result thud_shape_body(const thud_world *w, thud_shape_id id, thud_body_id 
     return result;
 }
 
-thud_result thud_world_step_settings(const thud_world *w, thud_step_settings *out) {
+thud_result thud_world_get_step_settings(const thud_world *w, thud_step_settings *out) {
     if (!w) {
         return THUD_ERROR_NULL;
     }

@@ -52,8 +52,8 @@ thud_result thud_shape_set_sensor(thud_world *w, thud_shape_id id, bool sensor) 
     int kind = td_body_at(w, shape->body)->kind;
     shape->flags ^= TD_SHAPE_SENSOR;
     w->sensors += sensor ? 1 : -1;
-    w->mobile_sensors += kind == THUD_DYNAMIC ? (sensor ? 1 : -1) : 0;
-    if (kind != THUD_STATIC) { /* those of the body's other shapes follow with the change */
+    w->mobile_sensors += kind == THUD_BODY_DYNAMIC ? (sensor ? 1 : -1) : 0;
+    if (kind != THUD_BODY_STATIC) { /* those of the body's other shapes follow with the change */
         shape->internal_edges = shape->hidden = 0;
     }
     *td_marks_at(w, index) |= TD_MARK_FRESH;

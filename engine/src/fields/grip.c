@@ -29,7 +29,7 @@ thud_result thud_body_apply_grip(thud_world *w, thud_body_id id, thud_vec2 point
     td_reason why;
     if (!td_offset_in(w, &why, "apply grip: x or y of point", point) ||
         !td_in(&why, "apply grip: speed", (double)speed, -max_speed, max_speed) ||
-        !td_in(&why, "apply grip: most", (double)most, 0.0, (double)THUD_PUSH_MAX)) {
+        !td_in(&why, "apply grip: most", (double)most, 0.0, (double)THUD_FORCE_MAX)) {
         return td_refuse(w, THUD_ERROR_INVALID, why.text);
     }
     if (!td_finite(length) || length == 0.0) {

@@ -24,7 +24,7 @@ static void add_contact(const thud_world *w, td_body_index body, int edge, rolli
     }
     bool second = td_same_body(contact->body[1], body);
     const td_shape *shape = td_shape_at(w, second ? contact->shape_b : contact->shape_a);
-    if (shape->kind != THUD_CIRCLE) {
+    if (shape->kind != THUD_SHAPE_CIRCLE) {
         return;
     }
     thud_manifold manifold = td_manifold_of(w, contact);

@@ -1,5 +1,5 @@
 /* submerged.c: area and centroid of the part of a circle or box below a line, in closed form; and
- * thud_shape_below. */
+ * thud_geometry_area_below. */
 #include "fields/submerged.h"
 
 #include "base/trig.h"
@@ -21,7 +21,7 @@ static double angle_of(double cosine, double sine) {
 /* The part of a circle whose centre is at `height` above the line: a circular segment, of area
  * r^2 angle - height * half, where `half` is half the chord, with its centroid 2/3 half^3 / area
  * below the centre. */
-static td_submerged_part part_of_circle(const thud_shape_instance *circle, double height,
+static td_submerged_part part_of_circle(const thud_geometry *circle, double height,
                                         thud_pos up) {
     double r = circle->hx;
     td_submerged_part part = {0.0, circle->x, circle->y};
@@ -43,8 +43,8 @@ static td_submerged_part part_of_circle(const thud_shape_instance *circle, doubl
 
 /* The part of a box: cuts the box at the line (Sutherland and Hodgman's clipping), which leaves up
  * to five corners, and adds up the triangles from the first corner. */
-static td_submerged_part part_of_box(const thud_shape_instance *box, double height, thud_pos up) {
-    thud_shape_instance own = *box;
+static td_submerged_part part_of_box(const thud_geometry *box, double height, thud_pos up) {
+    thud_geometry own = *box;
     thud_pos corner[4], left[5];
     double above[4];
     int count = 0;
@@ -82,9 +82,9 @@ static td_submerged_part part_of_box(const thud_shape_instance *box, double heig
                                box->y + left[0].y + sum_y / (3.0 * twice)};
 }
 
-td_submerged_part td_submerged_part_of(const thud_shape_instance *shape, double height,
+td_submerged_part td_submerged_part_of(const thud_geometry *shape, double height,
                                        thud_pos up) {
-    return shape->kind == THUD_CIRCLE ? part_of_circle(shape, height, up)
+    return shape->kind == THUD_SHAPE_CIRCLE ? part_of_circle(shape, height, up)
                                       : part_of_box(shape, height, up);
 }
 
@@ -94,13 +94,13 @@ bool td_line_normal(double x, double y, thud_pos *up) {
     return td_abs(length - 1.0) <= THUD_NORMAL_ERROR;
 }
 
-thud_result thud_shape_below(const thud_shape_instance *shape, double x, double y, double nx,
+thud_result thud_geometry_area_below(const thud_geometry *shape, double x, double y, double nx,
                              double ny, double *area, double *center_x, double *center_y) {
     if (!shape || !area || !center_x || !center_y) {
         return THUD_ERROR_NULL;
     }
     thud_pos up;
-    if (thud_placed_check(shape) != THUD_OK || !td_line_normal(nx, ny, &up) ||
+    if (thud_geometry_check(shape) != THUD_OK || !td_line_normal(nx, ny, &up) ||
         !(td_abs(x) <= THUD_COORDINATE_MAX && td_abs(y) <= THUD_COORDINATE_MAX)) {
         return THUD_ERROR_INVALID;
     }

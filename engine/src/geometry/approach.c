@@ -3,13 +3,13 @@
  * = -(p . u) / |d|, clamped to [0, 1]. */
 #include "geometry/shape_instance.h"
 
-thud_result thud_circles_approach(const thud_shape_instance *a, thud_motion motion_a,
-                                  const thud_shape_instance *b, thud_motion motion_b,
+thud_result thud_geometry_approach(const thud_geometry *a, thud_motion motion_a,
+                                  const thud_geometry *b, thud_motion motion_b,
                                   thud_approach *out) {
     if (!a || !b || !out) {
         return THUD_ERROR_NULL;
     }
-    if (thud_placed_check(a) != THUD_OK || thud_placed_check(b) != THUD_OK ||
+    if (thud_geometry_check(a) != THUD_OK || thud_geometry_check(b) != THUD_OK ||
         !td_kind_is_round(a->kind) || !td_kind_is_round(b->kind) || !td_motion_valid(motion_a) ||
         !td_motion_valid(motion_b)) {
         return THUD_ERROR_INVALID;

@@ -2,11 +2,11 @@
  * with a point, which is the shape itself (minkowski.c). */
 #include "geometry/minkowski.h"
 
-bool thud_shape_cast_ray(const thud_shape_instance *shape, double ox, double oy, double dx,
+bool thud_geometry_cast_ray(const thud_geometry *shape, double ox, double oy, double dx,
                          double dy, double *fraction, double *nx, double *ny) {
     thud_minkowski sum;
     double f, u, v;
-    if (thud_placed_check(shape) != THUD_OK || !td_finite(ox + oy + dx + dy)) {
+    if (thud_geometry_check(shape) != THUD_OK || !td_finite(ox + oy + dx + dy)) {
         return false;
     }
     td_minkowski_of(shape, &sum);

@@ -100,6 +100,6 @@ thud_result thud_volume_contains(const thud_volume *outer, const thud_volume *in
 
 thud_result thud_volume_contains_point(const thud_volume *volume, double x, double y,
                                        bool *inside) {
-    const thud_volume point = {.kind = THUD_CIRCLE, .x = x, .y = y};
+    const thud_volume point = {.kind = THUD_SHAPE_CIRCLE, .x = x, .y = y};
     return thud_volume_contains(volume, &point, inside);
 }

@@ -91,7 +91,7 @@ static bool is_corrected(const thud_world *w, td_awake_slot slot) {
 /* The idle time of a body, s; 0 for a body that must not sleep now. */
 static float idle_time(const thud_world *w, td_awake_slot slot) {
     const td_body *body = td_body_at(w, td_body_of(w, slot));
-    bool restless = body->flags & TD_BODY_RESTLESS || body->kind != THUD_DYNAMIC;
+    bool restless = body->flags & TD_BODY_RESTLESS || body->kind != THUD_BODY_DYNAMIC;
     return restless || is_corrected(w, slot) ? 0.0f : *td_row(&w->idle, slot);
 }
 

@@ -8,7 +8,7 @@
 
 /* Whether a body is asleep and can wake. */
 static bool may_wake(const td_body *body) {
-    return body->kind == THUD_DYNAMIC && body->awake.at < 0 &&
+    return body->kind == THUD_BODY_DYNAMIC && body->awake.at < 0 &&
            !(body->flags & (TD_BODY_QUARANTINED | TD_BODY_DISABLED)) &&
            !(body->changes & TD_CHANGE_ENTER);
 }

@@ -48,7 +48,7 @@ static void set_lock(const thud_world *w, td_block *block, int lane, const td_jo
     rows->frame[lane] = (joint->locked & 3u) != 3u ? 1.0f : 0.0f;
     rows->turn_sign[lane] = sign;
     block->tangent_cross_a[lane] = block->tangent_cross_b[lane] =
-        joint->locked >> THUD_TURN & 1u ? sign : 0.0f;
+        joint->locked >> THUD_DIRECTION_TURN & 1u ? sign : 0.0f;
 }
 
 /* A lane of a locked distance. */
@@ -73,7 +73,7 @@ static void set_drive(const thud_world *w, td_block *block, int lane, const td_j
     int direction = direction_of(joint, block->constraint[lane]);
     const td_drive *d = &joint->drive[direction];
     set_anchors(w, joint, &rows->anchor, lane);
-    rows->across[lane] = direction == THUD_ACROSS ? -1 : 0;
+    rows->across[lane] = direction == THUD_DIRECTION_ACROSS ? -1 : 0;
     rows->turn_sign[lane] = sign_of(joint);
     rows->limited[lane] = d->limited ? -1 : 0;
     rows->lower[lane] = d->lower;

@@ -19,7 +19,7 @@ static const td_joint *member(const thud_world *w, const td_joint *gear, int i) 
 }
 
 bool td_gear_by_angle(const td_joint *joint) {
-    return joint->kind == THUD_HINGE || joint->kind == THUD_WHEEL;
+    return joint->kind == THUD_JOINT_HINGE || joint->kind == THUD_JOINT_WHEEL;
 }
 
 bool td_gear_has_joints(const thud_world *w, const td_joint *joint) {
@@ -56,7 +56,7 @@ static double coordinate_of(const thud_world *w, const td_joint *gear, int i) {
     }
     td_joint_place place = td_joint_place_of(w, joint);
     double x = (double)place.x, y = (double)place.y;
-    return joint->kind == THUD_DISTANCE ? __builtin_sqrt(x * x + y * y)
+    return joint->kind == THUD_JOINT_DISTANCE ? __builtin_sqrt(x * x + y * y)
                                         : x * (double)place.axis_x + y * (double)place.axis_y;
 }
 
@@ -95,7 +95,7 @@ static void coordinate_gradient(const thud_world *w, const td_joint *joint, floa
         return;
     }
     float x = place.axis_x, y = place.axis_y;
-    if (joint->kind == THUD_DISTANCE) {
+    if (joint->kind == THUD_JOINT_DISTANCE) {
         td_joint_line(&place, &x, &y);
     }
     out[0] = x;

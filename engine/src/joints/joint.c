@@ -6,9 +6,9 @@
 #include "base/trig.h"
 
 enum {
-    ALONG = 1u << THUD_ALONG,
-    ACROSS = 1u << THUD_ACROSS,
-    TURN = 1u << THUD_TURN,
+    ALONG = 1u << THUD_DIRECTION_ALONG,
+    ACROSS = 1u << THUD_DIRECTION_ACROSS,
+    TURN = 1u << THUD_DIRECTION_TURN,
     ALL = ALONG | ACROSS | TURN
 };
 
@@ -18,14 +18,14 @@ _Static_assert((int)THUD_DIRECTION_COUNT == (int)TD_JOINT_DIRECTIONS, "a drive f
  * drive (`unless_driven`), and those that may be driven. */
 static const struct {
     unsigned locked, unless_driven, drivable;
-} of_kind[] = {[THUD_DISTANCE] = {ALONG, ALONG, ALONG},
-               [THUD_HINGE] = {ALONG | ACROSS, 0, TURN},
-               [THUD_SLIDER] = {ACROSS | TURN, 0, ALONG},
-               [THUD_WELD] = {ALL, ALL, ALL},
-               [THUD_WHEEL] = {ACROSS, 0, ALONG | TURN},
-               [THUD_TARGET] = {0, 0, ALL},
-               [THUD_FILTER] = {0, 0, 0},
-               [THUD_GEAR] = {0, 0, 0}};
+} of_kind[] = {[THUD_JOINT_DISTANCE] = {ALONG, ALONG, ALONG},
+               [THUD_JOINT_HINGE] = {ALONG | ACROSS, 0, TURN},
+               [THUD_JOINT_SLIDER] = {ACROSS | TURN, 0, ALONG},
+               [THUD_JOINT_WELD] = {ALL, ALL, ALL},
+               [THUD_JOINT_WHEEL] = {ACROSS, 0, ALONG | TURN},
+               [THUD_JOINT_TARGET] = {0, 0, ALL},
+               [THUD_JOINT_FILTER] = {0, 0, 0},
+               [THUD_JOINT_GEAR] = {0, 0, 0}};
 _Static_assert(sizeof of_kind / sizeof *of_kind == THUD_JOINT_KIND_COUNT, "every kind has a line");
 
 unsigned td_joint_drivable(int kind) {
@@ -44,14 +44,14 @@ void td_joint_sort_directions(td_joint *joint) {
 }
 
 int td_joint_part_kind(const td_joint *joint, int part) {
-    bool distance = joint->kind == THUD_DISTANCE;
-    if (joint->kind == THUD_GEAR) {
+    bool distance = joint->kind == THUD_JOINT_DISTANCE;
+    if (joint->kind == THUD_JOINT_GEAR) {
         return TD_CONSTRAINT_GEAR;
     }
     switch (part) {
     case TD_JOINT_LOCK:
         return distance ? TD_CONSTRAINT_ROD : TD_CONSTRAINT_LOCK;
-    case THUD_TURN:
+    case THUD_DIRECTION_TURN:
         return TD_CONSTRAINT_DRIVE_TURN;
     default:
         return distance ? TD_CONSTRAINT_DRIVE_LINE : TD_CONSTRAINT_DRIVE_AXIS;

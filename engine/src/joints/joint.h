@@ -73,7 +73,7 @@ static inline bool td_joint_is_lock(const thud_world *w, const td_joint *joint,
                                     td_body_index body) {
     return td_same_body(joint->body[1], body) &&
            (td_body_at(w, joint->body[0])->flags & TD_BODY_ANCHOR) &&
-           (joint->kind == THUD_HINGE || joint->kind == THUD_WHEEL);
+           (joint->kind == THUD_JOINT_HINGE || joint->kind == THUD_JOINT_WHEEL);
 }
 
 /* joint_make.c. Reserves memory for all parts that a joint of this kind may have; false when memory

@@ -46,7 +46,7 @@ void td_joints_break_up(thud_world *w) {
     }
 }
 
-const thud_joint_event *thud_world_joint_events(const thud_world *w, int *count) {
+const thud_joint_event *thud_world_get_joint_events(const thud_world *w, int *count) {
     const td_array *events = !w ? NULL : w->gathers ? &w->gathered.broken : &w->broken;
     if (count) {
         *count = events ? events->count : 0;

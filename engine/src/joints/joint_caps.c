@@ -51,8 +51,8 @@ static f8 *bounds_of(td_lane at, bool motor) {
  * themselves where one direction has none of them, or the greater cap is unlimited. */
 static void share_cap(const thud_world *w, const td_joint *joint, td_lane along, td_lane across,
                       bool motor) {
-    double cap_u = cap_of(&joint->drive[THUD_ALONG], motor);
-    double cap_v = cap_of(&joint->drive[THUD_ACROSS], motor);
+    double cap_u = cap_of(&joint->drive[THUD_DIRECTION_ALONG], motor);
+    double cap_v = cap_of(&joint->drive[THUD_DIRECTION_ACROSS], motor);
     double radius = td_max_double(cap_u, cap_v);
     if (!(cap_u > 0.0 && cap_v > 0.0 && radius < (double)THUD_JOINT_FORCE_MAX)) {
         return;
@@ -83,8 +83,8 @@ static void share_caps_of_block(const thud_world *w, td_block *block) {
     for (int lane = 0; lane < block->used; lane++) {
         const td_joint *joint = td_joint_of(w, td_constraint_at(w, block->constraint[lane]));
         bool across = td_drive_rows_of(block)->across[lane] != 0;
-        if (across && joint->part[THUD_ALONG] != TD_NONE) {
-            td_lane along = td_lane_of(w, td_constraint_at(w, joint->part[THUD_ALONG]));
+        if (across && joint->part[THUD_DIRECTION_ALONG] != TD_NONE) {
+            td_lane along = td_lane_of(w, td_constraint_at(w, joint->part[THUD_DIRECTION_ALONG]));
             share_cap(w, joint, along, (td_lane){block, lane}, false);
             share_cap(w, joint, along, (td_lane){block, lane}, true);
         }

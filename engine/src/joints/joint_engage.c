@@ -53,7 +53,7 @@ static bool prepare_bodies(thud_world *w, int index) {
     if (!joint->collides && !end_contacts(w, constraint->body[0], constraint->body[1])) {
         return false;
     }
-    for (int side = 0; side < 2 && joint->kind != THUD_FILTER; side++) {
+    for (int side = 0; side < 2 && joint->kind != THUD_JOINT_FILTER; side++) {
         td_body_index body = td_constraint_at(w, index)->body[side];
         if (td_body_sleeps(w, body) && !td_wake(w, body)) {
             return false;
@@ -67,7 +67,7 @@ static void remove_filters(const thud_world *w, td_array *list) {
     int kept = 0;
     for (int i = 0; i < list->count; i++) {
         int index = td_int_at(list, i);
-        bool filter = td_joint_of(w, td_constraint_at(w, index))->kind == THUD_FILTER;
+        bool filter = td_joint_of(w, td_constraint_at(w, index))->kind == THUD_JOINT_FILTER;
         ((int *)list->data)[kept] = index;
         kept += !filter;
     }
@@ -112,7 +112,7 @@ static bool engage_kind(thud_world *w, int kind) {
 static void end_idle_gears(thud_world *w) {
     for (int i = 0; i < w->joints.count && w->constraint_count[TD_CONSTRAINT_GEAR] > 0; i++) {
         const td_joint *joint = td_joint_at(w, i);
-        if (joint->live && joint->kind == THUD_GEAR && !td_gear_has_joints(w, joint)) {
+        if (joint->live && joint->kind == THUD_JOINT_GEAR && !td_gear_has_joints(w, joint)) {
             td_joint_end(w, i);
         }
     }

@@ -92,8 +92,8 @@ static thud_result find_dynamic_body(const thud_world *w, thud_joint_id id, td_b
         return result;
     }
     const td_joint *joint = td_joint_at(w, index);
-    if ((!td_gear_by_angle(joint) && joint->kind != THUD_SLIDER && joint->kind != THUD_DISTANCE) ||
-        td_body_at(w, joint->body[0])->kind != THUD_STATIC) {
+    if ((!td_gear_by_angle(joint) && joint->kind != THUD_JOINT_SLIDER && joint->kind != THUD_JOINT_DISTANCE) ||
+        td_body_at(w, joint->body[0])->kind != THUD_BODY_STATIC) {
         return td_refuse(
             w, THUD_ERROR_INVALID,
             "joint create: a gear is of hinges, wheels, sliders or distances with a static body");
@@ -105,7 +105,7 @@ static thud_result find_dynamic_body(const thud_world *w, thud_joint_id id, td_b
 /* The bodies of a def. */
 static thud_result find_sides(const thud_world *w, const thud_joint_def *def, td_body_index *a,
                               td_body_index *b) {
-    if (def->kind == THUD_GEAR) {
+    if (def->kind == THUD_JOINT_GEAR) {
         thud_result result = find_dynamic_body(w, def->gear[0], a);
         return result == THUD_OK ? find_dynamic_body(w, def->gear[1], b) : result;
     }
@@ -155,7 +155,7 @@ thud_result thud_joint_create(thud_world *w, const thud_joint_def *def, thud_joi
         td_body_at(w, a)->passes |= td_passing_bit(b);
         td_body_at(w, b)->passes |= td_passing_bit(a);
     }
-    if (joint->kind == THUD_GEAR) {
+    if (joint->kind == THUD_JOINT_GEAR) {
         set_members(w, joint, def);
     }
     td_joint_update_parts(w, index);

@@ -6,7 +6,7 @@
  * begins, and counts as gone already. */
 static bool is_there(const thud_world *w, int index) {
     const td_joint *joint = td_joint_at(w, index);
-    return joint->live && (joint->kind != THUD_GEAR || td_gear_has_joints(w, joint));
+    return joint->live && (joint->kind != THUD_JOINT_GEAR || td_gear_has_joints(w, joint));
 }
 
 /* Whether a handle names a joint of this world. */
@@ -34,7 +34,7 @@ bool thud_joint_is_valid(const thud_world *w, thud_joint_id id) {
     return w && is_live(w, id);
 }
 
-thud_result thud_joint_get(const thud_world *w, thud_joint_id id, thud_joint_state *out) {
+thud_result thud_joint_get_state(const thud_world *w, thud_joint_id id, thud_joint_state *out) {
     TD_IN_OWN_MODE;
     int index = 0;
     thud_result result = td_find_joint(w, id, false, &index);
@@ -77,7 +77,7 @@ static int list(const thud_world *w, int index, thud_joint_id *out, int capacity
     return count + 1;
 }
 
-int thud_world_joints(const thud_world *w, thud_joint_id *out, int capacity) {
+int thud_world_get_joints(const thud_world *w, thud_joint_id *out, int capacity) {
     int count = 0;
     for (int i = 0; w && i < w->joints.count; i++) {
         count = list(w, i, out, capacity, count);
@@ -95,7 +95,7 @@ static int first_part(const td_joint *joint) {
     return TD_NONE;
 }
 
-int thud_body_joints(const thud_world *w, thud_body_id body, thud_joint_id *out, int capacity) {
+int thud_body_get_joints(const thud_world *w, thud_body_id body, thud_joint_id *out, int capacity) {
     td_body_index index;
     if (!w || td_find_body(w, body, &index) != THUD_OK) {
         return 0;

@@ -34,7 +34,7 @@ static bool settings_valid(const thud_world *w, td_reason *why, const thud_conta
     double max_speed = (double)(THUD_SURFACE_SPEED_MAX * w->unit);
     return td_in(why, "prologue: friction", (double)s->friction, 0.0, (double)THUD_FRICTION_MAX) &&
            td_in(why, "prologue: restitution", (double)s->restitution, 0.0,
-                 (double)THUD_BOUNCE_MAX) &&
+                 (double)THUD_PAIR_RESTITUTION_MAX) &&
            td_in(why, "prologue: surface_speed", (double)s->surface_speed, -max_speed, max_speed);
 }
 

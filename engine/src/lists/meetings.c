@@ -1,4 +1,4 @@
-/* meetings.c: thud_world_next_meeting, an iterator over the pairs of shapes of two categories that
+/* meetings.c: thud_world_next_event_pair, an iterator over the pairs of shapes of two categories that
  * met in the last step. It goes through begin, hit and sensor_begin events, in this order, by one
  * running number, and returns each pair once. */
 #include "lists/lists.h"
@@ -63,8 +63,8 @@ static bool is_of(const thud_world *w, uint32_t first, uint32_t second, thud_con
     return (b & first) && (a & second);
 }
 
-bool thud_world_next_meeting(const thud_world *w, uint32_t first, uint32_t second,
-                             thud_met *meeting) {
+bool thud_world_next_event_pair(const thud_world *w, uint32_t first, uint32_t second,
+                             thud_event_pair *meeting) {
     if (!w || !meeting) {
         td_refuse(w, THUD_ERROR_NULL, "next meeting: world or meeting is null");
         return false;
@@ -73,17 +73,17 @@ bool thud_world_next_meeting(const thud_world *w, uint32_t first, uint32_t secon
         td_refuse(w, THUD_ERROR_INVALID, "next meeting: next is negative");
         return false;
     }
-    thud_events e = thud_world_events(w);
+    thud_events e = thud_events_of(w);
     thud_contact_event event;
     int at = meeting->next;
     for (; event_at(&e, at, &event); at++) {
         if (is_of(w, first, second, &event) && !is_repeated(&e, at, &event)) {
             thud_pair pair;
-            thud_pair_get(w, event.shape_a, event.shape_b, &pair);
-            *meeting = (thud_met){event.shape_a, event.shape_b, pair.a, pair.b, at + 1};
+            thud_world_get_pair(w, event.shape_a, event.shape_b, &pair);
+            *meeting = (thud_event_pair){event.shape_a, event.shape_b, pair.a, pair.b, at + 1};
             return true;
         }
     }
-    *meeting = (thud_met){.next = at};
+    *meeting = (thud_event_pair){.next = at};
     return false;
 }

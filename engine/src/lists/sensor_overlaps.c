@@ -1,4 +1,4 @@
-/* sensor_overlaps.c: thud_sensor_overlaps: the shapes of a sensor's open contacts, in the order of
+/* sensor_overlaps.c: thud_shape_get_sensor_overlaps: the shapes of a sensor's open contacts, in the order of
  * slots. Contacts are in no order; so the lowest `capacity` slots are kept in a binary max-heap in
  * the caller's array, which heapsort (J. W. J. Williams, Algorithm 232, 1964) then puts in
  * ascending order. */
@@ -71,7 +71,7 @@ static void keep(thud_shape_id *heap, int capacity, int kept, thud_shape_id shap
     }
 }
 
-thud_result thud_sensor_overlaps(const thud_world *w, thud_shape_id id, thud_shape_id *out,
+thud_result thud_shape_get_sensor_overlaps(const thud_world *w, thud_shape_id id, thud_shape_id *out,
                                  int capacity, int *count) {
     int sensor, n = 0;
     thud_result result = td_list_check(w, out, capacity, count);

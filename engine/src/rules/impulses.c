@@ -1,5 +1,5 @@
 /* impulses.c: events of contacts whose normal impulse, summed over the step, exceeds most_impulse
- * of their rule; see thud_world_impulses in thud_rules.h. */
+ * of their rule; see thud_world_get_impulse_events in thud_rules.h. */
 #include "detection/collide.h"
 #include "constraint/lanes.h"
 #include "contact/contact.h"
@@ -54,7 +54,7 @@ void td_rules_tell(thud_world *w) {
     }
 }
 
-const thud_impulse_event *thud_world_impulses(const thud_world *w, int *count) {
+const thud_impulse_event *thud_world_get_impulse_events(const thud_world *w, int *count) {
     const td_array *events = !w || !w->rules ? NULL
                              : w->gathers    ? &w->gathered.impulses
                                              : &w->rules->impulses;

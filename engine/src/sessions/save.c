@@ -54,7 +54,7 @@ thud_result thud_world_save(thud_world *w, const char *path, const void *own, si
         return result;
     }
     size_t world_bytes = 0, path_length = strlen(path);
-    thud_world_snapshot_size(w, &world_bytes);
+    thud_world_get_snapshot_size(w, &world_bytes);
     size_t size = sizeof(save_head) + world_bytes + bytes, total = size + path_length + 2;
     char *image = total > bytes ? td_memory_get(&w->memory, total) : NULL;
     if (!image) {

@@ -22,7 +22,7 @@
 static double gravity_of(const thud_world *w, uint32_t side, double nx, double ny, double *max) {
     td_awake_slot slot = td_slot_of_side(side);
     const td_body *body = slot.at ? td_body_at(w, td_body_of(w, slot)) : NULL;
-    if (!body || body->kind != THUD_DYNAMIC) {
+    if (!body || body->kind != THUD_BODY_DYNAMIC) {
         return 0.0;
     }
     double x = (double)(w->def.gravity.x * body->gravity_scale);

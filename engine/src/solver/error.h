@@ -1,5 +1,5 @@
 /* error.h: the error statistics of a step, summed up by the solver, td_finalize and detection, and
- * read by thud_world_error. */
+ * read by thud_step_error_of. */
 #ifndef TD_ERROR_H
 #define TD_ERROR_H
 

@@ -19,7 +19,7 @@ const char *td_quality_error(const thud_quality *q, td_reason *why) {
         td_float_in(why, "quality: sag_limit", q->sag_limit, 0.0f, __builtin_inff()) &&
         td_in(why, "quality: island_limit", q->island_limit, 1.0, THUD_ISLAND_LIMIT_MAX) &&
         td_in(why, "quality: island_work", (double)q->island_work, 0.0, (double)INT64_MAX) &&
-        td_in(why, "quality: island_patience", q->island_patience, 0.0, THUD_ISLAND_PATIENCE_MAX);
+        td_in(why, "quality: island_patience", q->island_patience, 0.0, THUD_ISLAND_SLOW_STEPS_MAX);
     return in ? NULL : why->text;
 }
 

@@ -103,7 +103,7 @@ static void refresh_push(thud_world *w, float h) {
         td_body *body = td_body_at(w, td_body_of(w, slot));
         float *push = td_row(&w->push, slot);
         memset(push, 0, sizeof(float[4]));
-        if (body->kind == THUD_DYNAMIC) {
+        if (body->kind == THUD_BODY_DYNAMIC) {
             const float *force = body->force;
             float scale = body->gravity_scale, inv_mass = body->inv_mass;
             push[0] = infinity_to_nan(h * (w->def.gravity.x * scale + force[0] * inv_mass));

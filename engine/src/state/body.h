@@ -50,7 +50,7 @@ static inline int64_t td_length_from(const thud_world *w, float length) {
 /* Whether the body is awake, as callers see it: it has an awake slot, or gets one as the next step
  * begins. */
 static inline bool td_body_is_awake(const td_body *body) {
-    return body->kind != THUD_STATIC && !(body->flags & TD_BODY_DISABLED) &&
+    return body->kind != THUD_BODY_STATIC && !(body->flags & TD_BODY_DISABLED) &&
            (body->awake.at > 0 || (body->changes & (TD_CHANGE_ENTER | TD_CHANGE_WAKE)));
 }
 

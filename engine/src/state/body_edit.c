@@ -25,7 +25,7 @@ static void set_velocity(thud_world *w, td_body_index index, const double v[4]) 
     float *velocity = td_body_velocity(w, body);
     velocity[0] = (float)v[0];
     velocity[1] = (float)v[1];
-    velocity[2] = body->kind == THUD_DYNAMIC && body->inv_inertia == 0.0f ? 0.0f : (float)v[2];
+    velocity[2] = body->kind == THUD_BODY_DYNAMIC && body->inv_inertia == 0.0f ? 0.0f : (float)v[2];
     td_body_mark(w, index, TD_CHANGE_WAKE);
 }
 
@@ -68,7 +68,7 @@ static void set_enabled(thud_world *w, td_body_index index, const double v[4]) {
 
 static void put_shape(thud_world *w, td_body_index index, const double v[4]) {
     td_shape_at(w, (int)v[0])->flags &= (uint8_t)~TD_SHAPE_WAITS;
-    if (td_body_at(w, index)->kind != THUD_STATIC) {
+    if (td_body_at(w, index)->kind != THUD_BODY_STATIC) {
         td_body_weigh(w, index);
     }
 }
@@ -121,7 +121,7 @@ void td_deferred_add(thud_world *w, td_body_index index, td_deferred_kind what, 
 
 /* Whether a deferred edit will rotate the body, so that it cannot get an AABB or a line. */
 bool td_deferred_turns(const thud_world *w, td_body_index index) {
-    bool rotates = false, kinematic = td_body_at(w, index)->kind == THUD_KINEMATIC;
+    bool rotates = false, kinematic = td_body_at(w, index)->kind == THUD_BODY_KINEMATIC;
     for (int i = 0; i < w->deferred.count; i++) {
         const td_deferred_edit *edit = TD_AT(td_deferred_edit, &w->deferred, i);
         rotates |= td_same_body(edit->body, index) && edit->value[2] != 0.0 &&
@@ -146,7 +146,7 @@ static thud_result apply_or_defer(thud_world *w, td_body_index index, td_deferre
 
 /* Refuses a body that is not dynamic. */
 static thud_result check_dynamic(const thud_world *w, td_body_index index, const char *message) {
-    return td_body_at(w, index)->kind == THUD_DYNAMIC ? THUD_OK
+    return td_body_at(w, index)->kind == THUD_BODY_DYNAMIC ? THUD_OK
                                                       : td_refuse(w, THUD_ERROR_INVALID, message);
 }
 
@@ -192,10 +192,10 @@ thud_result thud_body_set_velocity(thud_world *w, thud_body_id id, thud_vec2 vel
         return result;
     }
     const td_body *body = td_body_at(w, index);
-    if (body->kind == THUD_STATIC) {
+    if (body->kind == THUD_BODY_STATIC) {
         return td_refuse(w, THUD_ERROR_INVALID, "set velocity: the body is static");
     }
-    if (body->kind == THUD_KINEMATIC && body->aabbs && angular_velocity != 0.0f) {
+    if (body->kind == THUD_BODY_KINEMATIC && body->aabbs && angular_velocity != 0.0f) {
         return td_refuse(w, THUD_ERROR_INVALID, "set velocity: a body with an AABB cannot turn");
     }
     return apply_or_defer(w, index, TD_PUT_VELOCITY,
@@ -224,7 +224,7 @@ thud_result thud_body_apply_impulse(thud_world *w, thud_body_id id, thud_vec2 va
                                 (double[4]){(double)value.x, (double)value.y, point.x, point.y});
 }
 
-thud_result thud_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 value, float torque) {
+thud_result thud_body_apply_force_and_torque(thud_world *w, thud_body_id id, thud_vec2 value, float torque) {
     TD_IN_OWN_MODE;
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);

@@ -66,7 +66,7 @@ static void free_shape(thud_world *w, int index) {
     w->thinnest_stale = true;
     w->sensors -= (shape->flags & TD_SHAPE_SENSOR) != 0;
     w->mobile_sensors -=
-        (shape->flags & TD_SHAPE_SENSOR) && td_body_at(w, shape->body)->kind == THUD_DYNAMIC;
+        (shape->flags & TD_SHAPE_SENSOR) && td_body_at(w, shape->body)->kind == THUD_BODY_DYNAMIC;
     shape->flags = 0;
     *td_marks_at(w, index) = 0;
     shape->generation++;
@@ -110,7 +110,7 @@ static void update_shapes(thud_world *w, td_body_index index) {
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         td_shape_settle(w, i);
     }
-    if (w->internal_edges && body->kind != THUD_STATIC) {
+    if (w->internal_edges && body->kind != THUD_BODY_STATIC) {
         w->internal_edges->join(w, index);
     }
     td_awake_refresh(w, index);
@@ -144,7 +144,7 @@ static void apply_enabled(thud_world *w, td_body_index index) {
     }
     if (!enabled && body->awake.at > 0) {
         td_awake_remove(w, index);
-    } else if (enabled && body->awake.at < 0 && body->kind != THUD_STATIC) {
+    } else if (enabled && body->awake.at < 0 && body->kind != THUD_BODY_STATIC) {
         td_awake_add(w, index);
     }
     memset(body->force, 0, sizeof body->force);
@@ -189,13 +189,13 @@ static bool apply_changes(thud_world *w, td_body_index index) {
         /* A body that has just been created has no neighbours to tell. */
         ((changes & edits) && !(changes & TD_CHANGE_ENTER) && w->internal_edges &&
          !w->internal_edges->lose(w, index)) ||
-        ((changes & edits || body->kind == THUD_KINEMATIC) && !wake_touching(w, index)) ||
+        ((changes & edits || body->kind == THUD_BODY_KINEMATIC) && !wake_touching(w, index)) ||
         (changes != TD_CHANGE_SLEEP && !(changes & TD_CHANGE_LEAVE) && !td_wake(w, index))) {
         return false;
     }
     body->changes = 0;
     bool rests = body->awake.at < 0;
-    if ((changes & TD_CHANGE_ENTER) && !(changes & TD_CHANGE_LEAVE) && body->kind != THUD_STATIC &&
+    if ((changes & TD_CHANGE_ENTER) && !(changes & TD_CHANGE_LEAVE) && body->kind != THUD_BODY_STATIC &&
         !(body->flags & TD_BODY_DISABLED)) {
         td_awake_add(w, index);
         rests = false;

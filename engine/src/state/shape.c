@@ -35,7 +35,7 @@ const char *td_shape_def_error(const thud_world *w, const thud_shape_def *def, t
 }
 
 bool td_size_in(const thud_world *w, td_reason *why, const char *name, int body_kind, float size) {
-    float max = body_kind == THUD_STATIC ? THUD_STATIC_SIZE_MAX : THUD_SIZE_MAX;
+    float max = body_kind == THUD_BODY_STATIC ? THUD_STATIC_SIZE_MAX : THUD_SIZE_MAX;
     return td_float_in(why, name, size, THUD_SIZE_MIN * w->unit, max * w->unit);
 }
 
@@ -115,13 +115,13 @@ static thud_result finish_create(thud_world *w, td_body_index body_index, const 
     *shape = made;
     w->thinnest_stale = true;
     w->sensors += def->sensor;
-    w->mobile_sensors += def->sensor && body->kind == THUD_DYNAMIC;
+    w->mobile_sensors += def->sensor && body->kind == THUD_BODY_DYNAMIC;
     body->first_shape = index;
     body->shape_count++;
     body->aabbs = (uint8_t)(body->aabbs | td_kind_fixes_rotation(made.kind));
     if (w->locked) {
         td_deferred_add(w, body_index, TD_PUT_SHAPE, (double[4]){index});
-    } else if (body->kind != THUD_STATIC) {
+    } else if (body->kind != THUD_BODY_STATIC) {
         td_body_weigh(w, body_index);
     }
     td_body_mark(w, body_index, TD_CHANGE_SHAPES);
@@ -149,7 +149,7 @@ thud_result thud_shape_create_circle(thud_world *w, thud_body_id id, const thud_
     }
     td_kind_circle(w);
     return finish_create(w, body, def,
-                         (td_shape){.kind = THUD_CIRCLE,
+                         (td_shape){.kind = THUD_SHAPE_CIRCLE,
                                     .x = offset.x,
                                     .y = offset.y,
                                     .angle_c = 1.0f,
@@ -173,13 +173,13 @@ thud_result thud_shape_create_aabb(thud_world *w, thud_body_id id, const thud_sh
     if (td_pose_at(w, body)->angle != 0 || td_deferred_turns(w, body)) {
         return td_refuse(w, THUD_ERROR_INVALID, "AABB: its body's angle must be 0");
     }
-    if (td_body_at(w, body)->kind == THUD_KINEMATIC &&
+    if (td_body_at(w, body)->kind == THUD_BODY_KINEMATIC &&
         td_body_velocity(w, td_body_at(w, body))[2] != 0.0f) {
         return td_refuse(w, THUD_ERROR_INVALID, "AABB: its body must not turn");
     }
     td_kind_aabb(w);
     return finish_create(w, body, def,
-                         (td_shape){.kind = THUD_AABB,
+                         (td_shape){.kind = THUD_SHAPE_AABB,
                                     .x = offset.x,
                                     .y = offset.y,
                                     .angle_c = 1.0f,
@@ -205,7 +205,7 @@ thud_result thud_shape_create_obb(thud_world *w, thud_body_id id, const thud_sha
         return result;
     }
     td_kind_obb(w);
-    td_shape made = {.kind = THUD_OBB,
+    td_shape made = {.kind = THUD_SHAPE_OBB,
                      .x = offset.x,
                      .y = offset.y,
                      .angle = td_angle_from(angle),
@@ -278,7 +278,7 @@ thud_result thud_shape_create_terrain(thud_world *w, thud_body_id id, const thud
     if (result != THUD_OK) {
         return td_refuse(w, result, terrain_error(terrain));
     }
-    if (td_body_at(w, body)->kind != THUD_STATIC || td_pose_at(w, body)->angle != 0 ||
+    if (td_body_at(w, body)->kind != THUD_BODY_STATIC || td_pose_at(w, body)->angle != 0 ||
         td_deferred_turns(w, body)) {
         return td_refuse(w, THUD_ERROR_INVALID, "terrain: needs a static body with angle 0");
     }
@@ -298,10 +298,10 @@ thud_result thud_shape_create_terrain(thud_world *w, thud_body_id id, const thud
     td_terrain_record *record = td_terrain_record_at(w, index);
     *record = made;
     return finish_create(w, body, def,
-                         (td_shape){.kind = THUD_TERRAIN, .terrain = index, .angle_c = 1.0f}, out);
+                         (td_shape){.kind = THUD_SHAPE_TERRAIN, .terrain = index, .angle_c = 1.0f}, out);
 }
 
-thud_result thud_shape_terrain(const thud_world *w, thud_shape_id id, thud_terrain *out) {
+thud_result thud_shape_get_terrain(const thud_world *w, thud_shape_id id, thud_terrain *out) {
     int index;
     thud_result result = td_find_shape(w, id, &index);
     if (result != THUD_OK) {
@@ -335,7 +335,7 @@ bool thud_shape_is_valid(const thud_world *w, thud_shape_id id) {
            td_tag(w, td_shape_at(w, (int)id.index1 - 1)->generation) == id.generation;
 }
 
-thud_result thud_shape_get(const thud_world *w, thud_shape_id id, thud_shape_state *out) {
+thud_result thud_shape_get_state(const thud_world *w, thud_shape_id id, thud_shape_state *out) {
     TD_IN_OWN_MODE;
     int index;
     thud_result result = td_find_shape(w, id, &index);

@@ -112,7 +112,7 @@ struct thud_world {
     /* Rebuilt by every step. */
     td_scratch scratch;
     td_islands islands; /* those that are solved directly */
-    td_array poses;     /* thud_pose: what thud_world_poses returns */
+    td_array poses;     /* thud_pose: what thud_world_get_poses returns */
     td_preview preview;
 
     /* Statistics. */
@@ -127,7 +127,7 @@ static inline td_body *td_body_at(const thud_world *w, td_body_index i) {
 
 /* Whether the body is dynamic and has no awake slot. */
 static inline bool td_body_sleeps(const thud_world *w, td_body_index i) {
-    return td_body_at(w, i)->kind == THUD_DYNAMIC && td_body_at(w, i)->awake.at < 0;
+    return td_body_at(w, i)->kind == THUD_BODY_DYNAMIC && td_body_at(w, i)->awake.at < 0;
 }
 
 static inline td_shape *td_shape_at(const thud_world *w, int i) {

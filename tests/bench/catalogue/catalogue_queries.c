@@ -211,10 +211,10 @@ static bool walk(thud_world *world, thud_mover mover, int moves, double *ns) {
 static bool time_movers(bool quick, json *out) {
     const struct {
         const char *name;
-        thud_shape_instance shape;
+        thud_geometry shape;
     } MOVERS[] = {
-        {"circle", {.kind = THUD_CIRCLE, .x = 10, .y = 1, .c = 1, .hx = 0.4}},
-        {"AABB", {.kind = THUD_AABB, .x = 10, .y = 1, .c = 1, .hx = 0.4, .hy = 0.9}},
+        {"circle", {.kind = THUD_SHAPE_CIRCLE, .x = 10, .y = 1, .c = 1, .hx = 0.4}},
+        {"AABB", {.kind = THUD_SHAPE_AABB, .x = 10, .y = 1, .c = 1, .hx = 0.4, .hy = 0.9}},
     };
     thud_world_def def = lab_settings();
     lab_world lab = {0};

@@ -50,7 +50,7 @@ static void add_line(crowd *c, int i, uint64_t *seed) {
                          .points = points,
                          .count = 6};
     thud_shape_def def = draw_def(c, i, seed);
-    c->body[i] = add_body(c->world, THUD_STATIC, c->origin.x, c->origin.y - 9 - 2 * i % 3, 0);
+    c->body[i] = add_body(c->world, THUD_BODY_STATIC, c->origin.x, c->origin.y - 9 - 2 * i % 3, 0);
     OK(thud_shape_create_terrain(c->world, c->body[i], &def, &line, &c->shape[i]));
 }
 
@@ -113,20 +113,20 @@ static bool passes(const crowd *c, int i, const thud_query_filter *f) {
 typedef struct query {
     thud_pos at;
     double dx, dy;
-    thud_shape_instance shape;
+    thud_geometry shape;
     thud_query_filter filter;
 } query;
 
 static query draw_query(const crowd *c, uint64_t *seed) {
     static const int32_t groups[] = {0, 0, -3, 3};
-    query q = {.filter = thud_default_query_filter(), .shape = {.kind = THUD_CIRCLE, .c = 1}};
+    query q = {.filter = thud_default_query_filter(), .shape = {.kind = THUD_SHAPE_CIRCLE, .c = 1}};
     q.at = (thud_pos){c->origin.x + grid_in(seed, -28, 28), c->origin.y + grid_in(seed, -8, 28)};
     double reach = below(seed, 2) ? 60 : 5;
     q.dx = below(seed, 8) ? grid_in(seed, -reach, reach) : 0;
     q.dy = below(seed, 8) ? grid_in(seed, -reach, reach) : 0;
     q.shape.hx = random_in(seed, 0.1, 1.5);
     if (below(seed, 2)) {
-        q.shape.kind = THUD_AABB;
+        q.shape.kind = THUD_SHAPE_AABB;
         q.shape.hy = random_in(seed, 0.1, 1.5);
     }
     q.filter.mask = below(seed, 2) ? UINT32_MAX : (uint32_t)below(seed, 8);
@@ -162,7 +162,7 @@ static int ask_all(const crowd *c, const query *q, thud_ray_hit *hits) {
     int count = 0;
     for (int i = 0; i < SHAPES; i++) {
         bool hit = false;
-        OK(thud_shape_meets_ray(c->world, c->shape[i], q->at, q->dx, q->dy, &hit, &hits[count]));
+        OK(thud_shape_cast_ray(c->world, c->shape[i], q->at, q->dx, q->dy, &hit, &hits[count]));
         count += hit && passes(c, i, &q->filter);
     }
     qsort(hits, (size_t)count, sizeof *hits, by_order);
@@ -265,7 +265,7 @@ static bool note(thud_shape_id shape, void *context) {
 /* Shape casts and overlaps report the shapes that pass the filter and overlap, and no others. */
 static void check_filters(const crowd *c, const query *q) {
     listener swept = {.count = 0}, over = {.count = 0};
-    thud_shape_instance disc = {.kind = THUD_CIRCLE, .c = 1, .hx = q->shape.hx};
+    thud_geometry disc = {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = q->shape.hx};
     OK(thud_world_cast_shape_each(c->world, q->at, &disc, 0, 0, &q->filter, hear, &swept));
     OK(thud_world_overlap_shape(c->world, q->at, &disc, &q->filter, note, &over));
     bool wanted_any = false, found = false;

@@ -73,7 +73,7 @@ static uint64_t hash_of(const char *name, int size, int steps, const thud_world_
     for (int i = 0; i < steps; i++) {
         IN_MODE(thud_world_step(world));
     }
-    uint64_t hash = thud_world_hash(world);
+    uint64_t hash = thud_hash_of(world);
     thud_world_destroy(world);
     scene_free(&s);
     return hash;
@@ -98,7 +98,7 @@ static void scenes_end_with_the_same_bits_in_any_mode(void **state) {
 static void qualities_end_with_the_same_bits_in_any_mode(void **state) {
     (void)state;
     for (int q = 0; q < QUALITIES; q++) {
-        thud_world_def def = thud_world_def_of(qualities[q]);
+        thud_world_def def = thud_default_world_def_of(qualities[q]);
         uint64_t hash[MODE_COUNT];
         for (int m = 0; m < MODE_COUNT; m++) {
             callers = MODES[m].mode;
@@ -161,7 +161,7 @@ static void make_ground(deeds *d) {
     IN_MODE(thud_shape_dig(d->world, line, (thud_pos){3.3, 0.1}, 1.7));
     IN_MODE(thud_shape_raise(d->world, line, -7.1, 2.3, 0.77));
     thud_terrain made;
-    OK(thud_shape_terrain(d->world, line, &made));
+    OK(thud_shape_get_terrain(d->world, line, &made));
     see(d, made.points, (size_t)made.count * sizeof *made.points);
 }
 
@@ -171,7 +171,7 @@ static void make_bodies(deeds *d) {
     for (int i = 0; i < 30; i++) {
         thud_body_def def = thud_default_body_def();
         thud_body_id body;
-        def.kind = THUD_DYNAMIC;
+        def.kind = THUD_BODY_DYNAMIC;
         def.position = (thud_pos){-12.3 + 0.81 * i, 4.1 + 0.3 * (i % 5)};
         def.angle = i % 3 ? 0.123 * i : 0.0;
         def.velocity = (thud_vec2){1e-39f, 0.1f * (float)i};
@@ -186,7 +186,7 @@ static void make_bodies(deeds *d) {
         IN_MODE(
             thud_shape_create_circle(d->world, body, &shape, (thud_vec2){0.2f, 0.1f}, 0.23f, NULL));
         IN_MODE(thud_body_apply_impulse(d->world, body, (thud_vec2){0.1f, 1e-39f}, def.position));
-        IN_MODE(thud_body_apply_force(d->world, body, (thud_vec2){0.3f, 0.7f}, 0.11f));
+        IN_MODE(thud_body_apply_force_and_torque(d->world, body, (thud_vec2){0.3f, 0.7f}, 0.11f));
         if (i % 5 == 0) {
             IN_MODE(
                 thud_body_set_transform(d->world, body, (thud_pos){far, 9.1}, i % 3 ? 0.77 : 0));
@@ -214,8 +214,8 @@ static void ask(deeds *d, int step) {
     see(d, &d->mover.shape.x, 2 * sizeof d->mover.shape.x);
     set_mode(callers);
     int count;
-    const thud_pose *poses = thud_world_poses(d->world, (thud_pos){0.1, 0.3}, 0.3, &count);
-    thud_measure measure = thud_world_measure(d->world);
+    const thud_pose *poses = thud_world_get_poses(d->world, (thud_pos){0.1, 0.3}, 0.3, &count);
+    thud_measure measure = thud_measure_of(d->world);
     set_mode(TD_MODE_OWN);
     see(d, poses + 1, (size_t)(count - 1) * sizeof *poses);
     see(d, &measure, sizeof measure);
@@ -228,7 +228,7 @@ static uint64_t do_all(const thud_quality *quality) {
     def.length_scale = 0.7f;
     deeds d = {.seen = 1};
     d.mover = thud_default_mover(
-        (thud_shape_instance){.kind = THUD_CIRCLE, .x = -6.2, .y = 5.3, .c = 1, .hx = 0.4});
+        (thud_geometry){.kind = THUD_SHAPE_CIRCLE, .x = -6.2, .y = 5.3, .c = 1, .hx = 0.4});
     IN_MODE(thud_world_create(&def, &d.world));
     IN_MODE(thud_world_set_quality(d.world, quality));
     make_ground(&d);
@@ -240,7 +240,7 @@ static uint64_t do_all(const thud_quality *quality) {
         IN_MODE(thud_world_advance(d.world, 0.0171, 3, &steps, &alpha));
         see(&d, &alpha, sizeof alpha);
     }
-    uint64_t hash = thud_world_hash(d.world);
+    uint64_t hash = thud_hash_of(d.world);
     see(&d, &hash, sizeof hash);
     thud_world_destroy(d.world);
     return d.seen;

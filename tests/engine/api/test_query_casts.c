@@ -10,13 +10,13 @@ static thud_shape_id add_ground(thud_world *world, double x, double y,
                                 const thud_terrain *terrain) {
     thud_shape_def def = thud_default_shape_def();
     thud_shape_id id;
-    OK(thud_shape_create_terrain(world, add_body(world, THUD_STATIC, x, y, 0), &def, terrain, &id));
+    OK(thud_shape_create_terrain(world, add_body(world, THUD_BODY_STATIC, x, y, 0), &def, terrain, &id));
     return id;
 }
 
 static thud_shape_id add_still(thud_world *world, double x, double y, float hx, float hy,
                                double angle) {
-    return add_shape(world, add_body(world, THUD_STATIC, x, y, angle), hx, hy, false, NULL);
+    return add_shape(world, add_body(world, THUD_BODY_STATIC, x, y, angle), hx, hy, false, NULL);
 }
 
 /* Asserts the fields of a hit. */
@@ -235,9 +235,9 @@ static void queries_heed_filters_sensors_and_edits_not_stepped_yet(void **state)
     thud_shape_def red = thud_default_shape_def(), eye = thud_default_shape_def();
     red.filter.category = 4;
     eye.sensor = true;
-    thud_body_id body = add_body(world, THUD_DYNAMIC, 0, 0, 0);
+    thud_body_id body = add_body(world, THUD_BODY_DYNAMIC, 0, 0, 0);
     thud_shape_id first = add_shape(world, body, 1, 0, false, &red);
-    add_shape(world, add_body(world, THUD_STATIC, 0, 6, 0), 1, 0, false, &eye);
+    add_shape(world, add_body(world, THUD_BODY_STATIC, 0, 6, 0), 1, 0, false, &eye);
     thud_query_filter filter = thud_default_query_filter();
     bool hit;
     thud_ray_hit found;
@@ -293,7 +293,7 @@ static void casts_refuse_bad_input_and_leave_outputs_alone(void **state) {
     REFUSED(thud_world_cast_ray_all(world, at, 0, -9, NULL, NULL, 1, &count), THUD_ERROR_NULL);
     REFUSED(thud_world_cast_ray_all(NULL, at, 0, -9, NULL, &out, 1, &count), THUD_ERROR_NULL);
     REFUSED(thud_world_cast_shape(world, at, NULL, 0, -9, NULL, flag, &out), THUD_ERROR_NULL);
-    thud_shape_instance line = {.kind = THUD_TERRAIN, .c = 1, .hx = 1, .hy = 1};
+    thud_geometry line = {.kind = THUD_SHAPE_TERRAIN, .c = 1, .hx = 1, .hy = 1};
     REFUSED(thud_world_cast_shape(world, at, &line, 0, -9, NULL, flag, &out), THUD_ERROR_INVALID);
     REFUSED(thud_world_cast_shape_all(world, at, &line, 0, -9, NULL, &out, 1, &count),
             THUD_ERROR_INVALID);

@@ -15,13 +15,13 @@
 #define INVALID(call) assert_int_equal(call, THUD_ERROR_INVALID)
 #define MISSING(call) assert_int_equal(call, THUD_ERROR_NULL)
 
-static thud_shape_instance box(double hx, double hy) {
-    return (thud_shape_instance){.kind = THUD_AABB, .c = 1.0, .hx = hx, .hy = hy};
+static thud_geometry box(double hx, double hy) {
+    return (thud_geometry){.kind = THUD_SHAPE_AABB, .c = 1.0, .hx = hx, .hy = hy};
 }
 
 static void sum_of_boxes_by_hand_has_the_sums_of_their_extents(void **state) {
     (void)state;
-    thud_shape_instance a = box(1.0, 2.0), b = box(0.5, 0.25);
+    thud_geometry a = box(1.0, 2.0), b = box(0.5, 0.25);
     thud_minkowski m;
     OK(thud_minkowski_sum(&a, &b, &m));
     assert_int_equal(m.count, 4);
@@ -35,7 +35,7 @@ static void sum_of_boxes_by_hand_has_the_sums_of_their_extents(void **state) {
 static void sum_of_square_and_diamond_by_hand_is_an_octagon(void **state) {
     (void)state;
     double half = sqrt(0.5);
-    thud_shape_instance a = box(1.0, 1.0), b = {THUD_OBB, 0.0, 0.0, half, half, half, half};
+    thud_geometry a = box(1.0, 1.0), b = {THUD_SHAPE_OBB, 0.0, 0.0, half, half, half, half};
     thud_minkowski m;
     bool inside;
     OK(thud_minkowski_sum(&a, &b, &m));
@@ -50,7 +50,7 @@ static void sum_of_square_and_diamond_by_hand_is_an_octagon(void **state) {
 
 static void sum_of_circles_is_a_point_with_both_radii(void **state) {
     (void)state;
-    thud_shape_instance a = {.kind = THUD_CIRCLE, .hx = 2.0}, b = {.kind = THUD_CIRCLE, .hx = 0.5};
+    thud_geometry a = {.kind = THUD_SHAPE_CIRCLE, .hx = 2.0}, b = {.kind = THUD_SHAPE_CIRCLE, .hx = 0.5};
     thud_minkowski m;
     memset(&m, 0xff, sizeof m);
     OK(thud_minkowski_sum(&a, &b, &m));
@@ -61,7 +61,7 @@ static void sum_of_circles_is_a_point_with_both_radii(void **state) {
 
 static void cast_along_a_face_touches_its_end(void **state) {
     (void)state;
-    thud_shape_instance a = box(1.0, 2.0), b = box(0.5, 0.25);
+    thud_geometry a = box(1.0, 2.0), b = box(0.5, 0.25);
     thud_minkowski m;
     bool hit;
     double f, nx, ny;
@@ -76,20 +76,20 @@ static void cast_along_a_face_touches_its_end(void **state) {
 
 static void ray_from_inside_through_a_corner_hits_nothing(void **state) {
     (void)state;
-    thud_shape_instance a = box(1.0, 1.0);
+    thud_geometry a = box(1.0, 1.0);
     double f, nx, ny;
     for (int i = 0; i < 4; i++) {
         double dx = i % 2 ? 2.0 : -2.0, dy = i / 2 ? 2.0 : -2.0;
-        assert_false(thud_shape_cast_ray(&a, 0.0, 0.0, dx, dy, &f, &nx, &ny));
+        assert_false(thud_geometry_cast_ray(&a, 0.0, 0.0, dx, dy, &f, &nx, &ny));
     }
 }
 
 static void ray_from_afar_does_not_pass_a_needle_thinner_than_its_rounding(void **state) {
     (void)state;
-    thud_shape_instance a = box(1.0, 1e-12);
+    thud_geometry a = box(1.0, 1e-12);
     double f, nx, ny;
     for (int i = 1; i < 1000; i++) {
-        assert_true(thud_shape_cast_ray(&a, 0.0, 1e7 / i, 0.0, -1e7, &f, &nx, &ny));
+        assert_true(thud_geometry_cast_ray(&a, 0.0, 1e7 / i, 0.0, -1e7, &f, &nx, &ny));
         NEAR(f, 1.0 / i);
     }
 }
@@ -99,8 +99,8 @@ static void impact_on_ground_with_points_next_to_each_other_is_found(void **stat
     (void)state;
     const thud_pos points[4] = {{-5.0, 0.0}, {0.0, 0.0}, {1e-200, 0.0}, {5.0, 0.0}};
     thud_terrain ground = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 4};
-    for (int kind = THUD_CIRCLE; kind <= THUD_OBB; kind++) {
-        thud_shape_instance a = {(thud_shape_kind)kind, 0.0, 3.0, 1.0, 0.0, 1.0, 1.0};
+    for (int kind = THUD_SHAPE_CIRCLE; kind <= THUD_SHAPE_OBB; kind++) {
+        thud_geometry a = {(thud_shape_kind)kind, 0.0, 3.0, 1.0, 0.0, 1.0, 1.0};
         bool hit;
         double time;
         OK(thud_terrain_time_of_impact(&ground, &a, (thud_motion){0.0, -4.0, 0.0}, 0.0, &hit,
@@ -112,8 +112,8 @@ static void impact_on_ground_with_points_next_to_each_other_is_found(void **stat
 
 static void sum_of_box_with_inexact_rotation_has_unit_normals(void **state) {
     (void)state;
-    thud_shape_instance b = {THUD_OBB, 0.0, 0.0, 0.6 * (1.0 + 4e-6), 0.8 * (1.0 + 4e-6), 2.0, 1.0};
-    thud_shape_instance point = {.kind = THUD_CIRCLE, .c = 1.0, .hx = 1e-9};
+    thud_geometry b = {THUD_SHAPE_OBB, 0.0, 0.0, 0.6 * (1.0 + 4e-6), 0.8 * (1.0 + 4e-6), 2.0, 1.0};
+    thud_geometry point = {.kind = THUD_SHAPE_CIRCLE, .c = 1.0, .hx = 1e-9};
     thud_minkowski m;
     OK(thud_minkowski_sum(&b, &point, &m));
     for (int i = 0; i < 2; i++) {
@@ -124,7 +124,7 @@ static void sum_of_box_with_inexact_rotation_has_unit_normals(void **state) {
 
 static void cast_past_rounded_corner_by_hand_misses_where_a_sharp_one_would_not(void **state) {
     (void)state;
-    thud_shape_instance a = box(1.0, 1.0), b = {.kind = THUD_CIRCLE, .c = 1.0, .hx = 1.0};
+    thud_geometry a = box(1.0, 1.0), b = {.kind = THUD_SHAPE_CIRCLE, .c = 1.0, .hx = 1.0};
     thud_minkowski m;
     bool hit;
     double f, nx, ny;
@@ -144,8 +144,8 @@ static void cast_past_rounded_corner_by_hand_misses_where_a_sharp_one_would_not(
 static void sum_of_needles_near_parallel_loses_no_face(void **state) {
     (void)state;
     for (double angle = 1e-15; angle < 1.0; angle *= 10.0) {
-        thud_shape_instance a = {THUD_OBB, 0.0, 0.0, 1.0, 0.0, 1.0, 1e-6};
-        thud_shape_instance b = {THUD_OBB, 0.0, 0.0, cos(angle), sin(angle), 1.0, 1e-6};
+        thud_geometry a = {THUD_SHAPE_OBB, 0.0, 0.0, 1.0, 0.0, 1.0, 1e-6};
+        thud_geometry b = {THUD_SHAPE_OBB, 0.0, 0.0, cos(angle), sin(angle), 1.0, 1e-6};
         thud_minkowski m;
         bool hit;
         double f, nx, ny;
@@ -161,12 +161,12 @@ static void sum_of_needles_near_parallel_loses_no_face(void **state) {
 
 static void refused_input_leaves_every_output_as_it_was(void **state) {
     (void)state;
-    thud_shape_instance good = box(1.0, 1.0), bad[4] = {good, good, good, good};
+    thud_geometry good = box(1.0, 1.0), bad[4] = {good, good, good, good};
     thud_minkowski m, kept, wrong[3];
     bad[0].x = NAN;
     bad[1].hx = 0.0;
     bad[2].hy = -1.0;
-    bad[3].kind = THUD_TERRAIN;
+    bad[3].kind = THUD_SHAPE_TERRAIN;
     OK(thud_minkowski_sum(&good, &good, &m));
     memcpy(&kept, &m, sizeof m);
     for (int i = 0; i < 4; i++) {

@@ -28,7 +28,7 @@ typedef struct room {
 /* ---- rooms ---- */
 
 static void add_walls(thud_world *world, const thud_shape_def *def) {
-    thud_body_id body = add_body(world, THUD_STATIC, 0, 0, 0);
+    thud_body_id body = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
     for (int side = 0; side < 4; side++) {
         float out = (side < 2 ? 1 : -1) * (float)(ROOM + 1), half = (float)ROOM + 2;
         thud_vec2 offset = {side % 2 ? out : 0, side % 2 ? 0 : out};
@@ -80,11 +80,11 @@ static void make_room(room *m, uint64_t seed, int quality, bool plain_simd) {
         double x = cell * (i % columns + 0.5) - ROOM, y = cell * (i / columns + 0.5) - ROOM;
         float radius = (float)(cell * (draw_below(&r, 2) ? 0.49 : draw(&r, 0.1, 0.49)));
         surface.density = (float)exp(draw(&r, 0, log(unevenness)));
-        m->bodies[i] = add_body(m->world, THUD_DYNAMIC, x, y, 0);
+        m->bodies[i] = add_body(m->world, THUD_BODY_DYNAMIC, x, y, 0);
         add_shapes(&r, m->world, m->bodies[i], radius, &surface);
         m->mass += (double)state_of(m->world, m->bodies[i]).mass;
     }
-    thud_measure start = thud_world_measure(m->world);
+    thud_measure start = thud_measure_of(m->world);
     m->energy = start.kinetic_energy + start.potential_energy;
 }
 
@@ -113,7 +113,7 @@ static void edit(room *m, int step) {
 /* ---- what must hold after every step ---- */
 
 static void check_bodies(const room *m, uint64_t seed, int step) {
-    assert_int_equal(thud_world_events(m->world).quarantined_count, 0);
+    assert_int_equal(thud_events_of(m->world).quarantined_count, 0);
     for (int i = 0; i < m->count; i++) {
         if (!thud_body_is_valid(m->world, m->bodies[i])) {
             continue;
@@ -132,7 +132,7 @@ static void check_bodies(const room *m, uint64_t seed, int step) {
 /* Separating overlaps lifts the bodies above: 3 % of the greatest potential energy of the room is
  * allowed. */
 static void check_energy(const room *m, uint64_t seed, int step) {
-    thud_measure now = thud_world_measure(m->world);
+    thud_measure now = thud_measure_of(m->world);
     double gained = now.kinetic_energy + now.potential_energy - m->energy;
     double share = gained / (m->mass * GRAVITY * 2 * ROOM);
     if (!m->edits && !(share <= 0.03)) {
@@ -144,7 +144,7 @@ static void check_energy(const room *m, uint64_t seed, int step) {
 /* The error of a step covers awake bodies alone, and detection may change motions after it is
  * measured: it is compared where all are awake and none was stopped. */
 static void check_telling(const room *m) {
-    thud_stats stats = thud_world_stats(m->world);
+    thud_stats stats = thud_stats_of(m->world);
     assert_in_range(stats.soft_islands, 0, stats.direct_islands);
     assert_in_range(stats.direct_bodies, stats.direct_islands, m->count);
     assert_true(stats.island_work >= stats.factorings);
@@ -153,8 +153,8 @@ static void check_telling(const room *m) {
     }
     bool all_awake = stats.awake_bodies == stats.bodies - 1; /* all but the body of the walls */
     if (all_awake && stats.held_bodies == 0 && stats.impacts == 0) {
-        near_to(thud_world_error(m->world).penetration_max,
-                thud_world_measure(m->world).penetration_max, 2e-3);
+        near_to(thud_step_error_of(m->world).penetration_max,
+                thud_measure_of(m->world).penetration_max, 2e-3);
     }
 }
 
@@ -174,8 +174,8 @@ static void random_heaps_stay_inside_gain_nothing_and_run_alike(void **state) {
             check_bodies(&wide, seed, step);
             check_energy(&wide, seed, step);
             check_telling(&wide);
-            hard += thud_world_stats(wide.world).direct_islands;
-            if (thud_world_hash(wide.world) != thud_world_hash(plain.world)) {
+            hard += thud_stats_of(wide.world).direct_islands;
+            if (thud_hash_of(wide.world) != thud_hash_of(plain.world)) {
                 fail_msg("room %016" PRIx64 " differs at step %d", seed, step);
             }
         }

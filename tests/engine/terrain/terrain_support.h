@@ -30,7 +30,7 @@ static inline ground level_ground(thud_terrain_kind kind, thud_world_def def) {
     }
     ground g = {.world = make_world(def)};
     thud_terrain line = {.kind = kind, .x0 = -50, .spacing = 0.5, .points = points, .count = 201};
-    g.body = add_body(g.world, THUD_STATIC, 0, 0, 0);
+    g.body = add_body(g.world, THUD_BODY_STATIC, 0, 0, 0);
     g.shape = add_line(g.world, g.body, &line, false);
     return g;
 }
@@ -38,7 +38,7 @@ static inline ground level_ground(thud_terrain_kind kind, thud_world_def def) {
 /* The present line of the ground, which must be valid. */
 static inline thud_terrain line_of(const ground *g) {
     thud_terrain line;
-    OK(thud_shape_terrain(g->world, g->shape, &line));
+    OK(thud_shape_get_terrain(g->world, g->shape, &line));
     OK(thud_terrain_check(&line));
     return line;
 }
@@ -85,17 +85,17 @@ static inline thud_body_id add_stack(const ground *g, double x, int boxes) {
 
 /* Walls at both ends, so that nothing rolls off. */
 static inline void add_walls(const ground *g) {
-    add_shape(g->world, add_body(g->world, THUD_STATIC, -30, 0, 0), 1, 30, true, NULL);
-    add_shape(g->world, add_body(g->world, THUD_STATIC, 30, 0, 0), 1, 30, true, NULL);
+    add_shape(g->world, add_body(g->world, THUD_BODY_STATIC, -30, 0, 0), 1, 30, true, NULL);
+    add_shape(g->world, add_body(g->world, THUD_BODY_STATIC, 30, 0, 0), 1, 30, true, NULL);
 }
 
 /* Steps until every body sleeps, at most 601 steps. */
 static inline void run_to_sleep(const ground *g) {
     run(g->world, 1);
-    for (int i = 0; i < 600 && thud_world_stats(g->world).awake_bodies; i++) {
+    for (int i = 0; i < 600 && thud_stats_of(g->world).awake_bodies; i++) {
         run(g->world, 1);
     }
-    assert_int_equal(thud_world_stats(g->world).awake_bodies, 0);
+    assert_int_equal(thud_stats_of(g->world).awake_bodies, 0);
 }
 
 #endif

@@ -1,6 +1,6 @@
 /* test_terrain.c: terrains against answers derived by hand (look-up, rays, overlap, impact), and
  * input that is refused. */
-#include "thud/thud_shapes.h"
+#include "thud/thud_geometry.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -21,16 +21,16 @@ static const thud_terrain uniform = {
 
 static const thud_terrain flat = {.kind = THUD_TERRAIN_FLAT, .slope = 0.75};
 
-static thud_shape_instance circle(double x, double y, double r) {
-    return (thud_shape_instance){.kind = THUD_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = r};
+static thud_geometry circle(double x, double y, double r) {
+    return (thud_geometry){.kind = THUD_SHAPE_CIRCLE, .x = x, .y = y, .c = 1.0, .hx = r};
 }
 
-static thud_shape_instance box(double x, double y, double hx, double hy) {
-    return (thud_shape_instance){.kind = THUD_AABB, .x = x, .y = y, .c = 1.0, .hx = hx, .hy = hy};
+static thud_geometry box(double x, double y, double hx, double hy) {
+    return (thud_geometry){.kind = THUD_SHAPE_AABB, .x = x, .y = y, .c = 1.0, .hx = hx, .hy = hy};
 }
 
 /* The time of impact, or 2 where there is none. */
-static double impact(const thud_terrain *t, thud_shape_instance shape, double dx, double dy,
+static double impact(const thud_terrain *t, thud_geometry shape, double dx, double dy,
                      double target) {
     bool hit;
     double time;
@@ -40,7 +40,7 @@ static double impact(const thud_terrain *t, thud_shape_instance shape, double dx
     return hit ? time : 2.0;
 }
 
-static bool overlaps(const thud_terrain *t, thud_shape_instance shape) {
+static bool overlaps(const thud_terrain *t, thud_geometry shape) {
     return thud_terrain_overlap(t, &shape);
 }
 
@@ -72,7 +72,7 @@ static void check_refuses_what_no_ground_can_be(void **state) {
 
 static void calls_with_bad_input_are_refused(void **state) {
     (void)state;
-    thud_shape_instance shape = circle(0, 9, 1), bad_shape = circle(NAN, 9, 1);
+    thud_geometry shape = circle(0, 9, 1), bad_shape = circle(NAN, 9, 1);
     thud_terrain none = {.kind = THUD_TERRAIN_UNIFORM, .spacing = 1, .count = 3};
     thud_terrain_sample sample;
     thud_motion still = {0}, wild = {0, 0, NAN};

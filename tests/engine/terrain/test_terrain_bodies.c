@@ -41,7 +41,7 @@ static void edit_wakes_what_rests_there_and_nothing_far_away(void **state) {
         edit_by_number(&g, which, 0);
         run(g.world, 1);
         assert_true(awake(&g, here));
-        assert_int_equal(thud_world_stats(g.world).awake_bodies, 3);
+        assert_int_equal(thud_stats_of(g.world).awake_bodies, 3);
         run(g.world, 300);
         sleeps_as_it_was(&g, left, &was_left);
         sleeps_as_it_was(&g, right, &was_right);
@@ -74,7 +74,7 @@ static void edit_of_bare_ground_does_not_touch_the_motion_elsewhere(void **state
         }
         run(edited.world, 1);
         run(other.world, 1);
-        assert_true(thud_world_hash(edited.world) == thud_world_hash(other.world));
+        assert_true(thud_hash_of(edited.world) == thud_hash_of(other.world));
     }
     thud_world_destroy(edited.world);
     thud_world_destroy(other.world);
@@ -115,7 +115,7 @@ static void bodies_inside_raised_ground_are_pushed_out(void **state) {
             assert_true(fabs(s.position.x) < 29);
             assert_true(s.position.y - 0.25 > height_of(&line, s.position.x));
         }
-        assert_true(thud_world_measure(g.world).penetration_max < 0.02);
+        assert_true(thud_measure_of(g.world).penetration_max < 0.02);
         thud_world_destroy(g.world);
     }
 }
@@ -125,10 +125,10 @@ static void bodies_inside_raised_ground_are_pushed_out(void **state) {
 static void raised_ground_wakes_a_body_that_did_not_touch_it(void **state) {
     (void)state;
     ground g = level_ground(THUD_TERRAIN_UNIFORM, thud_default_world_def());
-    thud_body_id shelf = add_body(g.world, THUD_STATIC, 0, 1, 0);
+    thud_body_id shelf = add_body(g.world, THUD_BODY_STATIC, 0, 1, 0);
     add_shape(g.world, shelf, 0.5f, 0.1f, true, NULL);
     thud_body_id plank = add_box(g.world, 0, 1.2, 3, 0.1f), high = add_ball(g.world, 9, 8, 0.3f);
-    thud_body_id perch = add_body(g.world, THUD_STATIC, 9, 7.6, 0);
+    thud_body_id perch = add_body(g.world, THUD_BODY_STATIC, 9, 7.6, 0);
     add_shape(g.world, perch, 0.5f, 0.1f, true, NULL);
     run_to_sleep(&g);
     OK(thud_shape_raise(g.world, g.shape, 6, 5, 4));
@@ -170,7 +170,7 @@ static void edit_among_sensors(const thud_broadphase *broadphase) {
     sensor.sensor = true;
     for (int i = 0; i < 80; i++) {
         thud_body_id body =
-            add_body(g.world, THUD_DYNAMIC, random_in(&seed, -52, 52), random_in(&seed, -3, 2), 0);
+            add_body(g.world, THUD_BODY_DYNAMIC, random_in(&seed, -52, 52), random_in(&seed, -3, 2), 0);
         add_shape(g.world, body, (float)random_in(&seed, 0.05, 1.5),
                   i % 2 ? (float)random_in(&seed, 0.05, 0.5) : 0, false, &sensor);
     }
@@ -184,11 +184,11 @@ static void edit_among_sensors(const thud_broadphase *broadphase) {
             OK(thud_shape_replace_range(g.world, g.shape, ends[0].x, ends[0].x, ends, 1));
         }
         run(g.world, 1);
-        int pairs = thud_world_stats(g.world).pairs;
+        int pairs = thud_stats_of(g.world).pairs;
         assert_true(pairs > 50);
         OK(thud_body_set_transform(g.world, g.body, (thud_pos){0, 0}, 0));
         run(g.world, 1);
-        assert_int_equal(pairs, thud_world_stats(g.world).pairs);
+        assert_int_equal(pairs, thud_stats_of(g.world).pairs);
     }
     thud_world_destroy(g.world);
 }
@@ -203,7 +203,7 @@ static void pairs_after_random_edits_are_those_of_a_new_line(void **state) {
 
 /* Counts the shapes that each shape touches, by its slot, according to the events. */
 static void count_touches(const thud_world *world, int touches[256]) {
-    thud_events e = thud_world_events(world);
+    thud_events e = thud_events_of(world);
     for (int i = 0; i < e.begin_count; i++) {
         touches[e.begin[i].shape_a.index1]++;
         touches[e.begin[i].shape_b.index1]++;

@@ -25,7 +25,7 @@ static ground hills(uint64_t *seed) {
     }
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 120};
     ground g = {.world = make_world(thud_default_world_def())};
-    g.body = add_body(g.world, THUD_STATIC, 0, 0, 0);
+    g.body = add_body(g.world, THUD_BODY_STATIC, 0, 0, 0);
     g.shape = add_line(g.world, g.body, &line, false);
     return g;
 }
@@ -96,7 +96,7 @@ static void dig_of_the_whole_line_leaves_a_line(void **state) {
     const thud_pos two[] = {{0, 0}, {1, 0}};
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = two, .count = 2};
     ground g = {.world = make_world(thud_default_world_def())};
-    g.body = add_body(g.world, THUD_STATIC, 0, 0, 0);
+    g.body = add_body(g.world, THUD_BODY_STATIC, 0, 0, 0);
     g.shape = add_line(g.world, g.body, &line, false);
     OK(thud_shape_dig(g.world, g.shape, (thud_pos){0.5, 0}, 900));
     line = line_of(&g);
@@ -145,8 +145,8 @@ static void edits_go_by_places_in_the_world_wherever_the_body_stands(void **stat
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 4};
     ground here = {.world = make_world(thud_default_world_def())};
     ground there = {.world = make_world(thud_default_world_def())};
-    here.body = add_body(here.world, THUD_STATIC, 0, 0, 0);
-    there.body = add_body(there.world, THUD_STATIC, 1048576, -7340032, 0);
+    here.body = add_body(here.world, THUD_BODY_STATIC, 0, 0, 0);
+    there.body = add_body(there.world, THUD_BODY_STATIC, 1048576, -7340032, 0);
     here.shape = add_line(here.world, here.body, &line, false);
     there.shape = add_line(there.world, there.body, &line, false);
     OK(thud_shape_dig(here.world, here.shape, (thud_pos){0.5, 0.25}, 2));
@@ -165,7 +165,7 @@ static void replace_range_changes_what_is_in_it_and_may_move_the_ends(void **sta
     const thud_pos longer[] = {{0, 0}, {0.5, 5}, {1.5, 6}, {2.5, 7}, {7, 1}, {9, 2}};
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 5};
     ground g = {.world = make_world(thud_default_world_def())};
-    g.body = add_body(g.world, THUD_STATIC, 0, 0, 0);
+    g.body = add_body(g.world, THUD_BODY_STATIC, 0, 0, 0);
     g.shape = add_line(g.world, g.body, &line, false);
     OK(thud_shape_replace_range(g.world, g.shape, 0.5, 2.9, more, 3));
     OK(thud_shape_replace_range(g.world, g.shape, 4, 4, NULL, 0));

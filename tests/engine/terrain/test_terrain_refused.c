@@ -66,7 +66,7 @@ static void edit_with_bad_input_is_refused_with_a_message(void **state) {
     thud_shape_id s = g.shape, none = {0, 0};
     thud_terrain slope = {.kind = THUD_TERRAIN_FLAT, .slope = 0.5};
     thud_shape_id flat = add_line(w, g.body, &slope, false);
-    thud_shape_id box = add_shape(w, add_body(w, THUD_STATIC, 0, 9, 0), 1, 1, true, NULL);
+    thud_shape_id box = add_shape(w, add_body(w, THUD_BODY_STATIC, 0, 9, 0), 1, 1, true, NULL);
     const thud_pos fine[] = {{1, 0}, {2, 0}}, back[] = {{2, 0}, {1, 0}}, twice[] = {{1, 0}, {1, 0}};
     const thud_pos holes[] = {{1, 0}, {1.5, NAN}}, high[] = {{1, 0}, {2, 2e9}};
     const double heights[] = {0, NAN};

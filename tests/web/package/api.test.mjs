@@ -31,7 +31,7 @@ test("module_imports_only_clock_callbacks_and_memory_growth", async () => {
     "emscripten_notify_memory_growth",
     ...["thud_asked", "thud_clock"],
     "thud_filtered",
-    "thud_met",
+    "thud_event_pair",
     "thud_stepped",
     "thud_told",
   ]);

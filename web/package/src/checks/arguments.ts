@@ -22,7 +22,7 @@ import {
 } from "./ranges.js";
 
 const { friction, restitution, surfaceSpeed, density } = MATERIAL;
-/** A torque or an angular impulse, and the components of a force or impulse (THUD_PUSH_MAX). */
+/** A torque or an angular impulse, and the components of a force or impulse (THUD_FORCE_MAX). */
 const PUSH = { least: -1e30, most: 1e30 };
 /** A point in a body's frame, length scales (THUD_SIZE_MAX). */
 const OFFSET = { least: -16384, most: 16384, pair: true, scaled: true };
