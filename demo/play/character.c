@@ -109,8 +109,7 @@ static void turn_lift(thud_world *world, thud_body_id lift, thud_shape_id id, do
     int count = 0;
     filter.sensors = true;
     double ahead_x = 2 * dt * (double)body.velocity.x, ahead_y = 2 * dt * (double)body.velocity.y;
-    thud_world_cast_shape_all(world, body.position, &placed, ahead_x, ahead_y, &filter, hits, 16,
-                              &count);
+    thud_world_cast_shape_all(world, &(thud_shape_cast){body.position, placed, ahead_x, ahead_y, &filter}, hits, 16, &count);
     for (int i = 0; i < count && i < 16; i++) {
         thud_shape_state met;
         thud_body_state other;

@@ -15,7 +15,7 @@ static thud_rule_kind meeting_of(const session *s) {
     thud_rule rule;
     thud_result result =
         thud_world_get_rule(s->world, kind(s->pair[0]), kind(s->pair[1]), &rule, NULL, NULL);
-    return result == THUD_OK ? rule.meeting : THUD_RULE_COLLIDE;
+    return result == THUD_OK ? rule.kind : THUD_RULE_COLLIDE;
 }
 
 static void tell(session *s, thud_rule_kind meeting) {
@@ -50,6 +50,6 @@ void session_next_meeting(session *s) {
     int choices = first == second ? THUD_RULE_ONE_WAY : THUD_RULE_KIND_COUNT;
     thud_rule_kind next = (thud_rule_kind)((meeting_of(s) + 1) % choices);
     forget_rules(&s->scene.fields, first, second);
-    scene_add_rule(&s->scene, first, second, (scene_meeting)next);
+    scene_add_rule(&s->scene, first, second, (scene_rule_kind)next);
     tell(s, next);
 }

@@ -126,7 +126,7 @@ static bool list_joints(session *s) {
         snprintf(s->message, sizeof s->message, "Out of memory while listing the joints.");
         return false;
     }
-    s->joint_count = thud_world_get_joints(s->world, s->joints, s->scene.joint_count);
+    thud_world_get_joints(s->world, s->joints, s->scene.joint_count, &s->joint_count);
     return true;
 }
 
@@ -323,7 +323,7 @@ bool session_pick(session *s, thud_pos at, double margin, thud_body_kind kind, t
         return false;
     picking p = {.session = s, .at = at, .kind = kind};
     thud_geometry spot = {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = margin};
-    thud_world_overlap_shape(s->world, at, &spot, NULL, pick_nearest, &p);
+    thud_world_overlap_shape(s->world, at, spot, NULL, pick_nearest, &p);
     if (p.found)
         *out = p.body;
     return p.found;

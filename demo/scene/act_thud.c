@@ -76,10 +76,10 @@ static bool pair_has(const thud_world *world, uint32_t first, uint32_t second,
     thud_rule old;
     bool is_set, reversed;
     return thud_world_get_rule(world, first, second, &old, &is_set, &reversed) == THUD_OK && is_set &&
-           (!reversed || rule->meeting != THUD_RULE_ONE_WAY) && old.meeting == rule->meeting &&
+           (!reversed || rule->kind != THUD_RULE_ONE_WAY) && old.kind == rule->kind &&
            same(old.friction, rule->friction) && same(old.restitution, rule->restitution) &&
            same(old.surface_speed, rule->surface_speed) &&
-           same(old.most_impulse, rule->most_impulse);
+           same(old.event_impulse, rule->event_impulse);
 }
 
 /* Whether all pairs of the kinds `first` and `second` have this rule. A rule that the world has is
@@ -95,11 +95,11 @@ static bool is_there(const thud_world *world, uint32_t first, uint32_t second,
 
 static thud_result set_rule(thud_world *world, const scene_rule *from) {
     thud_rule rule = thud_default_rule();
-    rule.meeting = (thud_rule_kind)from->meeting;
+    rule.kind = (thud_rule_kind)from->kind;
     rule.friction = (float)from->friction;
     rule.restitution = (float)from->restitution;
     rule.surface_speed = (float)from->surface_speed;
-    rule.most_impulse = (float)from->most_impulse;
+    rule.event_impulse = (float)from->event_impulse;
     if (is_there(world, from->first, from->second, &rule))
         return THUD_OK;
     return thud_world_set_rule(world, from->first, from->second, &rule);

@@ -48,7 +48,7 @@ static thud_result break_shape(const scene_fields *fields, thud_world *world, th
 thud_result scene_break_thud(const scene_fields *fields, thud_world *world) {
     int count = 0;
     const thud_impulse_event *events =
-        fields->breaks != 0 ? thud_world_get_impulse_events(world, &count) : NULL;
+        fields->breaks != 0 ? thud_impulse_events_of(world, &count) : NULL;
     thud_result result = THUD_OK;
     for (int i = 0; i < count && result == THUD_OK; i++) {
         result = break_shape(fields, world, events[i].shape_a);

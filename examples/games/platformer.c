@@ -24,7 +24,7 @@ static void lay_level(thud_world *world) {
     thud_body_make(world, thud_aabb_at(34, 4, 1.5, 0.1), &plank);
     for (int i = 0; i < COINS; i++)
         thud_body_make(world, thud_circle_at(coins[i].x, coins[i].y, 0.2), &coin);
-    one_way.meeting = THUD_RULE_ONE_WAY;
+    one_way.kind = THUD_RULE_ONE_WAY;
     thud_world_set_rule(world, PLANK, CRATE, &one_way);
 }
 

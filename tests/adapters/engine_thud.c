@@ -102,7 +102,7 @@ static bool set_time_step(void *state, double seconds) {
 static void read_pose(void *state, int body, double x, double y, float out[4]) {
     own_world *own = state;
     int count;
-    const thud_pose *poses = thud_world_get_poses(own->world, (thud_pos){x, y}, 1, &count);
+    const thud_pose *poses = thud_poses_of(own->world, (thud_pos){x, y}, 1, &count);
     uint32_t slot = own->bodies[body].index1 - 1;
     thud_pose pose = (thud_pose){NAN, NAN, NAN, NAN};
     if (poses && slot < (uint32_t)count)

@@ -59,7 +59,7 @@ export const EDIT_CALLS = {
   },
   setRule: (s) => {
     const meeting = s.pick(["collide", "ignore", "oneWay", "oneWay", "none"]);
-    const rule = { meeting, solidSide: s.vector(), friction: s.number(0, 2), mostImpulse: s.number(0, 2) };
+    const rule = { meeting, solidSide: s.vector(), friction: s.number(0, 2), eventImpulse: s.number(0, 2) };
     s.world.setRule(s.below(9), 1 + s.below(9), s.below(4) === 0 ? null : s.options(rule));
   },
   rule: (s) => s.world.rule(1 << s.below(4), 1 << s.below(4)),

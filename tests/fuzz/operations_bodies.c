@@ -144,7 +144,8 @@ void play_force(fuzz_session *s) {
     thud_vec2 force = pick_velocity(s);
     float torque = next_float(&s->bytes, -64, 0.5);
     force.x *= 16;
-    TRY(s, thud_body_apply_force_and_torque(s->world, body, force, torque));
+    TRY(s, thud_body_apply_center_force(s->world, body, force));
+    TRY(s, thud_body_apply_torque(s->world, body, torque));
 }
 
 void play_awake(fuzz_session *s) {

@@ -73,8 +73,7 @@ void play_below(fuzz_session *s) {
     thud_vec2 normal = {next_float(&s->bytes, -1, 0.0078125), 0};
     normal.y = normal.x * normal.x <= 1 ? sqrtf(1 - normal.x * normal.x) : normal.x;
     PURE(s, out,
-         thud_geometry_area_below(&shape, x, y, (double)normal.x, (double)normal.y, &out.area,
-                          &out.centroid.x, &out.centroid.y));
+         thud_geometry_area_below(&shape, (thud_half_plane){x, y, (double)normal.x, (double)normal.y}, &out.area, &out.centroid.x, &out.centroid.y));
     if (s->result != THUD_OK) {
         return;
     }

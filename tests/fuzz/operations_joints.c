@@ -52,7 +52,7 @@ void play_joint(fuzz_session *s) {
     def.frame_a = pick_frame(s);
     def.frame_b = pick_frame(s);
     def.collide_connected = next_choice(&s->bytes, 2);
-    def.disabled = next_choice(&s->bytes, 8) == 7;
+    def.enabled = next_choice(&s->bytes, 8) != 7;
     def.length = pick_size(s);
     def.drive[next_choice(&s->bytes, THUD_DIRECTION_COUNT)] = pick_drive(s);
     for (int i = 0; i < THUD_DIRECTION_COUNT && !s->bytes.hostile; i++) {
@@ -252,18 +252,19 @@ void play_joint_lists(fuzz_session *s) {
     thud_joint_id list[ROOM];
     int room = (int)next_choice(&s->bytes, ROOM + 1), broken = 0;
     thud_body_id body = pick_body(s);
-    int all = COUNTED(thud_world_get_joints(s->world, room ? list : NULL, room));
+    int all = 0, of_body = 0;
+    TRY(s, thud_world_get_joints(s->world, room ? list : NULL, room, &all));
     for (int i = 0; i < all && i < room; i++) {
         note_bits(s, list[i].index1);
     }
-    int of_body = COUNTED(thud_body_get_joints(s->world, body, list, room));
+    TRY(s, thud_body_get_joints(s->world, body, list, room, &of_body));
     for (int i = 0; i < of_body && i < room; i++) {
         note_bits(s, list[i].index1);
     }
     if (of_body > all) {
         fuzz_fail(s, "a body has %d joints, and its world %d", of_body, all);
     }
-    const thud_joint_event *events = COUNTED(thud_world_get_joint_events(s->world, &broken));
+    const thud_joint_event *events = COUNTED(thud_joint_events_of(s->world, &broken));
     for (int i = 0; i < broken; i++) {
         note_bits(s, events[i].joint.index1 + events[i].broken);
     }

@@ -82,21 +82,21 @@ static void check_all(fuzz_session *s, const way *w, const thud_ray_hit *out, in
 
 #define FILTER(w) ((w).filtered ? &(w).filter : NULL)
 
-#define FIRST(s, name, ...)                                                             \
+#define FIRST(s, moving)                                                            \
     do {                                                                                \
         thud_ray_hit out;                                                               \
         bool hit = false;                                                               \
         memset(&out, CALL_FILL, sizeof out);                                            \
-        TRY(s, name(s->world, w.from, __VA_ARGS__, w.dx, w.dy, FILTER(w), &hit, &out)); \
+        TRY(s, thud_world_cast_shape(s->world, &(thud_shape_cast){w.from, moving, w.dx, w.dy, FILTER(w)}, &hit, &out)); \
         check_first(s, hit, &out);                                                      \
     } while (0)
 
-#define ALL(s, name, ...)                                                                         \
+#define ALL(s, moving)                                                                        \
     do {                                                                                          \
         thud_ray_hit out[ROOM];                                                                   \
         int count = 0;                                                                            \
         TRY(s,                                                                                    \
-            name(s->world, w.from, __VA_ARGS__, w.dx, w.dy, FILTER(w), out, w.capacity, &count)); \
+            thud_world_cast_shape_all(s->world, &(thud_shape_cast){w.from, moving, w.dx, w.dy, FILTER(w)}, out, w.capacity, &count)); \
         check_all(s, &w, out, count);                                                             \
     } while (0)
 
@@ -105,7 +105,7 @@ void play_ray(fuzz_session *s) {
     thud_ray_hit out;
     bool hit = false;
     memset(&out, CALL_FILL, sizeof out);
-    TRY(s, thud_world_cast_ray(s->world, w.from, w.dx, w.dy, FILTER(w), &hit, &out));
+    TRY(s, thud_world_cast_ray(s->world, &(thud_ray){w.from, w.dx, w.dy, FILTER(w)}, &hit, &out));
     check_first(s, hit, &out);
 }
 
@@ -114,32 +114,32 @@ void play_ray_all(fuzz_session *s) {
     thud_ray_hit out[ROOM];
     int count = 0;
     TRY(s,
-        thud_world_cast_ray_all(s->world, w.from, w.dx, w.dy, FILTER(w), out, w.capacity, &count));
+        thud_world_cast_ray_all(s->world, &(thud_ray){w.from, w.dx, w.dy, FILTER(w)}, out, w.capacity, &count));
     check_all(s, &w, out, count);
 }
 
 void play_cast_shape(fuzz_session *s) {
     way w = pick_way(s);
     thud_geometry shape = pick_instance(s, true);
-    FIRST(s, thud_world_cast_shape, &shape);
+    FIRST(s, shape);
 }
 
 void play_cast_shape_all(fuzz_session *s) {
     way w = pick_way(s);
     thud_geometry shape = pick_instance(s, true);
-    ALL(s, thud_world_cast_shape_all, &shape);
+    ALL(s, shape);
 }
 
 void play_cast_circle(fuzz_session *s) {
     way w = pick_way(s);
     double radius = (double)pick_size(s);
-    FIRST(s, thud_world_cast_circle, radius);
+    FIRST(s, thud_circle_at(0, 0, radius));
 }
 
 void play_cast_circle_all(fuzz_session *s) {
     way w = pick_way(s);
     double radius = (double)pick_size(s);
-    ALL(s, thud_world_cast_circle_all, radius);
+    ALL(s, thud_circle_at(0, 0, radius));
 }
 
 void play_cast_box(fuzz_session *s) {
@@ -147,7 +147,7 @@ void play_cast_box(fuzz_session *s) {
     thud_vec2 half = pick_sizes(s);
     double angle = pick_angle(s);
     double half_x = widened(half.x), half_y = widened(half.y);
-    FIRST(s, thud_world_cast_box, half_x, half_y, angle);
+    FIRST(s, thud_obb_at(0, 0, half_x, half_y, angle));
 }
 
 void play_cast_box_all(fuzz_session *s) {
@@ -155,7 +155,7 @@ void play_cast_box_all(fuzz_session *s) {
     thud_vec2 half = pick_sizes(s);
     double angle = pick_angle(s);
     double half_x = widened(half.x), half_y = widened(half.y);
-    ALL(s, thud_world_cast_box_all, half_x, half_y, angle);
+    ALL(s, thud_obb_at(0, 0, half_x, half_y, angle));
 }
 
 /* ---- overlaps, and the closest ---- */
@@ -163,13 +163,13 @@ void play_cast_box_all(fuzz_session *s) {
 void play_overlap_shape(fuzz_session *s) {
     way w = pick_way(s);
     thud_geometry shape = pick_instance(s, true);
-    TRY(s, thud_world_overlap_shape(s->world, w.from, &shape, FILTER(w), session_overlap, s));
+    TRY(s, thud_world_overlap_shape(s->world, w.from, shape, FILTER(w), session_overlap, s));
 }
 
 void play_overlap_circle(fuzz_session *s) {
     way w = pick_way(s);
     double radius = (double)pick_size(s);
-    TRY(s, thud_world_overlap_circle(s->world, w.from, radius, FILTER(w), session_overlap, s));
+    TRY(s, thud_world_overlap_shape(s->world, w.from, thud_circle_at(0, 0, radius), FILTER(w), session_overlap, s));
 }
 
 void play_overlap_aabb(fuzz_session *s) {
@@ -183,8 +183,7 @@ void play_overlap_obb(fuzz_session *s) {
     thud_vec2 half = pick_sizes(s);
     double angle = pick_angle(s);
     double half_x = widened(half.x), half_y = widened(half.y);
-    TRY(s, thud_world_overlap_obb(s->world, w.from, half_x, half_y, angle, FILTER(w),
-                                  session_overlap, s));
+    TRY(s, thud_world_overlap_shape(s->world, w.from, thud_obb_at(0, 0, half_x, half_y, angle), FILTER(w), session_overlap, s));
 }
 
 void play_closest(fuzz_session *s) {
@@ -211,14 +210,13 @@ void play_closest(fuzz_session *s) {
 
 void play_ray_each(fuzz_session *s) {
     way w = pick_way(s);
-    TRY(s, thud_world_cast_ray_each(s->world, w.from, w.dx, w.dy, FILTER(w), session_cast, s));
+    TRY(s, thud_world_cast_ray_each(s->world, &(thud_ray){w.from, w.dx, w.dy, FILTER(w)}, session_cast, s));
 }
 
 void play_cast_each(fuzz_session *s) {
     way w = pick_way(s);
     thud_geometry shape = pick_instance(s, true);
-    TRY(s, thud_world_cast_shape_each(s->world, w.from, &shape, w.dx, w.dy, FILTER(w), session_cast,
-                                      s));
+    TRY(s, thud_world_cast_shape_each(s->world, &(thud_shape_cast){w.from, shape, w.dx, w.dy, FILTER(w)}, session_cast, s));
 }
 
 static void check_many(fuzz_session *s, const thud_ray_hit *hits, int count) {

@@ -116,10 +116,10 @@ void play_qualities(fuzz_session *s) {
         quality.contact_damping = next_float(&s->bytes, 0, 0.4);
         quality.detection = pick_detection(s, next_byte(&s->bytes));
         quality.islands = next_choice(&s->bytes, 4) ? &thud_islands_direct : NULL;
-        quality.sag_limit = next_float(&s->bytes, 0, 0.001);
+        quality.overlap_limit = next_float(&s->bytes, 0, 0.001);
         quality.island_limit = next_count(&s->bytes, 100);
         quality.island_work = (int64_t)next_count(&s->bytes, 255) * 50;
-        quality.island_patience = next_count(&s->bytes, 8);
+        quality.island_slow_steps = next_count(&s->bytes, 8);
     }
     TRY(s, thud_world_set_quality(s->world, byte & 32 ? NULL : &quality));
 }
@@ -168,7 +168,7 @@ void play_poses(fuzz_session *s) {
     double alpha = next_number(&s->bytes, 0, 1.0 / 240);
     thud_pos origin = pick_place(s);
     int count = -1, told = s->told;
-    const thud_pose *poses = COUNTED(thud_world_get_poses(s->world, origin, alpha, &count));
+    const thud_pose *poses = COUNTED(thud_poses_of(s->world, origin, alpha, &count));
     if (poses ? count < 0 : count != 0 || s->told == told) {
         fuzz_fail(s, "thud_world_get_poses: %d, and %s", count, poses ? "poses" : "none");
     }
@@ -305,7 +305,7 @@ void play_nulls(fuzz_session *s) {
     wants_null(s, thud_body_destroy(NULL, body));
     wants_null(s, thud_body_set_transform(NULL, body, place, 0));
     wants_null(s, thud_shape_destroy(NULL, shape));
-    wants_null(s, thud_world_cast_ray(NULL, place, 1, 0, NULL, &hit, NULL));
+    wants_null(s, thud_world_cast_ray(NULL, &(thud_ray){place, 1, 0, NULL}, &hit, NULL));
     wants_null(s, thud_world_get_snapshot_size(s->world, NULL));
     wants_null(s, thud_world_restore(s->world, NULL, 0));
     wants_null(s, thud_mover_move(s->world, NULL, vector, 0.1, NULL));

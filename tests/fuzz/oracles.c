@@ -143,7 +143,7 @@ static void check_body(fuzz_session *s, thud_body_id body) {
 static void check_poses(fuzz_session *s) {
     int count = -1;
     const thud_pose *poses =
-        thud_world_get_poses(s->world, (thud_pos){s->shift_x, s->shift_y}, 0.5, &count);
+        thud_poses_of(s->world, (thud_pos){s->shift_x, s->shift_y}, 0.5, &count);
     s->calls[0].text = "thud_world_get_poses";
     if (!poses && count != 0) {
         fuzz_fail(s, "no poses, and %d of them", count);

@@ -211,7 +211,7 @@ void session_question(fuzz_session *s) {
     bool met;
     size_t bytes = 0;
     s->operation = "a question";
-    thud_world_cast_ray(s->world, middle, 8 * s->unit, -2 * s->unit, NULL, &met, &hit);
+    thud_world_cast_ray(s->world, &(thud_ray){middle, 8 * s->unit, -2 * s->unit, NULL}, &met, &hit);
     thud_measure_of(s->world);
     thud_step_error_of(s->world);
     if (thud_world_get_snapshot_size(s->world, &bytes) == THUD_OK) {

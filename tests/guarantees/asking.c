@@ -90,19 +90,18 @@ static void rays_hit_the_nearest(trial *t) {
         stir(t, &c);
         for (int i = 0; i < FOUND; i++) {
             if (asked_for(&c, &f, i) &&
-                thud_geometry_cast_ray(&c.placed[i], x, y, dx, dy, &at, &nx, &ny)) {
+                thud_geometry_cast_ray(&c.placed[i], (thud_segment){x, y, dx, dy}, &at, &nx, &ny)) {
                 expected++;
                 nearest = fmin(nearest, at);
             }
         }
         thud_pos from = {x * t->scale, y * t->scale};
-        DO(t, thud_world_cast_ray(c.world, from, dx * t->scale, dy * t->scale, &f, &any, hit));
+        DO(t, thud_world_cast_ray(c.world, &(thud_ray){from, dx * t->scale, dy * t->scale, &f}, &any, hit));
         if (any != (nearest < 2) || (any && fabs(hit[0].fraction - nearest) > 1e-4)) {
             trial_fault(t, "ray %d: found %d at %g, not %g", k, any, any ? hit[0].fraction : -1,
                         nearest);
         }
-        DO(t, thud_world_cast_ray_all(c.world, from, dx * t->scale, dy * t->scale, &f, hit, FOUND,
-                                      &count));
+        DO(t, thud_world_cast_ray_all(c.world, &(thud_ray){from, dx * t->scale, dy * t->scale, &f}, hit, FOUND, &count));
         for (int i = 0; i < count && i < FOUND; i++) {
             if (!asked_for(&c, &f, number_of(&c, hit[i].shape)) ||
                 (i && hit[i].fraction < hit[i - 1].fraction)) {
@@ -145,11 +144,11 @@ static void casts_hit_by_hit_tell_what_all_do(trial *t) {
         int count = 0;
         stir(t, &c);
         if (k % 2) {
-            DO(t, thud_world_cast_ray_all(c.world, from, dx, dy, &f, all, FOUND, &count));
-            DO(t, thud_world_cast_ray_each(c.world, from, dx, dy, &f, hear, &h));
+            DO(t, thud_world_cast_ray_all(c.world, &(thud_ray){from, dx, dy, &f}, all, FOUND, &count));
+            DO(t, thud_world_cast_ray_each(c.world, &(thud_ray){from, dx, dy, &f}, hear, &h));
         } else {
-            DO(t, thud_world_cast_shape_all(c.world, from, &ball, dx, dy, &f, all, FOUND, &count));
-            DO(t, thud_world_cast_shape_each(c.world, from, &ball, dx, dy, &f, hear, &h));
+            DO(t, thud_world_cast_shape_all(c.world, &(thud_shape_cast){from, ball, dx, dy, &f}, all, FOUND, &count));
+            DO(t, thud_world_cast_shape_each(c.world, &(thud_shape_cast){from, ball, dx, dy, &f}, hear, &h));
         }
         int expected = count <= h.last ? count : h.last + 1;
         if (h.count != expected) {
@@ -196,8 +195,7 @@ static void overlaps_find_all(trial *t) {
                                    .hx = trial_draw(t, 0.1, 3),
                                    .hy = trial_draw(t, 0.1, 3)};
         stir(t, &c);
-        DO(t, thud_world_overlap_obb(c.world, (thud_pos){box.x * t->scale, box.y * t->scale},
-                                     box.hx * t->scale, box.hy * t->scale, angle, &f, note, &l));
+        DO(t, thud_world_overlap_shape(c.world, (thud_pos){box.x * t->scale, box.y * t->scale}, thud_obb_at(0, 0, box.hx * t->scale, box.hy * t->scale, angle), &f, note, &l));
         for (int i = 0; i < FOUND && !trial_failed(t); i++) {
             thud_closest near = {.distance = 1};
             DO(t, thud_geometry_closest(&box, &c.placed[i], &near));
@@ -264,8 +262,7 @@ static void casts_stop_at_the_first(trial *t) {
                 first = meets ? fmin(first, at) : first;
             }
         }
-        DO(t, thud_world_cast_circle(c.world, (thud_pos){x * t->scale, y * t->scale}, r * t->scale,
-                                     dx * t->scale, dy * t->scale, &f, &hit, &out));
+        DO(t, thud_world_cast_shape(c.world, &(thud_shape_cast){(thud_pos){x * t->scale, y * t->scale}, thud_circle_at(0, 0, r * t->scale), dx * t->scale, dy * t->scale, &f}, &hit, &out));
         if (hit != (first < 2) || (hit && fabs(out.fraction - first) > 1e-3)) {
             trial_fault(t, "cast %d: %d at %g, not %g", k, hit, out.fraction, first);
         }

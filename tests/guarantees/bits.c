@@ -219,13 +219,12 @@ static void ask_much(yard *y) {
     uint64_t told = yard_told(y);
     draw.lower = trial_place(t, -8, -2);
     draw.upper = trial_place(t, 8, 12);
-    DO(t, thud_world_cast_ray_all(y->world, trial_place(t, -4, 2), 8 * t->scale, 0, NULL, hits, 4,
-                                  &count));
-    DO(t, thud_world_overlap_circle(y->world, trial_place(t, 0, 2), 2 * t->scale, NULL, see, NULL));
+    DO(t, thud_world_cast_ray_all(y->world, &(thud_ray){trial_place(t, -4, 2), 8 * t->scale, 0, NULL}, hits, 4, &count));
+    DO(t, thud_world_overlap_shape(y->world, trial_place(t, 0, 2), thud_circle_at(0, 0, 2 * t->scale), NULL, see, NULL));
     DO(t, thud_world_get_bisection_limit(y->world, &limit));
     DO(t, thud_world_draw(y->world, &draw));
     ask_of_bodies(y);
-    thud_world_get_poses(y->world, (thud_pos){0, 0}, 0.5, &count);
+    thud_poses_of(y->world, (thud_pos){0, 0}, 0.5, &count);
     thud_measure_of(y->world);
     free(trial_snapshot(t, y->world).bytes);
     if (yard_told(y) != told) {
@@ -301,7 +300,8 @@ typedef struct player {
 static void before_step(thud_world *world, void *context) {
     player *p = context;
     yard_before_step(&p->y);
-    thud_body_apply_force_and_torque(world, p->y.body[0], (thud_vec2){0, (float)(p->made % 7)}, 0.5f);
+    thud_body_apply_center_force(world, p->y.body[0], (thud_vec2){0, (float)(p->made % 7)});
+    thud_body_apply_torque(world, p->y.body[0], 0.5f);
 }
 
 /* Stores yard_told of the step, and applies a force for the next one. */
@@ -309,7 +309,7 @@ static void after_step(thud_world *world, void *context) {
     player *p = context;
     thud_events e = thud_events_of(world);
     p->told[p->made++] = yard_told(&p->y);
-    thud_body_apply_force_and_torque(world, p->y.body[1], (thud_vec2){(float)e.begin_count, 1}, 0);
+    thud_body_apply_center_force(world, p->y.body[1], (thud_vec2){(float)e.begin_count, 1});
 }
 
 /* Starts a game: a yard with two more balls, which forces pull. */
@@ -326,7 +326,8 @@ static void play(player *p, trial *t) {
 static void before_picture(player *p) {
     for (int i = 0; i < 2; i++) {
         thud_vec2 force = {0.3f * (float)i, 1.1f};
-        DO(p->y.t, thud_body_apply_force_and_torque(p->y.world, p->pulled[i], force, 0.1f));
+        DO(p->y.t, thud_body_apply_center_force(p->y.world, p->pulled[i], force));
+        DO(p->y.t, thud_body_apply_torque(p->y.world, p->pulled[i], 0.1f));
     }
 }
 

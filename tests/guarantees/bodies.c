@@ -63,7 +63,8 @@ static void what_cannot_move_does_not(trial *t) {
                          .spin = 9});
     }
     for (int k = 0; k < trial_steps(t, 0.5) && !trial_failed(t); k++) {
-        DO(t, thud_body_apply_force_and_torque(world, box, trial_speed(t, 0, 0), 5.0f));
+        DO(t, thud_body_apply_center_force(world, box, trial_speed(t, 0, 0)));
+        DO(t, thud_body_apply_torque(world, box, 5.0f));
         trial_run(t, world, 1);
     }
     thud_pos place = trial_place(t, 0, -1), at = trial_place(t, 2, 1);
@@ -118,7 +119,7 @@ static void forces_act_for_one_step(trial *t) {
     thud_body_id body = trial_drop(t, world, BALL, 0, 0, 0.3);
     float mass = trial_state(t, world, body).mass;
     thud_vec2 force = trial_speed(t, 5 * (double)mass, 0), push = trial_speed(t, 0, (double)mass);
-    DO(t, thud_body_apply_force_and_torque(world, body, force, 0));
+    DO(t, thud_body_apply_center_force(world, body, force));
     trial_run(t, world, 1);
     double first = (double)trial_state(t, world, body).velocity.x;
     trial_run(t, world, 3);
@@ -144,7 +145,8 @@ static void speeds_have_their_limits(trial *t) {
     thud_body_id body = trial_drop(t, world, TURNED, 0, 0, 0.3);
     for (int k = 0; k < 5 && !trial_failed(t); k++) {
         thud_vec2 hard = {(float)trial_draw(t, -1e20, 1e20), (float)trial_draw(t, -1e20, 1e20)};
-        DO(t, thud_body_apply_force_and_torque(world, body, hard, 1e25f));
+        DO(t, thud_body_apply_center_force(world, body, hard));
+        DO(t, thud_body_apply_torque(world, body, 1e25f));
         trial_run(t, world, 1);
         thud_body_state s = trial_state(t, world, body);
         double most = fmax(fabs((double)s.velocity.x), fabs((double)s.velocity.y));
@@ -196,7 +198,8 @@ static void all_is_finite(trial *t) {
         thud_vec2 hard = {(float)trial_draw(t, 2e38, 3e38), (float)trial_draw(t, -3e38, 3e38)};
         for (int twice = 0; twice < 2 && k % 4 == 0; twice++) { /* twice this is more than a float
                                                                    can hold */
-            DO(t, thud_body_apply_force_and_torque(y.world, body, hard, k % 8 ? 1e25f : 0));
+            DO(t, thud_body_apply_center_force(y.world, body, hard));
+            DO(t, thud_body_apply_torque(y.world, body, k % 8 ? 1e25f : 0));
         }
         yard_step(&y);
         told += thud_events_of(y.world).quarantined_count;
@@ -233,8 +236,7 @@ static bool count_one(thud_shape_id shape, void *context) {
 /* How many shapes overlap a small circle at that place. */
 static int found_at(trial *t, thud_world *world, double x, double y) {
     int found = 0;
-    DO(t, thud_world_overlap_circle(world, trial_place(t, x, y), 0.05 * t->scale, NULL, count_one,
-                                    &found));
+    DO(t, thud_world_overlap_shape(world, trial_place(t, x, y), thud_circle_at(0, 0, 0.05 * t->scale), NULL, count_one, &found));
     return found;
 }
 

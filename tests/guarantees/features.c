@@ -75,10 +75,8 @@ static uint64_t cast(yard *y) {
     }
     thud_geometry ball = {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = 0.3 * t->scale};
     for (int i = 0; i < 4; i++) {
-        DO(t, thud_world_cast_ray_each(y->world, middle, rays[7 * i].dx, rays[7 * i].dy, NULL, hear,
-                                       &digest));
-        DO(t, thud_world_cast_shape_each(y->world, middle, &ball, rays[9 * i].dx, rays[9 * i].dy,
-                                         NULL, hear, &digest));
+        DO(t, thud_world_cast_ray_each(y->world, &(thud_ray){middle, rays[7 * i].dx, rays[7 * i].dy, NULL}, hear, &digest));
+        DO(t, thud_world_cast_shape_each(y->world, &(thud_shape_cast){middle, ball, rays[9 * i].dx, rays[9 * i].dy, NULL}, hear, &digest));
     }
     return digest;
 }

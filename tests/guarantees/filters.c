@@ -161,7 +161,7 @@ static void kinds_that_ignore_each_other_do_not_meet(trial *t) {
         thud_rule rule = thud_default_rule();
         wall.filter.category = 1u << (2 * k + 1);
         shot.filter.category = 1u << (2 * k + 2);
-        rule.meeting = ignores ? THUD_RULE_IGNORE : THUD_RULE_COLLIDE;
+        rule.kind = ignores ? THUD_RULE_IGNORE : THUD_RULE_COLLIDE;
         DO(t, thud_world_set_rule(world, wall.filter.category, shot.filter.category, &rule));
         trial_add(t, world,
                   (part){.kind = THUD_BODY_STATIC,

@@ -31,7 +31,7 @@ static void refuse_bodies(trial *t, yard *y) {
     REFUSED(t, thud_body_set_velocity(w, body, wild, 0), THUD_ERROR_INVALID);
     REFUSED(t, thud_body_set_velocity(w, y->floor, (thud_vec2){1, 0}, 0), THUD_ERROR_INVALID);
     REFUSED(t, thud_body_apply_impulse(w, body, wild, (thud_pos){0, 0}), THUD_ERROR_INVALID);
-    REFUSED(t, thud_body_apply_force_and_torque(w, body, wild, 0), THUD_ERROR_INVALID);
+    REFUSED(t, thud_body_apply_center_force(w, body, wild), THUD_ERROR_INVALID);
     REFUSED(t, thud_body_set_awake(w, stale, true), THUD_ERROR_STALE);
     REFUSED(t, thud_body_set_enabled(w, stale, true), THUD_ERROR_STALE);
 }
@@ -70,7 +70,7 @@ static void refuse_settings_and_queries(trial *t, yard *y) {
     REFUSED(t, thud_world_set_max_error(w, -1), THUD_ERROR_INVALID);
     REFUSED(t, thud_world_set_quality(w, &wrong), THUD_ERROR_INVALID);
     REFUSED(t, thud_world_advance(w, -1, 1, NULL, NULL), THUD_ERROR_INVALID);
-    REFUSED(t, thud_world_cast_ray(w, (thud_pos){NAN, 0}, 1, 0, NULL, &hit, &out),
+    REFUSED(t, thud_world_cast_ray(w, &(thud_ray){(thud_pos){NAN, 0}, 1, 0, NULL}, &hit, &out),
             THUD_ERROR_INVALID);
 }
 

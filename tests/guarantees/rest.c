@@ -99,7 +99,7 @@ static void nudge(trial *t, heap *h, int what) {
                                       middle));
         break;
     case 2:
-        DO(t, thud_body_apply_force_and_torque(h->world, h->box[2], up, 0));
+        DO(t, thud_body_apply_center_force(h->world, h->box[2], up));
         break;
     case 3:
         DO(t, thud_body_set_transform(h->world, h->floor, trial_place(t, 0, -3), 0));

@@ -20,7 +20,7 @@ static void poses_are_those_of_two_steps(trial *t) {
         for (int i = 0; i < 2 * YARD_BODIES && !trial_failed(t); i++) {
             thud_body_id body = y.body[i / 2];
             const thud_pose *poses =
-                thud_world_get_poses(y.world, (thud_pos){0, 0}, (double)(i % 2), &count);
+                thud_poses_of(y.world, (thud_pos){0, 0}, (double)(i % 2), &count);
             thud_pos at = i % 2 ? trial_state(t, y.world, body).position : before[i / 2];
             const thud_pose *p = &poses[body.index1 - 1];
             if (hypot((double)p->x / t->scale - at.x, (double)p->y / t->scale - at.y) > 1e-5) {
@@ -31,7 +31,7 @@ static void poses_are_those_of_two_steps(trial *t) {
     }
     DO(t, thud_body_destroy(y.world, y.body[3]));
     trial_run(t, y.world, 1);
-    const thud_pose *poses = thud_world_get_poses(y.world, (thud_pos){0, 0}, 1, &count);
+    const thud_pose *poses = thud_poses_of(y.world, (thud_pos){0, 0}, 1, &count);
     if (!trial_failed(t) && poses[y.body[3].index1 - 1].x == poses[y.body[3].index1 - 1].x) {
         trial_fault(t, "a slot without a body has a pose");
     }

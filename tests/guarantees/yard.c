@@ -108,14 +108,14 @@ static void tie(yard *y, int i, thud_body_id a, thud_body_id b) {
  * 2 makes the plate one-way for other categories. */
 static void rule_between(yard *y, int what, uint32_t first, uint32_t second) {
     thud_rule rule = thud_default_rule();
-    rule.meeting = what == 0 ? THUD_RULE_IGNORE : THUD_RULE_COLLIDE;
+    rule.kind = what == 0 ? THUD_RULE_IGNORE : THUD_RULE_COLLIDE;
     if (what == 2 && first != second) {
-        rule.meeting = THUD_RULE_ONE_WAY;
+        rule.kind = THUD_RULE_ONE_WAY;
     }
     rule.friction = 1.5f;
     rule.restitution = 0.5f;
     rule.surface_speed = (float)(0.5 * y->t->scale);
-    rule.most_impulse = (float)(0.01 * y->t->scale * y->t->scale * y->t->scale);
+    rule.event_impulse = (float)(0.01 * y->t->scale * y->t->scale * y->t->scale);
     DO(y->t, thud_world_set_rule(y->world, first, second, &rule));
 }
 
@@ -307,7 +307,7 @@ static uint64_t mix_events(uint64_t digest, const thud_world *world) {
 
 static uint64_t mix_impulses(uint64_t digest, const thud_world *world) {
     int count = 0;
-    const thud_impulse_event *events = thud_world_get_impulse_events(world, &count);
+    const thud_impulse_event *events = thud_impulse_events_of(world, &count);
     for (int i = 0; i < count; i++) {
         MIX(events[i].shape_a.index1);
         MIX(events[i].shape_b.index1);
@@ -333,7 +333,7 @@ static uint64_t mix_report(uint64_t digest, const thud_world *world) {
 uint64_t yard_told(const yard *y) {
     uint64_t digest = 0xcbf29ce484222325u;
     int count = 0;
-    const thud_pose *poses = thud_world_get_poses(y->world, yard_origin(y), 1.0, &count);
+    const thud_pose *poses = thud_poses_of(y->world, yard_origin(y), 1.0, &count);
     for (int i = 0; i < count; i++) {
         if (poses[i].x == poses[i].x) { /* NaN: no body has the slot */
             MIX(poses[i]);

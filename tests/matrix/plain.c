@@ -124,14 +124,14 @@ static void pass_joint(tape *t, scene_joint *j) {
 }
 
 static void pass_rule(tape *t, scene_rule *r) {
-    double *const values[] = {&r->friction, &r->restitution, &r->surface_speed, &r->most_impulse};
-    int meeting = (int)r->meeting;
+    double *const values[] = {&r->friction, &r->restitution, &r->surface_speed, &r->event_impulse};
+    int meeting = (int)r->kind;
     pass_int(t, &r->step);
     pass_u32(t, &r->first);
     pass_u32(t, &r->second);
     pass_int(t, &meeting);
     pass_doubles(t, values, sizeof values / sizeof *values);
-    r->meeting = (scene_meeting)meeting;
+    r->kind = (scene_rule_kind)meeting;
 }
 
 static void pass_fields(tape *t, scene_fields *f) {

@@ -24,7 +24,7 @@ static double displaced(const stage *t, int index) {
                                       .hx = shape->hx,
                                       .hy = shape->hy};
         double x, y;
-        OK(thud_geometry_area_below(&placed, 0, f->water_level, 0, 1, &area, &x, &y));
+        OK(thud_geometry_area_below(&placed, (thud_half_plane){0, f->water_level, 0, 1}, &area, &x, &y));
         sum += f->water_density * area;
     }
     return sum;

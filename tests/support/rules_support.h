@@ -47,10 +47,10 @@ static inline void steps(thud_world *w, int count) {
     }
 }
 
-/* The default rule with another way of meeting. */
-static inline thud_rule meeting(thud_rule_kind how) {
+/* The default rule with another kind. */
+static inline thud_rule rule_of_kind(thud_rule_kind kind) {
     thud_rule rule = thud_default_rule();
-    rule.meeting = how;
+    rule.kind = kind;
     return rule;
 }
 

@@ -44,7 +44,7 @@ static inline void mix(uint64_t *digest, const void *values, size_t bytes) {
 static inline uint64_t digest_of(thud_world *world) {
     uint64_t digest = thud_hash_of(world);
     int count = 0;
-    const thud_pose *poses = thud_world_get_poses(world, (thud_pos){0, 0}, 0.5, &count);
+    const thud_pose *poses = thud_poses_of(world, (thud_pos){0, 0}, 0.5, &count);
     for (int i = 0; i < count; i++) {
         /* else the slot has no body, and its other values mean nothing */
         if (poses[i].x == poses[i].x) {

@@ -73,6 +73,12 @@ static void sleeping_body_wakes_when_it_is_pulled(void **state) {
     session_free(&s);
 }
 
+static int joint_count(const session *s) {
+    int count = -1;
+    thud_world_get_joints(s->world, NULL, 0, &count);
+    return count;
+}
+
 /* The static body that the joint is attached to is removed too. */
 static void letting_go_leaves_the_world_as_it_was(void **state) {
     (void)state;
@@ -81,10 +87,10 @@ static void letting_go_leaves_the_world_as_it_was(void **state) {
     open_scene(&s, "tall_stack");
     int bodies = thud_stats_of(s.world).bodies;
     assert_true(grab_start(&g, &s, body_at(&s, TOP_BOX).position, 0.01));
-    assert_int_equal(thud_world_get_joints(s.world, NULL, 0), 1);
+    assert_int_equal(joint_count(&s), 1);
     grab_end(&g, &s);
     steps(&s, 1);
-    assert_int_equal(thud_world_get_joints(s.world, NULL, 0), 0);
+    assert_int_equal(joint_count(&s), 0);
     assert_int_equal(thud_stats_of(s.world).bodies, bodies);
     grab_end(&g, &s);
     session_free(&s);
@@ -117,7 +123,7 @@ static void nothing_is_held_where_nothing_moves(void **state) {
     assert_false(grab_start(&g, &s, (thud_pos){500, 500}, 0.01));
     assert_false(g.held);
     grab_move(&g, &s, (thud_pos){0, 0});
-    assert_int_equal(thud_world_get_joints(s.world, NULL, 0), 0);
+    assert_int_equal(joint_count(&s), 0);
     session_free(&s);
 }
 

@@ -31,7 +31,7 @@
           THUD_CONTACT_STIFFNESS_MAX, quality)                                                    \
     FIELD(thud_quality, contact_damping, contact_damping, 0, THUD_CONTACT_DAMPING_MAX, quality)   \
     FIELD(thud_quality, island_limit, island_limit, 1, THUD_ISLAND_LIMIT_MAX, quality)            \
-    FIELD(thud_quality, island_patience, island_patience, 0, THUD_ISLAND_SLOW_STEPS_MAX, quality)   \
+    FIELD(thud_quality, island_slow_steps, island_slow_steps, 0, THUD_ISLAND_SLOW_STEPS_MAX, quality)   \
     CALL(thud_world_set_time_step, time_step, OPEN(0), THUD_TIME_STEP_MAX,                        \
          thud_world_set_time_step(p->world, x))                                                   \
     CALL(thud_world_set_max_error, max_error, 0, THUD_MAX_ERROR_MAX,                              \
@@ -52,7 +52,7 @@
     CALL(thud_body_apply_impulse, point, LENGTHS(-THUD_PLACE_MAX), LENGTHS(THUD_PLACE_MAX),       \
          thud_body_apply_impulse(p->world, p->ball, (thud_vec2){0, 0}, (thud_pos){0, x}))         \
     CALL(thud_world_get_poses, origin, LENGTHS(-THUD_PLACE_MAX), LENGTHS(THUD_PLACE_MAX),             \
-         thud_world_get_poses(p->world, (thud_pos){x, 0}, 1, NULL) ? THUD_OK : THUD_ERROR_INVALID)    \
+         thud_poses_of(p->world, (thud_pos){x, 0}, 1, NULL) ? THUD_OK : THUD_ERROR_INVALID)    \
     FIELD(thud_mass, mass, mass, THUD_MASS_MIN, THUD_MASS_MAX, mass)                              \
     FIELD(thud_mass, inertia, inertia, THUD_MASS_MIN, THUD_MASS_MAX, mass)                        \
     FIELD(thud_mass, center, center.x, LENGTHS(-THUD_SIZE_MAX), LENGTHS(THUD_SIZE_MAX), mass)
@@ -167,11 +167,11 @@
 
 #define QUERY_LIMITS(FIELD, CALL)                                                          \
     CALL(thud_world_cast_ray, origin, LENGTHS(-THUD_PLACE_MAX), LENGTHS(THUD_PLACE_MAX),   \
-         thud_world_cast_ray(p->world, (thud_pos){x, 0}, 0, 1, NULL, NULL, NULL))          \
+         thud_world_cast_ray(p->world, &(thud_ray){(thud_pos){x, 0}, 0, 1, NULL}, NULL, NULL))          \
     CALL(thud_world_cast_ray, dy, LENGTHS(-THUD_PLACE_MAX), LENGTHS(THUD_PLACE_MAX),       \
-         thud_world_cast_ray(p->world, (thud_pos){0, 0}, 0, x, NULL, NULL, NULL))          \
+         thud_world_cast_ray(p->world, &(thud_ray){(thud_pos){0, 0}, 0, x, NULL}, NULL, NULL))          \
     CALL(thud_world_cast_box, angle, -THUD_ANGLE_MAX, THUD_ANGLE_MAX,                      \
-         thud_world_cast_box(p->world, (thud_pos){0, 0}, 1, 1, x, 0, 1, NULL, NULL, NULL)) \
+         thud_world_cast_shape(p->world, &(thud_shape_cast){(thud_pos){0, 0}, thud_obb_at(0, 0, 1, 1, x), 0, 1, NULL}, NULL, NULL)) \
     CALL(thud_world_closest, max_distance, 0, LENGTHS(THUD_PLACE_MAX),                     \
          thud_world_closest(p->world, (thud_pos){0, 0}, x, NULL, NULL, NULL))              \
     FIELD(thud_rollback_options, players, players, 0, THUD_ROLLBACK_PLAYERS_MAX, rollback) \
@@ -210,7 +210,7 @@
     CALL(thud_minkowski_contains, x, -THUD_VOLUME_MAX, THUD_VOLUME_MAX,                        \
          thud_minkowski_contains(&p->sum, x, 0, &p->hit))                                      \
     CALL(thud_minkowski_cast, dx, -THUD_VOLUME_MAX, THUD_VOLUME_MAX,                           \
-         thud_minkowski_cast(&p->sum, 0, 0, x, 0, &p->hit, &p->x, &p->y, &p->z))               \
+         thud_minkowski_cast(&p->sum, (thud_segment){0, 0, x, 0}, &p->hit, &p->x, &p->y, &p->z))               \
     FIELD(thud_terrain, slope, slope, -THUD_TERRAIN_SLOPE_MAX, THUD_TERRAIN_SLOPE_MAX, plane)  \
     FIELD(thud_terrain, x0, x0, -THUD_TERRAIN_PLACE_MAX, THUD_TERRAIN_PLACE_MAX, grid)         \
     FIELD(thud_terrain, spacing, spacing, OPEN(0), THUD_TERRAIN_PLACE_MAX, grid)               \

@@ -40,11 +40,11 @@ static void strike_to_and_fro(thud_world *w, thud_body_id b) {
 }
 
 static void force(thud_world *w, thud_body_id b) {
-    OK(thud_body_apply_force_and_torque(w, b, (thud_vec2){-HUGE_VALUE, HUGE_VALUE}, 0));
+    OK(thud_body_apply_center_force(w, b, (thud_vec2){-HUGE_VALUE, HUGE_VALUE}));
 }
 
 static void force_down(thud_world *w, thud_body_id b) {
-    OK(thud_body_apply_force_and_torque(w, b, (thud_vec2){0, -HUGE_VALUE}, 0));
+    OK(thud_body_apply_center_force(w, b, (thud_vec2){0, -HUGE_VALUE}));
 }
 
 static void force_twice(thud_world *w, thud_body_id b) {
@@ -53,13 +53,13 @@ static void force_twice(thud_world *w, thud_body_id b) {
 }
 
 static void twist(thud_world *w, thud_body_id b) {
-    OK(thud_body_apply_force_and_torque(w, b, (thud_vec2){0, 0}, HUGE_VALUE));
+    OK(thud_body_apply_torque(w, b, HUGE_VALUE));
 }
 
 static void force_there_and_back(thud_world *w, thud_body_id b) {
     force_twice(w, b);
     for (int i = 0; i < 2; i++) {
-        OK(thud_body_apply_force_and_torque(w, b, (thud_vec2){HUGE_VALUE, -HUGE_VALUE}, 0));
+        OK(thud_body_apply_center_force(w, b, (thud_vec2){HUGE_VALUE, -HUGE_VALUE}));
     }
 }
 
@@ -365,7 +365,7 @@ static void body_that_flies_past_the_edge_of_the_world_flies_on(void **state) {
         run(w, 40);
         near_to(state_of(w, box).position.x, 1.039e9, 1);
         near_to(state_of(w, box).position.y, -1.004e9, 1);
-        OK(thud_world_cast_ray(w, (thud_pos){-1e9, -1e9}, 2e9, 0, NULL, &hit, NULL));
+        OK(thud_world_cast_ray(w, &(thud_ray){(thud_pos){-1e9, -1e9}, 2e9, 0, NULL}, &hit, NULL));
         assert_false(hit);
         thud_world_destroy(w);
     }

@@ -187,7 +187,7 @@ static thud_result motion(place *p, const row *r, double x) {
 }
 
 static thud_result below(place *p, double x, double ny) {
-    return thud_geometry_area_below(&p->box, x, 0, 0, ny, &p->x, &p->y, &p->z);
+    return thud_geometry_area_below(&p->box, (thud_half_plane){x, 0, 0, ny}, &p->x, &p->y, &p->z);
 }
 
 static thud_result sum(place *p, const row *r, double x) {

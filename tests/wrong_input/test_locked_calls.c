@@ -24,7 +24,8 @@ static void hit(village *v) {
 }
 
 static void pull(village *v) {
-    OK(thud_body_apply_force_and_torque(v->world, v->ball, (thud_vec2){50, 0}, 1));
+    OK(thud_body_apply_center_force(v->world, v->ball, (thud_vec2){50, 0}));
+    OK(thud_body_apply_torque(v->world, v->ball, 1));
 }
 
 /* Puts a body to sleep. */
@@ -219,11 +220,11 @@ static void ask_everything(village *v) {
     thud_volume volume;
     bool found = false;
     int count = 0, touching = 0;
-    OK(thud_world_cast_ray(w, (thud_pos){190, 9}, 0, -20, NULL, &found, &hit_));
+    OK(thud_world_cast_ray(w, &(thud_ray){(thud_pos){190, 9}, 0, -20, NULL}, &found, &hit_));
     assert_true(found && hit_.shape.index1 == v->hill.index1);
-    OK(thud_world_cast_ray_all(w, (thud_pos){-50, 9}, 0, -20, NULL, hits, 8, &count));
+    OK(thud_world_cast_ray_all(w, &(thud_ray){(thud_pos){-50, 9}, 0, -20, NULL}, hits, 8, &count));
     assert_int_equal(count, 1);
-    OK(thud_world_cast_circle_all(w, high, 1, -9, -20, NULL, hits, 8, &count));
+    OK(thud_world_cast_shape_all(w, &(thud_shape_cast){high, thud_circle_at(0, 0, 1), -9, -20, NULL}, hits, 8, &count));
     assert_true(count >= 1);
     OK(thud_world_overlap_aabb(w, (thud_pos){-99, -1}, (thud_pos){99, 0.25}, NULL, count_shape,
                                &touching));
@@ -291,7 +292,7 @@ static bool pass(const thud_mover *mover, const thud_mover_hit *hit_, thud_vec2 
 /* A step, a query and a mover's move, each of which calls its callback. */
 static void go_on(caller *c) {
     village_step(&c->v);
-    OK(thud_world_overlap_circle(c->v.world, (thud_pos){3, 1}, 3, NULL, overlap, c));
+    OK(thud_world_overlap_shape(c->v.world, (thud_pos){3, 1}, thud_circle_at(0, 0, 3), NULL, overlap, c));
 }
 
 static void make_caller(caller *c, site s, const thud_detection *detection) {

@@ -57,9 +57,9 @@ void wrong_body_edits(void **state) {
         REFUSED(INVALID, thud_body_set_velocity(w, ball, zero, f));
         REFUSED(INVALID, thud_body_apply_impulse(w, ball, (thud_vec2){f, 0}, here));
         REFUSED(INVALID, thud_body_apply_impulse(w, ball, (thud_vec2){0, f}, here));
-        REFUSED(INVALID, thud_body_apply_force_and_torque(w, ball, (thud_vec2){f, 0}, 0));
-        REFUSED(INVALID, thud_body_apply_force_and_torque(w, ball, (thud_vec2){0, f}, 0));
-        REFUSED(INVALID, thud_body_apply_force_and_torque(w, ball, zero, f));
+        REFUSED(INVALID, thud_body_apply_center_force(w, ball, (thud_vec2){f, 0}));
+        REFUSED(INVALID, thud_body_apply_center_force(w, ball, (thud_vec2){0, f}));
+        REFUSED(INVALID, thud_body_apply_torque(w, ball, f));
     }
     /* Bodies with AABBs cannot be turned, and forces, impulses and velocities of bodies that these
      * cannot move are refused. */
@@ -69,14 +69,14 @@ void wrong_body_edits(void **state) {
     REFUSED(INVALID, thud_body_set_velocity(w, floor, zero, 0));
     REFUSED(INVALID, thud_body_apply_impulse(w, floor, one, here));
     REFUSED(INVALID, thud_body_apply_impulse(w, lift, one, here));
-    REFUSED(INVALID, thud_body_apply_force_and_torque(w, floor, one, 0));
-    REFUSED(INVALID, thud_body_apply_force_and_torque(w, lift, one, 0));
+    REFUSED(INVALID, thud_body_apply_center_force(w, floor, one));
+    REFUSED(INVALID, thud_body_apply_center_force(w, lift, one));
     REFUSED(INVALID, thud_body_set_awake(w, floor, true));
     REFUSED(INVALID, thud_body_set_awake(w, lift, false));
     REFUSED_UNTOLD(NULL, thud_body_set_transform(NULL, ball, here, 0));
     REFUSED_UNTOLD(NULL, thud_body_set_velocity(NULL, ball, one, 0));
     REFUSED_UNTOLD(NULL, thud_body_apply_impulse(NULL, ball, one, here));
-    REFUSED_UNTOLD(NULL, thud_body_apply_force_and_torque(NULL, ball, one, 0));
+    REFUSED_UNTOLD(NULL, thud_body_apply_center_force(NULL, ball, one));
     REFUSED_UNTOLD(NULL, thud_body_set_awake(NULL, ball, true));
     REFUSED_UNTOLD(NULL, thud_body_set_enabled(NULL, ball, false));
     REFUSED_UNTOLD(NULL, thud_body_set_user_data(NULL, ball, 7));
@@ -135,7 +135,7 @@ void wrong_handles(void **state) {
         REFUSED(STALE, thud_body_set_transform(w, b, here, 0));
         REFUSED(STALE, thud_body_set_velocity(w, b, one, 0));
         REFUSED(STALE, thud_body_apply_impulse(w, b, one, here));
-        REFUSED(STALE, thud_body_apply_force_and_torque(w, b, one, 0));
+        REFUSED(STALE, thud_body_apply_center_force(w, b, one));
         REFUSED(STALE, thud_body_set_awake(w, b, true));
         REFUSED(STALE, thud_body_set_enabled(w, b, false));
         REFUSED(STALE, thud_body_set_user_data(w, b, 7));

@@ -50,7 +50,7 @@ void wrong_geometry(void **state) {
     for (int i = 0; i < COUNT(bad_shapes); i++) {
         const thud_geometry *bad = &bad_shapes[i];
         assert_false(thud_geometry_overlap(&ball, bad) || thud_geometry_overlap(bad, &ball));
-        assert_false(thud_geometry_cast_ray(bad, 0, 0, 1, 0, time, nx, ny));
+        assert_false(thud_geometry_cast_ray(bad, (thud_segment){0, 0, 1, 0}, time, nx, ny));
         assert_false(thud_geometry_is_bisectable(&ball, still, bad, still));
         REFUSED_UNTOLD(INVALID, thud_geometry_check(bad));
         REFUSED_UNTOLD(INVALID, thud_geometry_closest(&ball, bad, closest));
@@ -83,8 +83,8 @@ void wrong_geometry(void **state) {
                        thud_geometry_time_of_collision(&ball, still, &box, still, x, OUT_FLAG, time));
     }
     EACH(x, not_finite) {
-        assert_false(thud_geometry_cast_ray(&ball, x, 5, 1, 0, time, nx, ny));
-        assert_false(thud_geometry_cast_ray(&ball, 0, 5, x, 0, time, nx, ny));
+        assert_false(thud_geometry_cast_ray(&ball, (thud_segment){x, 5, 1, 0}, time, nx, ny));
+        assert_false(thud_geometry_cast_ray(&ball, (thud_segment){0, 5, x, 0}, time, nx, ny));
     }
     REFUSED_UNTOLD(INVALID, thud_geometry_approach(&ball, still, &box, still, approach));
     REFUSED_UNTOLD(NULL, thud_geometry_check(NULL));
@@ -97,7 +97,7 @@ void wrong_geometry(void **state) {
                    thud_geometry_time_of_collision(&ball, still, NULL, still, 1e-6, OUT_FLAG, time));
     REFUSED_UNTOLD(NULL, thud_geometry_approach(&ball, still, &ball, still, NULL));
     assert_false(thud_geometry_overlap(NULL, &ball) || thud_geometry_overlap(&ball, NULL));
-    assert_false(thud_geometry_cast_ray(NULL, 0, 0, 1, 0, time, nx, ny));
+    assert_false(thud_geometry_cast_ray(NULL, (thud_segment){0, 0, 1, 0}, time, nx, ny));
     assert_false(thud_geometry_is_bisectable(NULL, still, &ball, still));
 }
 
@@ -111,7 +111,7 @@ void wrong_ground_geometry(void **state) {
         thud_terrain_segments(bad, -9, 9, &first, &last);
         assert_true(first > last);
         assert_false(thud_terrain_overlap(bad, &ball));
-        assert_false(thud_terrain_cast_ray(bad, 1, 9, 0, -9, time, nx, ny));
+        assert_false(thud_terrain_cast_ray(bad, (thud_segment){1, 9, 0, -9}, time, nx, ny));
         REFUSED_UNTOLD(INVALID, thud_terrain_check(bad));
         REFUSED_UNTOLD(INVALID, thud_terrain_sample_at(bad, 1, sample));
         REFUSED_UNTOLD(INVALID, thud_terrain_place_foot(bad, 1, 1, &wrong_out.foot));
@@ -174,7 +174,7 @@ void wrong_ground_geometry(void **state) {
     REFUSED_UNTOLD(NULL,
                    thud_terrain_time_of_collision(&ground, NULL, still, 1e-6, OUT_FLAG, time));
     assert_false(thud_terrain_overlap(NULL, &ball) || thud_terrain_overlap(&ground, NULL));
-    assert_false(thud_terrain_cast_ray(NULL, 0, 0, 1, 0, time, nx, ny));
+    assert_false(thud_terrain_cast_ray(NULL, (thud_segment){0, 0, 1, 0}, time, nx, ny));
 }
 
 void wrong_volumes(void **state) {
@@ -256,9 +256,9 @@ void wrong_sums(void **state) {
         REFUSED_UNTOLD(INVALID, thud_minkowski_contains(&sum, x, 0, OUT_FLAG));
         REFUSED_UNTOLD(INVALID, thud_minkowski_contains(&sum, 0, x, OUT_FLAG));
         REFUSED_UNTOLD(INVALID, thud_minkowski_distance(&sum, x, 0, number, nx, ny));
-        REFUSED_UNTOLD(INVALID, thud_minkowski_cast(&sum, x, 0, 1, 0, OUT_FLAG, number, nx, ny));
-        REFUSED_UNTOLD(INVALID, thud_minkowski_cast(&sum, 9, 0, x, 0, OUT_FLAG, number, nx, ny));
-        REFUSED_UNTOLD(INVALID, thud_minkowski_cast(&sum, 9, 0, 0, x, OUT_FLAG, number, nx, ny));
+        REFUSED_UNTOLD(INVALID, thud_minkowski_cast(&sum, (thud_segment){x, 0, 1, 0}, OUT_FLAG, number, nx, ny));
+        REFUSED_UNTOLD(INVALID, thud_minkowski_cast(&sum, (thud_segment){9, 0, x, 0}, OUT_FLAG, number, nx, ny));
+        REFUSED_UNTOLD(INVALID, thud_minkowski_cast(&sum, (thud_segment){9, 0, 0, x}, OUT_FLAG, number, nx, ny));
     }
     thud_minkowski bad[] = {sum, sum, sum, sum, sum};
     bad[0].count = 3;
@@ -270,12 +270,12 @@ void wrong_sums(void **state) {
         REFUSED_UNTOLD(INVALID, thud_minkowski_contains(&bad[i], 0, 0, OUT_FLAG));
         REFUSED_UNTOLD(INVALID, thud_minkowski_distance(&bad[i], 0, 0, number, nx, ny));
         REFUSED_UNTOLD(INVALID,
-                       thud_minkowski_cast(&bad[i], 9, 0, -9, 0, OUT_FLAG, number, nx, ny));
+                       thud_minkowski_cast(&bad[i], (thud_segment){9, 0, -9, 0}, OUT_FLAG, number, nx, ny));
     }
     REFUSED_UNTOLD(NULL, thud_minkowski_sum(NULL, &box, &wrong_out.sum));
     REFUSED_UNTOLD(NULL, thud_minkowski_sum(&ball, &box, NULL));
     REFUSED_UNTOLD(NULL, thud_minkowski_contains(NULL, 0, 0, OUT_FLAG));
     REFUSED_UNTOLD(NULL, thud_minkowski_contains(&sum, 0, 0, NULL));
     REFUSED_UNTOLD(NULL, thud_minkowski_distance(NULL, 0, 0, number, nx, ny));
-    REFUSED_UNTOLD(NULL, thud_minkowski_cast(NULL, 9, 0, 1, 0, OUT_FLAG, number, nx, ny));
+    REFUSED_UNTOLD(NULL, thud_minkowski_cast(NULL, (thud_segment){9, 0, 1, 0}, OUT_FLAG, number, nx, ny));
 }

@@ -31,7 +31,7 @@ static thud_result step_forever(wrong_pair *p, double elapsed, int max_steps) {
 /* thud_world_get_poses returns no result code: a refusal is null with count 0. */
 static thud_result poses(thud_world *world, thud_pos origin, double alpha) {
     int count = 7;
-    const thud_pose *got = thud_world_get_poses(world, origin, alpha, &count);
+    const thud_pose *got = thud_poses_of(world, origin, alpha, &count);
     if (got || count) {
         return THUD_OK;
     }
@@ -108,8 +108,8 @@ void wrong_worlds(void **state) {
     BAD_QUALITY(contact_stiffness, 0.6f);
     BAD_QUALITY(contact_damping, -1);
     BAD_QUALITY(detection, NULL);
-    BAD_QUALITY(sag_limit, NAN);
-    BAD_QUALITY(sag_limit, -1);
+    BAD_QUALITY(overlap_limit, NAN);
+    BAD_QUALITY(overlap_limit, -1);
     BAD_QUALITY(island_limit, 0);
 #undef BAD_QUALITY
 #undef BAD
@@ -145,7 +145,7 @@ void wrong_settings(void **state) {
     bad[1].contact_stiffness = 0.6f;
     bad[2].contact_damping = NAN;
     bad[3].detection = NULL;
-    bad[4].sag_limit = NAN;
+    bad[4].overlap_limit = NAN;
     bad[5].island_limit = -1;
     for (int i = 0; i < COUNT(bad); i++) {
         REFUSED(INVALID, thud_world_set_quality(w, &bad[i]));

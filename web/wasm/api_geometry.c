@@ -52,7 +52,7 @@ int api_shapes_time_of_impact(double target) {
     thud_result result =
         thud_geometry_time_of_impact(&p.a, p.by_a, &p.b, p.by_b, target, &hit, &time);
     if (result == THUD_OK)
-        api_slots.meeting = (struct meeting){.found = hit, .time = time};
+        api_slots.kind = (struct meeting){.found = hit, .time = time};
     return result;
 }
 
@@ -64,7 +64,7 @@ int api_shapes_time_of_collision(double tolerance) {
     thud_result result =
         thud_geometry_time_of_collision(&p.a, p.by_a, &p.b, p.by_b, tolerance, &collided, &time);
     if (result == THUD_OK)
-        api_slots.meeting = (struct meeting){
+        api_slots.kind = (struct meeting){
             .found = collided,
             .time = time,
             .sure = thud_geometry_is_bisectable(&p.a, p.by_a, &p.b, p.by_b),
@@ -78,7 +78,7 @@ int api_circles_approach(void) {
     thud_approach passing;
     thud_result result = thud_geometry_approach(&p.a, p.by_a, &p.b, p.by_b, &passing);
     if (result == THUD_OK)
-        api_slots.meeting = (struct meeting){.found = passing.hit,
+        api_slots.kind = (struct meeting){.found = passing.hit,
                                              .time = passing.time,
                                              .least = passing.least,
                                              .least_time = passing.least_time};
@@ -93,8 +93,7 @@ int api_minkowski_cast(void) {
     double fraction = 1.0, nx = 0.0, ny = 0.0;
     thud_result result = thud_minkowski_sum(&p.a, &p.b, &sum);
     if (result == THUD_OK)
-        result = thud_minkowski_cast(&sum, p.b.x - p.a.x, p.b.y - p.a.y, p.by_b.dx - p.by_a.dx,
-                                     p.by_b.dy - p.by_a.dy, &hit, &fraction, &nx, &ny);
+        result = thud_minkowski_cast(&sum, (thud_segment){p.b.x - p.a.x, p.b.y - p.a.y, p.by_b.dx - p.by_a.dx, p.by_b.dy - p.by_a.dy}, &hit, &fraction, &nx, &ny);
     if (result == THUD_OK)
         api_slots.crossing = (struct crossing){hit, fraction, {nx, ny}};
     return result;

@@ -57,7 +57,7 @@ static void tell_def(const thud_joint_def *def) {
     s->break_force = def->break_force;
     s->break_torque = def->break_torque;
     s->only_reports = def->only_reports;
-    s->enabled = !def->disabled;
+    s->enabled = def->enabled;
     s->user_data = (double)def->user_data;
     s->pair_a.index1 = gear ? def->gear[0].index1 : def->body_a.index1;
     s->pair_a.generation = gear ? def->gear[0].generation : def->body_a.generation;
@@ -167,7 +167,7 @@ int api_joint_create(thud_world *world, double furthest) {
     def.break_force = (float)s->break_force;
     def.break_torque = (float)s->break_torque;
     def.only_reports = s->only_reports != 0.0;
-    def.disabled = s->enabled == 0.0;
+    def.enabled = s->enabled != 0.0;
     def.user_data = (uint64_t)s->user_data;
     uint32_t a = api_to_u32(s->pair_a.index1), a_generation = api_to_u32(s->pair_a.generation);
     uint32_t b = api_to_u32(s->pair_b.index1), b_generation = api_to_u32(s->pair_b.generation);

@@ -42,10 +42,12 @@ static bool make_room(api_buffer *buffer, int count) {
 
 /* Writes the handles of all joints to `ids`; returns their number, or -1 where memory is short. */
 static int list_all(const thud_world *world) {
-    int count = thud_world_get_joints(world, NULL, 0);
+    int count = 0;
+    thud_world_get_joints(world, NULL, 0, &count);
     if (!make_room(&ids, count))
         return -1;
-    return thud_world_get_joints(world, (thud_joint_id *)ids.data, count);
+    thud_world_get_joints(world, (thud_joint_id *)ids.data, count, &count);
+    return count;
 }
 
 /* Slots out: list, of `ids`. */
@@ -63,20 +65,20 @@ int api_world_joints(const thud_world *world) {
 /* The handles of a body's joints. Slots out: list. */
 int api_body_joints(const thud_world *world, uint32_t index1, uint32_t generation) {
     thud_body_id body = api_body(index1, generation);
-    thud_body_state state;
-    thud_result result = thud_body_get_state(world, body, &state);
+    int count = 0;
+    thud_result result = thud_body_get_joints(world, body, NULL, 0, &count);
     if (result != THUD_OK)
         return result;
-    int count = thud_body_get_joints(world, body, NULL, 0);
     if (!make_room(&ids, count))
         return THUD_ERROR_MEMORY;
-    return tell_list(thud_body_get_joints(world, body, (thud_joint_id *)ids.data, count));
+    thud_body_get_joints(world, body, (thud_joint_id *)ids.data, count, &count);
+    return tell_list(count);
 }
 
 /* Slots out: list of joint_event. */
 int api_world_joint_events(const thud_world *world) {
     int count = 0;
-    const thud_joint_event *events = thud_world_get_joint_events(world, &count);
+    const thud_joint_event *events = thud_joint_events_of(world, &count);
     api_buffer_clear(&event_rows);
     for (int i = 0; i < count; i++) {
         const thud_joint_event *e = &events[i];
@@ -237,7 +239,7 @@ int api_joint_table(thud_world *world, double x, double y, double alpha) {
     }
     if (table_rows.failed || table_handles.failed)
         return THUD_ERROR_MEMORY;
-    const thud_pose *poses = thud_world_get_poses(world, (thud_pos){x, y}, alpha, &bodies);
+    const thud_pose *poses = thud_poses_of(world, (thud_pos){x, y}, alpha, &bodies);
     struct joint_row *rows = (struct joint_row *)table_rows.data;
     for (int i = 0; i < count && poses; i++) {
         const thud_pose *a = &poses[(int)rows[i].slot_a], *b = &poses[(int)rows[i].slot_b];

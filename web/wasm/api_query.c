@@ -55,7 +55,7 @@ int api_cast_ray(thud_world *world, double x, double y, double dx, double dy) {
     thud_query_filter filter = filter_now();
     bool hit = false;
     thud_ray_hit ray = {0};
-    thud_result result = thud_world_cast_ray(world, (thud_pos){x, y}, dx, dy, &filter, &hit, &ray);
+    thud_result result = thud_world_cast_ray(world, &(thud_ray){(thud_pos){x, y}, dx, dy, &filter}, &hit, &ray);
     api_slots.first_hit = (struct first_hit){hit, row_of(&ray)};
     return result;
 }
@@ -68,7 +68,7 @@ int api_cast_shape(thud_world *world, int kind, double x, double y, double hx, d
     bool hit = false;
     thud_ray_hit met = {0};
     thud_result result =
-        thud_world_cast_shape(world, (thud_pos){x, y}, &shape, dx, dy, &filter, &hit, &met);
+        thud_world_cast_shape(world, &(thud_shape_cast){(thud_pos){x, y}, shape, dx, dy, &filter}, &hit, &met);
     api_slots.first_hit = (struct first_hit){hit, row_of(&met)};
     return result;
 }
@@ -90,8 +90,8 @@ int api_cast_all(thud_world *world, int kind, double x, double y, double hx, dou
         thud_pos at = {x, y};
         thud_result result =
             kind < 0
-                ? thud_world_cast_ray_all(world, at, dx, dy, &filter, out, room, &count)
-                : thud_world_cast_shape_all(world, at, &shape, dx, dy, &filter, out, room, &count);
+                ? thud_world_cast_ray_all(world, &(thud_ray){at, dx, dy, &filter}, out, room, &count)
+                : thud_world_cast_shape_all(world, &(thud_shape_cast){at, shape, dx, dy, &filter}, out, room, &count);
         if (result != THUD_OK)
             return result;
     }
@@ -121,8 +121,8 @@ int api_cast_each(thud_world *world, int kind, double x, double y, double hx, do
     thud_query_filter filter = filter_now();
     thud_geometry shape = api_placed(kind, hx, hy, angle);
     thud_pos at = {x, y};
-    return kind < 0 ? thud_world_cast_ray_each(world, at, dx, dy, &filter, met, NULL)
-                    : thud_world_cast_shape_each(world, at, &shape, dx, dy, &filter, met, NULL);
+    return kind < 0 ? thud_world_cast_ray_each(world, &(thud_ray){at, dx, dy, &filter}, met, NULL)
+                    : thud_world_cast_shape_each(world, &(thud_shape_cast){at, shape, dx, dy, &filter}, met, NULL);
 }
 
 /* The first hit of each of `count` rays, four doubles each: origin and displacement. All have the
@@ -205,7 +205,7 @@ int api_overlap_shape(thud_world *world, int kind, double x, double y, double hx
     thud_geometry shape = api_placed(kind, hx, hy, angle);
     api_buffer_clear(&found);
     return collected(
-        thud_world_overlap_shape(world, (thud_pos){x, y}, &shape, &filter, collect, &found));
+        thud_world_overlap_shape(world, (thud_pos){x, y}, shape, &filter, collect, &found));
 }
 
 /* ---- one shape, whatever its filter ---- */

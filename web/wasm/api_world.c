@@ -68,10 +68,10 @@ static const thud_quality *changed_quality(double number, const struct quality_o
         quality.islands = NULL;
     if (changes->islands == 1.0 && quality.islands == NULL) {
         quality.islands = thud_quality_default.islands;
-        quality.sag_limit = thud_quality_default.sag_limit;
+        quality.overlap_limit = thud_quality_default.overlap_limit;
         quality.island_limit = thud_quality_default.island_limit;
         quality.island_work = thud_quality_default.island_work;
-        quality.island_patience = thud_quality_default.island_patience;
+        quality.island_slow_steps = thud_quality_default.island_slow_steps;
     }
     return &quality;
 }
@@ -277,7 +277,7 @@ void api_world_hash(const thud_world *world) {
 /* The world's own array of poses, or null (thud_world_get_poses). Slots out: list, only its count. */
 const thud_pose *api_world_poses(thud_world *world, double x, double y, double alpha) {
     int count = 0;
-    const thud_pose *poses = thud_world_get_poses(world, (thud_pos){x, y}, alpha, &count);
+    const thud_pose *poses = thud_poses_of(world, (thud_pos){x, y}, alpha, &count);
     api_slots.list.count = count;
     return poses;
 }

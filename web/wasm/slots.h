@@ -155,7 +155,7 @@ struct tyre_options {
 
 /* As thud_rule: friction, restitution or surface_speed NaN is that of the two shapes. */
 struct rule_options {
-    double meeting, solid_side[2], friction, restitution, surface_speed, most_impulse;
+    double meeting, solid_side[2], friction, restitution, surface_speed, event_impulse;
 };
 
 struct rule_found {

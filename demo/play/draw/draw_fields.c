@@ -53,7 +53,7 @@ static void draw_water_over(canvas *c, const camera *view, const thud_terrain *t
 
 static void draw_water(canvas *c, const camera *view, session *s) {
     int count = 0;
-    const thud_pose *poses = thud_world_get_poses(s->world, view->center, s->alpha, &count);
+    const thud_pose *poses = thud_poses_of(s->world, view->center, s->alpha, &count);
     float level = (float)(s->scene.fields.water_level - view->center.y);
     for (int i = 0; i < s->body_count; i++) {
         const session_body *body = &s->bodies[i];

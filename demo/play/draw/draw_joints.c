@@ -27,7 +27,7 @@ typedef struct placed {
 /* What drawing the joints needs, with the size of a joint by that of the scene's bodies. */
 static sketch begin(canvas *c, const camera *view, session *s) {
     sketch k = {.canvas = c, .view = view, .session = s};
-    k.poses = thud_world_get_poses(s->world, view->center, s->alpha, &k.pose_count);
+    k.poses = thud_poses_of(s->world, view->center, s->alpha, &k.pose_count);
     float wanted = 0.09f * (float)(s->scene.length_scale * view->scale);
     k.size = fmaxf(1.3f * c->unit, fminf(wanted, 4.5f * c->unit));
     return k;

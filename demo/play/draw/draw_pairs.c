@@ -49,7 +49,7 @@ static bool placed_at(const session *s, const thud_pose *poses, int count, int s
 
 void draw_pairs(canvas *c, const camera *view, session *s, pair_look look) {
     int count = 0;
-    const thud_pose *poses = thud_world_get_poses(s->world, view->center, s->alpha, &count);
+    const thud_pose *poses = thud_poses_of(s->world, view->center, s->alpha, &count);
     for (int i = 0; i < s->scene.sum_pairs; i++) {
         thud_geometry a, b;
         thud_motion by_a, by_b;

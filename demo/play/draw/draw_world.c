@@ -138,7 +138,7 @@ void draw_world(canvas *c, const camera *view, session *s, overlay_set overlays)
     bool islands = overlays_have(overlays, OVERLAY_ISLANDS);
     bool dim = overlays_have(overlays, OVERLAY_SLEEPING);
     int count = 0;
-    const thud_pose *poses = thud_world_get_poses(s->world, view->center, s->alpha, &count);
+    const thud_pose *poses = thud_poses_of(s->world, view->center, s->alpha, &count);
     for (int pass = 0; pass < 2; pass++) /* dynamic bodies are drawn over the others */
         for (int i = 0; i < s->body_count; i++) {
             const session_body *body = &s->bodies[i];

@@ -33,6 +33,8 @@
 #include "thud_geometry.h"
 #include "thud_terrain.h"
 
+#include <string.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -275,10 +277,12 @@ THUD_API thud_result thud_body_set_velocity(thud_world *world, thud_body_id body
  * world. |x|, |y| of the point <= THUD_PLACE_MAX length scales. */
 THUD_API thud_result thud_body_apply_impulse(thud_world *world, thud_body_id body,
                                              thud_vec2 impulse, thud_pos point);
-/* Applies to a dynamic body a force, mass * length / s^2, at its centre of mass, and a torque,
- * through the next step, or through the time of the next thud_world_advance; forces add up. */
-THUD_API thud_result thud_body_apply_force_and_torque(thud_world *world, thud_body_id body, thud_vec2 force,
-                                           float torque);
+/* Applies a force, mass * length / s^2, at the centre of mass of a dynamic body, or a torque, mass
+ * * length^2 / s^2, through the next step, or through the time of the next thud_world_advance;
+ * forces and torques add up. At a point of the body: thud_forces.h. */
+THUD_API thud_result thud_body_apply_center_force(thud_world *world, thud_body_id body,
+                                                  thud_vec2 force);
+THUD_API thud_result thud_body_apply_torque(thud_world *world, thud_body_id body, float torque);
 /* Of a dynamic body: true wakes it. False: it counts as at rest from now on, and falls asleep as
  * soon as its whole island does. */
 THUD_API thud_result thud_body_set_awake(thud_world *world, thud_body_id body, bool awake);
@@ -384,12 +388,21 @@ typedef struct thud_pose {
 } thud_pose;
 
 /* The poses of all bodies between the last two steps, interpolated by alpha in [0, 1] (0: the step
- * before, 1: the last step). The array is indexed by slot (thud_body_id.index1 - 1) and has *count
- * elements; slots without a body have x = y = NaN. It belongs to the world and is valid until the
- * world's next call. Null and *count = 0 if memory is short, alpha is out of range, or |origin.x|
- * or |origin.y| > THUD_PLACE_MAX length scales. */
-THUD_API const thud_pose *thud_world_get_poses(thud_world *world, thud_pos origin, double alpha,
-                                           int *count);
+ * before, 1: the last step). The array *out is indexed by slot (thud_body_id.index1 - 1) and has
+ * *out_count elements; slots without a body have x = y = NaN. It belongs to the world and is valid
+ * until the world's next call. THUD_ERROR_NULL, THUD_ERROR_INVALID where alpha is out of range or
+ * |origin.x| or |origin.y| > THUD_PLACE_MAX length scales, THUD_ERROR_MEMORY. */
+THUD_API thud_result thud_world_get_poses(thud_world *world, thud_pos origin, double alpha,
+                                          const thud_pose **out, int *out_count);
+
+/* The same array, and its size in *out_count; null and 0 where the call is refused. */
+static inline const thud_pose *thud_poses_of(thud_world *world, thud_pos origin, double alpha,
+                                             int *out_count) {
+    const thud_pose *poses = NULL;
+    *out_count = 0;
+    thud_world_get_poses(world, origin, alpha, &poses, out_count);
+    return poses;
+}
 
 /* ---- statistics ---- */
 
@@ -438,14 +451,21 @@ typedef struct thud_stats {
     int motion_circles, motion_boxes, motion_exact;
 } thud_stats;
 
-/* All 0 for a null world. */
-THUD_API thud_stats thud_stats_of(const thud_world *world);
+/* THUD_ERROR_NULL. */
+THUD_API thud_result thud_world_get_stats(const thud_world *world, thud_stats *out);
 
-/* *speed: the thickness of the thinnest shape (terrain left out) over the time step, length/s;
+static inline thud_stats thud_stats_of(const thud_world *world) {
+    thud_stats stats;
+    memset(&stats, 0, sizeof stats);
+    thud_world_get_stats(world, &stats);
+    return stats;
+}
+
+/* *out_speed: the thickness of the thinnest shape (terrain left out) over the time step, length/s;
  * infinite without shapes. A body that moves faster, counted with its rotation, may pass through a
  * shape between two steps, so that thud_detection_bisect misses the collision; slower bodies miss
  * none. THUD_ERROR_NULL. */
-THUD_API thud_result thud_world_get_bisection_limit(thud_world *world, double *speed);
+THUD_API thud_result thud_world_get_bisection_limit(thud_world *world, double *out_speed);
 
 /* The errors of the last step. They are collected while it is solved, so that the call costs a pass
  * over joints, where there are any, and otherwise nothing; after a step in which detection held
@@ -473,8 +493,15 @@ typedef struct thud_step_error {
     double joint_angle_max; /* rad: the same of thud_joint_state.angle_gap */
 } thud_step_error;
 
-/* All 0 before the first step, and for a null world. */
-THUD_API thud_step_error thud_step_error_of(const thud_world *world);
+/* All 0 before the first step. THUD_ERROR_NULL. */
+THUD_API thud_result thud_world_get_step_error(const thud_world *world, thud_step_error *out);
+
+static inline thud_step_error thud_step_error_of(const thud_world *world) {
+    thud_step_error error;
+    memset(&error, 0, sizeof error);
+    thud_world_get_step_error(world, &error);
+    return error;
+}
 
 /* Penetration and energy of the present state. */
 typedef struct thud_measure {
@@ -485,12 +512,25 @@ typedef struct thud_measure {
     double kinetic_energy, potential_energy;
 } thud_measure;
 
-/* Costs a pass over contacts and bodies. All 0 for a null world. */
-THUD_API thud_measure thud_measure_of(const thud_world *world);
+/* Costs a pass over contacts and bodies. THUD_ERROR_NULL. */
+THUD_API thud_result thud_world_get_measure(const thud_world *world, thud_measure *out);
+
+static inline thud_measure thud_measure_of(const thud_world *world) {
+    thud_measure measure;
+    memset(&measure, 0, sizeof measure);
+    thud_world_get_measure(world, &measure);
+    return measure;
+}
 
 /* A hash of the exact position, angle and velocity of every body, in the order of slots, to compare
- * two runs. */
-THUD_API uint64_t thud_hash_of(const thud_world *world);
+ * two runs. THUD_ERROR_NULL. */
+THUD_API thud_result thud_world_get_hash(const thud_world *world, uint64_t *out);
+
+static inline uint64_t thud_hash_of(const thud_world *world) {
+    uint64_t hash = 0;
+    thud_world_get_hash(world, &hash);
+    return hash;
+}
 
 #ifdef __cplusplus
 }

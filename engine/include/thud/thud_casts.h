@@ -34,32 +34,16 @@ typedef double thud_cast_fn(const thud_ray_hit *hit, void *context);
 #define THUD_CAST_END 0.0       /* the cast ends */
 #define THUD_CAST_ON 1.0        /* 1 or more: the cast goes on */
 
-/* Casts a ray from `origin` to origin + (dx, dy), and searches no further than the limit.
- * THUD_ERROR_NULL for a null world or callback; errors else as those of thud_world_cast_ray. */
-THUD_API thud_result thud_world_cast_ray_each(thud_world *world, thud_pos origin, double dx,
-                                              double dy, const thud_query_filter *filter,
+/* Casts a ray, and searches no further than the limit. THUD_ERROR_NULL for a null world, ray or
+ * callback; errors else as those of thud_world_cast_ray. */
+THUD_API thud_result thud_world_cast_ray_each(thud_world *world, const thud_ray *ray,
                                               thud_cast_fn *fn, void *context);
 
-/* The same with a moving shape; `center` and `shape` as in thud_world_cast_shape. */
-THUD_API thud_result thud_world_cast_shape_each(thud_world *world, thud_pos center,
-                                                const thud_geometry *shape, double dx,
-                                                double dy, const thud_query_filter *filter,
+/* The same with a moving shape. */
+THUD_API thud_result thud_world_cast_shape_each(thud_world *world, const thud_shape_cast *cast,
                                                 thud_cast_fn *fn, void *context);
 
 /* ---- many at once ---- */
-
-typedef struct thud_ray {
-    thud_pos origin;
-    double dx, dy;                   /* from the origin to the end */
-    const thud_query_filter *filter; /* null: everything but sensors; rays may share one */
-} thud_ray;
-
-typedef struct thud_shape_cast {
-    thud_pos center;
-    const thud_geometry *shape; /* as in thud_world_cast_shape; not null */
-    double dx, dy;                    /* the displacement of the shape */
-    const thud_query_filter *filter;  /* null: everything but sensors */
-} thud_shape_cast;
 
 /* Writes the first hit of each of `count` (>= 0) rays to hits[i], the one that thud_world_cast_ray
  * finds. Where a ray has no hit, the hit's shape is the null handle, its fraction 1, its point the

@@ -114,14 +114,19 @@ THUD_API thud_water thud_default_water(void);
 THUD_API thud_result thud_body_apply_buoyancy(thud_world *world, thud_body_id body,
                                               const thud_water *water);
 
-/* Area and centroid of the part of a shape below the line through (x, y), |x|, |y| <=
- * THUD_COORDINATE_MAX, whose normal (nx, ny) has length 1 within THUD_NORMAL_ERROR. A pure
- * function. Where there is no such part the centroid is the shape's centre. No output may be null.
- * Exact to 1e-15 of the shape's size, squared for the area; where a circle's part is so thin that
- * its area is below this, the centroid is some point of the part. */
-THUD_API thud_result thud_geometry_area_below(const thud_geometry *shape, double x, double y,
-                                      double nx, double ny, double *area, double *center_x,
-                                      double *center_y);
+/* The half plane below the line through (x, y), |x|, |y| <= THUD_COORDINATE_MAX, whose normal
+ * (nx, ny) points out of it and has length 1 within THUD_NORMAL_ERROR. */
+typedef struct thud_half_plane {
+    double x, y, nx, ny;
+} thud_half_plane;
+
+/* Area and centroid of the part of a shape in the half plane. A pure function. Where there is no
+ * such part the centroid is the shape's centre. No output may be null. Exact to 1e-15 of the
+ * shape's size, squared for the area; where a circle's part is so thin that its area is below this,
+ * the centroid is some point of the part. */
+THUD_API thud_result thud_geometry_area_below(const thud_geometry *shape, thud_half_plane below,
+                                              double *out_area, double *out_center_x,
+                                              double *out_center_y);
 
 /* ---- rolling resistance ---- */
 
@@ -136,7 +141,7 @@ THUD_API thud_result thud_body_apply_rolling_resistance(thud_world *world, thud_
 /* ---- grip: tyres, and friction in games seen from above ---- */
 
 /* Drives a point of a body towards a speed along an axis, by a force along the axis of at most
- * `most`, in [0, THUD_FORCE_MAX]. Point and axis are in the body's frame; the axis has any length
+ * `max_force`, in [0, THUD_FORCE_MAX]. Point and axis are in the body's frame; the axis has any length
  * but 0. At speed 0 the force brakes, as a tyre sideways or a table under a sliding piece; at
  * another speed it drives, as a motor. |speed|
  * <= THUD_FLOW_MAX length scales a second; |x|, |y| of the point <= THUD_SIZE_MAX length scales.
@@ -146,7 +151,7 @@ THUD_API thud_result thud_body_apply_rolling_resistance(thud_world *world, thud_
  * the point has the speed, or is nearer to it, and never beyond it. At speed 0 the force adds no
  * energy to the step. */
 THUD_API thud_result thud_body_apply_grip(thud_world *world, thud_body_id body, thud_vec2 point,
-                                          thud_vec2 axis, float speed, float most);
+                                          thud_vec2 axis, float speed, float max_force);
 
 #ifdef __cplusplus
 }

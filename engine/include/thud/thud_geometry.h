@@ -57,6 +57,11 @@ static inline thud_geometry thud_obb_at(double x, double y, double half_x, doubl
     return box;
 }
 
+/* The straight path of a ray or a point, from (x, y) to (x + dx, y + dy). */
+typedef struct thud_segment {
+    double x, y, dx, dy;
+} thud_segment;
+
 /* A motion over one unit of time: a translation at constant velocity and a rotation about the
  * centre at constant angular velocity. */
 typedef struct thud_motion {
@@ -84,8 +89,8 @@ typedef struct thud_contacts {
 typedef struct thud_approach {
     bool hit;          /* the circles touch during the motion */
     double time;       /* of the impact, in [0, 1]; 1 without one */
-    double least;      /* smallest distance of the centres during the motion */
-    double least_time; /* its time, in [0, 1]; the first where the distance is constant */
+    double min_distance; /* of the centres during the motion */
+    double min_distance_time; /* in [0, 1]; the first where the distance is constant */
 } thud_approach;
 
 /* THUD_OK if all fields are finite and in their ranges; the kind must not be THUD_SHAPE_TERRAIN. */
@@ -107,11 +112,10 @@ THUD_API thud_result thud_geometry_contacts(const thud_geometry *a,
                                           const thud_geometry *b, double margin,
                                           thud_contacts *out);
 
-/* Whether the ray from (ox, oy) to (ox + dx, oy + dy) hits the shape; *fraction, in [0, 1], is the
- * part of the ray before the hit, (*nx, *ny) the unit outward normal there. A ray that starts
- * inside hits nothing. */
-THUD_API bool thud_geometry_cast_ray(const thud_geometry *shape, double ox, double oy, double dx,
-                                  double dy, double *fraction, double *nx, double *ny);
+/* Whether the ray hits the shape; *out_fraction, in [0, 1], is the part of the ray before the hit,
+ * (*out_nx, *out_ny) the unit outward normal there. A ray that starts inside hits nothing. */
+THUD_API bool thud_geometry_cast_ray(const thud_geometry *shape, thud_segment ray,
+                                     double *out_fraction, double *out_nx, double *out_ny);
 
 /* The first time in [0, 1] at which the moving shapes come within the distance `target` ([0,
  * THUD_COORDINATE_MAX]) of each other; *hit = false and *time = 1 if they never do. Shapes that
@@ -196,8 +200,8 @@ THUD_API void thud_terrain_segments(const thud_terrain *terrain, double x_min, d
 
 /* As thud_geometry_cast_ray, against the line from above. A ray that starts below the line hits
  * nothing. */
-THUD_API bool thud_terrain_cast_ray(const thud_terrain *terrain, double ox, double oy, double dx,
-                                    double dy, double *fraction, double *nx, double *ny);
+THUD_API bool thud_terrain_cast_ray(const thud_terrain *terrain, thud_segment ray,
+                                    double *out_fraction, double *out_nx, double *out_ny);
 
 /* Whether the shape touches the line or the solid ground below it. */
 THUD_API bool thud_terrain_overlap(const thud_terrain *terrain, const thud_geometry *shape);

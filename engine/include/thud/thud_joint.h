@@ -149,7 +149,7 @@ typedef struct thud_joint_def {
      * default that: never. */
     float break_force, break_torque;
     bool only_reports; /* default false */
-    bool disabled;     /* default false */
+    bool enabled;      /* default true */
     uint64_t user_data;
     uint32_t cookie; /* of thud_default_joint_def */
 } thud_joint_def;
@@ -218,16 +218,27 @@ typedef struct thud_joint_event {
     bool broken;         /* the joint was destroyed */
 } thud_joint_event;
 
-/* Events, within a step in the order of the joints' slots; valid until the next step. `count` may
- * be null. */
-THUD_API const thud_joint_event *thud_world_get_joint_events(const thud_world *world, int *count);
+/* Events, within a step in the order of the joints' slots; valid until the next step. *out_count is
+ * their number. THUD_ERROR_NULL. */
+THUD_API thud_result thud_world_get_joint_events(const thud_world *world,
+                                                 const thud_joint_event **out, int *out_count);
 
-/* Joints of the world, or of a body, in a deterministic order. Writes at most `capacity` of them to
- * `out` (which may be null if that is 0), and returns how many there are; 0 if the body is stale.
- */
-THUD_API int thud_world_get_joints(const thud_world *world, thud_joint_id *out, int capacity);
-THUD_API int thud_body_get_joints(const thud_world *world, thud_body_id body, thud_joint_id *out,
-                              int capacity);
+/* The same array, and its size in *out_count; null and 0 for a null world. */
+static inline const thud_joint_event *thud_joint_events_of(const thud_world *world,
+                                                           int *out_count) {
+    const thud_joint_event *events = NULL;
+    *out_count = 0;
+    thud_world_get_joint_events(world, &events, out_count);
+    return events;
+}
+
+/* Joints of the world, or of a body, in a deterministic order: lists as those of thud_lists.h.
+ * *out_count is their number; at most `capacity` (>= 0) are written. THUD_ERROR_NULL,
+ * THUD_ERROR_STALE, THUD_ERROR_INVALID for a negative capacity. */
+THUD_API thud_result thud_world_get_joints(const thud_world *world, thud_joint_id *out,
+                                           int capacity, int *out_count);
+THUD_API thud_result thud_body_get_joints(const thud_world *world, thud_body_id body,
+                                          thud_joint_id *out, int capacity, int *out_count);
 
 /* Makes a world ready for joints, as creating one does. A world that never had a joint cannot be
  * restored from a snapshot with joints unless this was called. */

@@ -146,9 +146,9 @@ typedef struct thud_event_pair {
  * destroyed it between two calls. A pair that matches the categories in both orders is returned in
  * the order of its event. Each call searches on through the events (thud_events.h), and compares
  * what it finds with the events before. Returns false where there are no more; also where world or
- * meeting is null or `next` is negative, which the log is told. */
+ * pair is null or `next` is negative, which the log is told. */
 THUD_API bool thud_world_next_event_pair(const thud_world *world, uint32_t first, uint32_t second,
-                                      thud_event_pair *meeting);
+                                      thud_event_pair *pair);
 
 #ifdef __cplusplus
 }

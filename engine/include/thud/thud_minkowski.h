@@ -11,7 +11,7 @@
  *     thud_minkowski_sum(&a, &b, &sum);
  *     thud_minkowski_contains(&sum, p.x, p.y, &overlap);
  *     thud_minkowski_distance(&sum, p.x, p.y, &distance, &nx, &ny);
- *     thud_minkowski_cast(&sum, p.x, p.y, d.x, d.y, &hit, &fraction, &nx, &ny);
+ *     thud_minkowski_cast(&sum, (thud_segment){p.x, p.y, d.x, d.y}, &hit, &fraction, &nx, &ny);
  *
  * The sum does not depend on the places of the shapes: one sum serves all places of a pair, and has
  * the same precision far from the origin. Lengths are in any unit, angles in radians.
@@ -63,9 +63,9 @@ THUD_API thud_result thud_minkowski_distance(const thud_minkowski *sum, double x
  * and the unit outward normal there. A point that starts inside hits at 0, with the normal of
  * thud_minkowski_distance. Without a hit *fraction is 1 and the normal (0, 0). |x|, |y|, |dx|, |dy|
  * <= THUD_VOLUME_MAX. */
-THUD_API thud_result thud_minkowski_cast(const thud_minkowski *sum, double x, double y, double dx,
-                                         double dy, bool *hit, double *fraction, double *nx,
-                                         double *ny);
+THUD_API thud_result thud_minkowski_cast(const thud_minkowski *sum, thud_segment path,
+                                         bool *out_hit, double *out_fraction, double *out_nx,
+                                         double *out_ny);
 
 #ifdef __cplusplus
 }

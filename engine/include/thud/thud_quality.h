@@ -34,7 +34,7 @@ typedef struct thud_quality {
                                           THUD_CONTACT_DAMPING_MAX] */
     const thud_detection *detection;   /* not null */
     const thud_island_solver *islands; /* null: the soft solver solves all islands */
-    float sag_limit; /* >= 0: an island in which a contact would overlap under its load by more than
+    float overlap_limit; /* >= 0: an island in which a contact would overlap under its load by more than
                         this share of the smaller body's size is solved by `islands`; 0: every
                         island is */
     int island_limit; /* bodies, 1 .. THUD_ISLAND_LIMIT_MAX: larger islands are left to the soft
@@ -52,7 +52,7 @@ typedef struct thud_quality {
                         thousand bodies, and each island may use at least its bodies' share of this
                         part. An island that uses up its share is left to the soft solver for some
                         steps, and for twice as many each time that this happens again */
-    int island_patience; /* number of successive slow steps after which an island is left to the
+    int island_slow_steps; /* number of successive slow steps after which an island is left to the
                             soft solver for a pause of 120 steps, 0 .. THUD_ISLAND_SLOW_STEPS_MAX. A
                             step is slow where the island needs more than eight factorisations, or
                             twenty times as many while it hardly moves. The pause also follows where

@@ -20,6 +20,8 @@
 #include "thud_limits.h"
 #include "thud_math.h"
 
+#include <string.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -79,8 +81,16 @@ typedef struct thud_rollback_progress {
     int64_t replayed;  /* number of times that a step was run again */
 } thud_rollback_progress;
 
-/* All 0 for null. */
-THUD_API thud_rollback_progress thud_progress_of(const thud_rollback *rollback);
+/* THUD_ERROR_NULL. */
+THUD_API thud_result thud_rollback_get_progress(const thud_rollback *rollback,
+                                                thud_rollback_progress *out);
+
+static inline thud_rollback_progress thud_progress_of(const thud_rollback *rollback) {
+    thud_rollback_progress progress;
+    memset(&progress, 0, sizeof progress);
+    thud_rollback_get_progress(rollback, &progress);
+    return progress;
+}
 
 /* The world's hash, and a copy of the state (state_bytes), before one of the last `depth` steps or
  * before the next one. Up to `confirmed` the hash is the same on all peers; if it is not, `step` is

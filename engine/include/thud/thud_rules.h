@@ -32,7 +32,7 @@ enum { THUD_RULE_KIND_COUNT = THUD_RULE_ONE_WAY + 1 };
  * has the value of its two shapes (thud_shape_def). A prologue is called after the rules, and not
  * for pairs that a rule lets pass. */
 typedef struct thud_rule {
-    thud_rule_kind meeting;
+    thud_rule_kind kind;
     /* THUD_RULE_ONE_WAY: the side of the first kind's shape on which the second collides with it, as a
      * direction in the frame of the first's body, of any length but 0. Default (0, 1): the top. A
      * shape that comes from this side collides until the two part. A shape that comes from another
@@ -45,7 +45,7 @@ typedef struct thud_rule {
                             thud_shape_def */
     /* mass * length / s, >= 0: a contact whose normal impulse in a step is larger than this makes
      * an event, see thud_world_get_impulse_events. Default infinite: no events. */
-    float most_impulse;
+    float event_impulse;
 } thud_rule;
 
 /* A rule without effect: shapes collide, with the values of their defs, and make no impulse events.
@@ -86,7 +86,7 @@ typedef bool thud_filter_fn(const thud_world *world, thud_shape_id shape_a, thud
 THUD_API thud_result thud_world_set_filter(thud_world *world, thud_filter_fn *filter,
                                            void *context);
 
-/* A contact whose normal impulse was larger than its rule's most_impulse. Each segment of a terrain
+/* A contact whose normal impulse was larger than its rule's event_impulse. Each segment of a terrain
  * is a contact of its own, and so is each collision that detection resolves within the step. */
 typedef struct thud_impulse_event {
     thud_shape_id shape_a, shape_b;
@@ -96,8 +96,18 @@ typedef struct thud_impulse_event {
 } thud_impulse_event;
 
 /* The impulse events of the last step, or of all steps of the last thud_world_advance; valid until
- * the next of these calls. *count is their number; `count` may be null. */
-THUD_API const thud_impulse_event *thud_world_get_impulse_events(const thud_world *world, int *count);
+ * the next of these calls. *out_count is their number. THUD_ERROR_NULL. */
+THUD_API thud_result thud_world_get_impulse_events(const thud_world *world,
+                                                   const thud_impulse_event **out, int *out_count);
+
+/* The same array, and its size in *out_count; null and 0 for a null world. */
+static inline const thud_impulse_event *thud_impulse_events_of(const thud_world *world,
+                                                               int *out_count) {
+    const thud_impulse_event *events = NULL;
+    *out_count = 0;
+    thud_world_get_impulse_events(world, &events, out_count);
+    return events;
+}
 
 #ifdef __cplusplus
 }

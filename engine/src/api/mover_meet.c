@@ -34,8 +34,7 @@ static int cast_mover(td_move *m, td_way way, thud_ray_hit *found) {
     thud_pos center = {shape.x, shape.y};
     shape.x = shape.y = 0.0;
     if (m->result == THUD_OK) {
-        m->result = thud_world_cast_shape_all(m->world, center, &shape, way.x, way.y, &m->solid,
-                                              found, CAST_HITS_MAX, &count);
+        m->result = thud_world_cast_shape_all(m->world, &(thud_shape_cast){center, shape, way.x, way.y, &m->solid}, found, CAST_HITS_MAX, &count);
     }
     return td_min_int(count, CAST_HITS_MAX);
 }
@@ -94,8 +93,8 @@ void td_mover_sense(td_move *m, td_way way) {
     thud_pos center = {shape.x, shape.y};
     shape.x = shape.y = 0.0;
     if (m->mover.filter.sensors && m->result == THUD_OK) {
-        m->result = td_query_cast_sensors(m->world, center, &shape, way.x, way.y, &m->mover.filter,
-                                          found, THUD_MOVER_SENSORS, &count);
+        thud_shape_cast cast = {center, shape, way.x, way.y, &m->mover.filter};
+        m->result = td_query_cast_sensors(m->world, &cast, found, THUD_MOVER_SENSORS, &count);
     }
     for (int i = 0; i < td_min_int(count, THUD_MOVER_SENSORS); i++) {
         report_sensor(m, found[i].shape);
@@ -202,8 +201,7 @@ bool td_mover_stands_on(td_move *m, const thud_mover_hit *hit, double bottom) {
     td_way from = td_plus(td_plus(point, up, skin), ahead, size > 0.0 ? skin / size : 0.0);
     bool found;
     thud_ray_hit below;
-    return thud_world_cast_ray(m->world, (thud_pos){from.x, from.y}, -2.0 * skin * up.x,
-                               -2.0 * skin * up.y, &m->solid, &found, &below) == THUD_OK &&
+    return thud_world_cast_ray(m->world, &(thud_ray){(thud_pos){from.x, from.y}, -2.0 * skin * up.x, -2.0 * skin * up.y, &m->solid}, &found, &below) == THUD_OK &&
            found && below.shape.index1 == hit->shape.index1 &&
            (double)below.normal.x * up.x + (double)below.normal.y * up.y >= m->walkable;
 }

@@ -39,10 +39,6 @@ thud_result td_query_check_filter(const thud_world *w, const thud_query_filter *
                              "nothing: begin with thud_default_query_filter()");
 }
 
-thud_result td_query_check_angle(const thud_world *w, double angle) {
-    return td_check(w, "cast or overlap: angle", angle, -THUD_ANGLE_MAX, THUD_ANGLE_MAX);
-}
-
 thud_result td_query_check(const thud_world *w, thud_pos center, const thud_geometry *shape) {
     bool valid = thud_geometry_check(shape) == THUD_OK && td_place_valid(w, center.x, center.y) &&
                  td_place_valid(w, center.x + shape->x, center.y + shape->y);
@@ -64,18 +60,6 @@ void td_query_bounds(thud_pos center, const thud_geometry *shape, thud_pos *lowe
     double x = center.x + shape->x, y = center.y + shape->y;
     *lower = (thud_pos){x - half_x, y - half_y};
     *upper = (thud_pos){x + half_x, y + half_y};
-}
-
-thud_geometry td_query_box(double half_x, double half_y, double angle) {
-    thud_geometry box = {.kind = THUD_SHAPE_AABB, .c = 1.0, .hx = half_x, .hy = half_y};
-    if (angle != 0.0) {
-        box.kind = THUD_SHAPE_OBB;
-        box.c = 0.0;
-        if (td_abs(angle) <= THUD_ANGLE_MAX) {
-            td_sincos(angle, &box.s, &box.c);
-        }
-    }
-    return box;
 }
 
 /* ---- candidates ---- */

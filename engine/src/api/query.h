@@ -15,9 +15,6 @@ bool td_query_passes(const thud_world *w, int shape, const thud_query_filter *fi
 /* Refuses a filter that no shape can pass, as a zeroed one. */
 thud_result td_query_check_filter(const thud_world *w, const thud_query_filter *filter);
 
-/* Refuses an angle, in radians, beyond THUD_ANGLE_MAX. */
-thud_result td_query_check_angle(const thud_world *w, double angle);
-
 /* THUD_OK if a query's own shape is valid and it and `center`, about which it lies, are within the
  * world; else THUD_ERROR_INVALID, of which the log is not told. */
 thud_result td_query_check(const thud_world *w, thud_pos center, const thud_geometry *shape);
@@ -31,10 +28,6 @@ thud_geometry td_query_instance(const thud_world *w, int shape, td_position orig
 void td_query_bounds(thud_pos center, const thud_geometry *shape, thud_pos *lower,
                      thud_pos *upper);
 
-/* An AABB (angle 0) or OBB about the origin. Where the angle is out of range its (c, s) is (0, 0),
- * which td_query_check refuses. */
-thud_geometry td_query_box(double half_x, double half_y, double angle);
-
 /* Brings the preview (preview.h) and the broadphase up to date: the query sees shapes where the
  * edits made so far put them, while the edits themselves wait for the next step. Inside a callback
  * the preview stays as it is. False when memory is short. */
@@ -45,9 +38,8 @@ bool td_query_prepare(thud_world *w);
 bool td_query_list(thud_world *w, thud_pos lower, thud_pos upper);
 
 /* As thud_world_cast_shape_all, but finds only sensors, whatever filter->sensors is. */
-thud_result td_query_cast_sensors(thud_world *w, thud_pos center, const thud_geometry *shape,
-                                  double dx, double dy, const thud_query_filter *filter,
-                                  thud_ray_hit *out, int capacity, int *count);
+thud_result td_query_cast_sensors(thud_world *w, const thud_shape_cast *cast, thud_ray_hit *out,
+                                  int capacity, int *count);
 
 /* query_closest.c: signed distance, normal and closest point from a shape to the point `origin`. */
 void td_query_measure(const thud_world *w, int shape, td_position origin, thud_closest *out);

@@ -83,14 +83,21 @@ static thud_result cast_all(thud_world *w, td_path *way, thud_ray_hit *out, int 
 
 /* ---- the API ---- */
 
-static thud_result check_ray(const thud_world *w, const td_path *way) {
-    return w ? td_path_check(w, way) : THUD_ERROR_NULL;
+static thud_result check_ray(const thud_world *w, const thud_ray *ray, td_path *way) {
+    if (!w || !ray) {
+        return td_refuse(w, THUD_ERROR_NULL, "cast: world or ray is null");
+    }
+    *way = (td_path){td_point_meets, ray->origin, .dx = ray->dx, .dy = ray->dy,
+                     .filter = ray->filter};
+    return td_path_check(w, way);
 }
 
-static thud_result check_shape(const thud_world *w, const td_path *way) {
-    if (!w || !way->shape) {
-        return td_refuse(w, THUD_ERROR_NULL, "cast: world or shape is null");
+static thud_result check_shape(const thud_world *w, const thud_shape_cast *cast, td_path *way) {
+    if (!w || !cast) {
+        return td_refuse(w, THUD_ERROR_NULL, "cast: world or cast is null");
     }
+    *way = (td_path){td_shape_meets, cast->center,          .dx = cast->dx,
+                     .dy = cast->dy, .shape = &cast->shape, .filter = cast->filter};
     thud_result result = td_path_check(w, way);
     if (result == THUD_OK && td_query_check(w, way->origin, way->shape) != THUD_OK) {
         result = td_refuse(w, THUD_ERROR_INVALID, "cast: the shape is invalid");
@@ -107,88 +114,47 @@ static thud_result check_room(const thud_world *w, const thud_ray_hit *out, int 
                                 : td_refuse(w, THUD_ERROR_NULL, "cast: no room for the hits");
 }
 
-thud_result thud_world_cast_ray(thud_world *w, thud_pos origin, double dx, double dy,
-                                const thud_query_filter *filter, bool *hit, thud_ray_hit *out) {
+thud_result thud_world_cast_ray(thud_world *w, const thud_ray *ray, bool *out_hit,
+                                thud_ray_hit *out) {
     TD_IN_OWN_MODE;
-    td_path way = {td_point_meets, origin, .dx = dx, .dy = dy, .filter = filter};
-    thud_result result = check_ray(w, &way);
-    return result != THUD_OK ? result : cast_first(w, &way, hit, out);
+    td_path way;
+    thud_result result = check_ray(w, ray, &way);
+    return result != THUD_OK ? result : cast_first(w, &way, out_hit, out);
 }
 
-thud_result thud_world_cast_ray_all(thud_world *w, thud_pos origin, double dx, double dy,
-                                    const thud_query_filter *filter, thud_ray_hit *out,
-                                    int capacity, int *count) {
+thud_result thud_world_cast_ray_all(thud_world *w, const thud_ray *ray, thud_ray_hit *out,
+                                    int capacity, int *out_count) {
     TD_IN_OWN_MODE;
-    td_path way = {td_point_meets, origin, .dx = dx, .dy = dy, .filter = filter};
-    thud_result result = check_ray(w, &way);
+    td_path way;
+    thud_result result = check_ray(w, ray, &way);
     result = result != THUD_OK ? result : check_room(w, out, capacity);
-    return result != THUD_OK ? result : cast_all(w, &way, out, capacity, count);
+    return result != THUD_OK ? result : cast_all(w, &way, out, capacity, out_count);
 }
 
-thud_result thud_world_cast_shape(thud_world *w, thud_pos center, const thud_geometry *shape,
-                                  double dx, double dy, const thud_query_filter *filter, bool *hit,
+thud_result thud_world_cast_shape(thud_world *w, const thud_shape_cast *cast, bool *out_hit,
                                   thud_ray_hit *out) {
     TD_IN_OWN_MODE;
-    td_path way = {td_shape_meets, center, .dx = dx, .dy = dy, .shape = shape, .filter = filter};
-    thud_result result = check_shape(w, &way);
-    return result != THUD_OK ? result : cast_first(w, &way, hit, out);
+    td_path way;
+    thud_result result = check_shape(w, cast, &way);
+    return result != THUD_OK ? result : cast_first(w, &way, out_hit, out);
 }
 
-thud_result td_query_cast_sensors(thud_world *w, thud_pos center, const thud_geometry *shape,
-                                  double dx, double dy, const thud_query_filter *filter,
-                                  thud_ray_hit *out, int capacity, int *count) {
-    td_path way = {td_shape_meets, center,           .dx = dx,       .dy = dy,
-                   .shape = shape, .filter = filter, .sensors = true};
-    thud_result result = check_shape(w, &way);
-    return result != THUD_OK ? result : cast_all(w, &way, out, capacity, count);
+thud_result td_query_cast_sensors(thud_world *w, const thud_shape_cast *cast, thud_ray_hit *out,
+                                  int capacity, int *count) {
+    td_path way;
+    thud_result result = check_shape(w, cast, &way);
+    if (result != THUD_OK) {
+        return result;
+    }
+    way.sensors = true;
+    return cast_all(w, &way, out, capacity, count);
 }
 
-thud_result thud_world_cast_shape_all(thud_world *w, thud_pos center,
-                                      const thud_geometry *shape, double dx, double dy,
-                                      const thud_query_filter *filter, thud_ray_hit *out,
-                                      int capacity, int *count) {
+thud_result thud_world_cast_shape_all(thud_world *w, const thud_shape_cast *cast,
+                                      thud_ray_hit *out, int capacity, int *out_count) {
     TD_IN_OWN_MODE;
-    td_path way = {td_shape_meets, center, .dx = dx, .dy = dy, .shape = shape, .filter = filter};
-    thud_result result = check_shape(w, &way);
+    td_path way;
+    thud_result result = check_shape(w, cast, &way);
     result = result != THUD_OK ? result : check_room(w, out, capacity);
-    return result != THUD_OK ? result : cast_all(w, &way, out, capacity, count);
-}
-
-thud_result thud_world_cast_circle(thud_world *w, thud_pos center, double radius, double dx,
-                                   double dy, const thud_query_filter *filter, bool *hit,
-                                   thud_ray_hit *out) {
-    thud_geometry circle = {.kind = THUD_SHAPE_CIRCLE, .c = 1.0, .hx = radius};
-    return thud_world_cast_shape(w, center, &circle, dx, dy, filter, hit, out);
-}
-
-thud_result thud_world_cast_circle_all(thud_world *w, thud_pos center, double radius, double dx,
-                                       double dy, const thud_query_filter *filter,
-                                       thud_ray_hit *out, int capacity, int *count) {
-    thud_geometry circle = {.kind = THUD_SHAPE_CIRCLE, .c = 1.0, .hx = radius};
-    return thud_world_cast_shape_all(w, center, &circle, dx, dy, filter, out, capacity, count);
-}
-
-thud_result thud_world_cast_box(thud_world *w, thud_pos center, double half_x, double half_y,
-                                double angle, double dx, double dy, const thud_query_filter *filter,
-                                bool *hit, thud_ray_hit *out) {
-    TD_IN_OWN_MODE;
-    thud_result result = td_query_check_angle(w, angle);
-    if (result != THUD_OK) {
-        return result;
-    }
-    thud_geometry box = td_query_box(half_x, half_y, angle);
-    return thud_world_cast_shape(w, center, &box, dx, dy, filter, hit, out);
-}
-
-thud_result thud_world_cast_box_all(thud_world *w, thud_pos center, double half_x, double half_y,
-                                    double angle, double dx, double dy,
-                                    const thud_query_filter *filter, thud_ray_hit *out,
-                                    int capacity, int *count) {
-    TD_IN_OWN_MODE;
-    thud_result result = td_query_check_angle(w, angle);
-    if (result != THUD_OK) {
-        return result;
-    }
-    thud_geometry box = td_query_box(half_x, half_y, angle);
-    return thud_world_cast_shape_all(w, center, &box, dx, dy, filter, out, capacity, count);
+    return result != THUD_OK ? result : cast_all(w, &way, out, capacity, out_count);
 }

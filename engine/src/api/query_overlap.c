@@ -40,15 +40,14 @@ static void report_overlaps(thud_world *w, td_position origin, const thud_geomet
     w->scratch.hits = hits;
 }
 
-thud_result thud_world_overlap_shape(thud_world *w, thud_pos center,
-                                     const thud_geometry *shape,
+thud_result thud_world_overlap_shape(thud_world *w, thud_pos center, thud_geometry shape,
                                      const thud_query_filter *filter, thud_overlap_fn *fn,
                                      void *context) {
     TD_IN_OWN_MODE;
-    if (!w || !fn || !shape) {
-        return td_refuse(w, THUD_ERROR_NULL, "overlap: world, shape or callback is null");
+    if (!w || !fn) {
+        return td_refuse(w, THUD_ERROR_NULL, "overlap: world or callback is null");
     }
-    if (td_query_check(w, center, shape) != THUD_OK) {
+    if (td_query_check(w, center, &shape) != THUD_OK) {
         return td_refuse(w, THUD_ERROR_INVALID, "overlap: the shape or its place is invalid");
     }
     thud_result result = td_query_check_filter(w, filter);
@@ -56,20 +55,13 @@ thud_result thud_world_overlap_shape(thud_world *w, thud_pos center,
         return result;
     }
     thud_pos lower, upper;
-    td_query_bounds(center, shape, &lower, &upper);
+    td_query_bounds(center, &shape, &lower, &upper);
     if (!td_query_prepare(w) || !td_query_list(w, lower, upper) || !td_query_list_terrains(w)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "overlap: out of memory");
     }
     td_sort_ints(&w->scratch.hits);
-    report_overlaps(w, td_place_from(w, center), shape, filter, fn, context);
+    report_overlaps(w, td_place_from(w, center), &shape, filter, fn, context);
     return THUD_OK;
-}
-
-thud_result thud_world_overlap_circle(thud_world *w, thud_pos center, double radius,
-                                      const thud_query_filter *filter, thud_overlap_fn *fn,
-                                      void *context) {
-    thud_geometry circle = {.kind = THUD_SHAPE_CIRCLE, .c = 1.0, .hx = radius};
-    return thud_world_overlap_shape(w, center, &circle, filter, fn, context);
 }
 
 thud_result thud_world_overlap_aabb(thud_world *w, thud_pos lower, thud_pos upper,
@@ -77,20 +69,7 @@ thud_result thud_world_overlap_aabb(thud_world *w, thud_pos lower, thud_pos uppe
                                     void *context) {
     TD_IN_OWN_MODE;
     thud_geometry box =
-        td_query_box(0.5 * (upper.x - lower.x), 0.5 * (upper.y - lower.y), 0.0);
+        thud_aabb_at(0.0, 0.0, 0.5 * (upper.x - lower.x), 0.5 * (upper.y - lower.y));
     thud_pos center = {lower.x + box.hx, lower.y + box.hy};
-    return thud_world_overlap_shape(w, center, &box, filter, fn, context);
-}
-
-thud_result thud_world_overlap_obb(thud_world *w, thud_pos center, double half_x, double half_y,
-                                   double angle, const thud_query_filter *filter,
-                                   thud_overlap_fn *fn, void *context) {
-    TD_IN_OWN_MODE;
-    thud_result result = td_query_check_angle(w, angle);
-    if (result != THUD_OK) {
-        return result;
-    }
-    thud_geometry box = td_query_box(half_x, half_y, angle);
-    box.kind = THUD_SHAPE_OBB;
-    return thud_world_overlap_shape(w, center, &box, filter, fn, context);
+    return thud_world_overlap_shape(w, center, box, filter, fn, context);
 }

@@ -26,10 +26,10 @@ static const struct {
     FIELD(quality.substeps),
     FIELD(quality.contact_stiffness),
     FIELD(quality.contact_damping),
-    FIELD(quality.sag_limit),
+    FIELD(quality.overlap_limit),
     FIELD(quality.island_limit),
     FIELD(quality.island_work),
-    FIELD(quality.island_patience),
+    FIELD(quality.island_slow_steps),
     FIELD(substeps),
     FIELD(skin),
     FIELD(number), /* so that handles stay valid */

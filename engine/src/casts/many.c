@@ -45,7 +45,7 @@ static td_path ray_path(const batch *b, int i) {
 static td_path shape_path(const batch *b, int i) {
     const thud_shape_cast *cast = (const thud_shape_cast *)b->casts + i;
     return (td_path){td_shape_meets, cast->center, td_place_from(b->world, cast->center),
-                     cast->dx,       cast->dy,     cast->shape,
+                     cast->dx,       cast->dy,     &cast->shape,
                      cast->filter,   false};
 }
 
@@ -129,16 +129,12 @@ thud_result thud_world_cast_shapes(thud_world *w, const thud_shape_cast *casts, 
     batch b = {w, shape_path, casts, hits, .count = count};
     thud_result result = check_lists(&b);
     for (int i = 0; i < count && result == THUD_OK; i++) {
-        if (!casts[i].shape) {
-            result = td_refuse(w, THUD_ERROR_NULL, "cast shapes: a shape is null");
-            continue;
-        }
         td_path way = {.origin = casts[i].center,
                        .dx = casts[i].dx,
                        .dy = casts[i].dy,
                        .filter = casts[i].filter};
         result = td_path_check(w, &way);
-        if (result == THUD_OK && td_query_check(w, way.origin, casts[i].shape) != THUD_OK) {
+        if (result == THUD_OK && td_query_check(w, way.origin, &casts[i].shape) != THUD_OK) {
             result = td_refuse(w, THUD_ERROR_INVALID, "cast shapes: a shape is invalid");
         }
     }

@@ -7,7 +7,7 @@
  * as well by the soft solver for less. It looks at an eighth of the blocks in each step. Where a
  * heavy body lies on a light one, which sinks in at once, half the load found once is enough. A
  * joint is marked when its load is found once, and its island is solved directly in the same step
- * (direct/yielding_joints.c). With sag_limit 0 every island is direct. */
+ * (direct/yielding_joints.c). With overlap_limit 0 every island is direct. */
 #include "direct/direct_islands.h"
 
 #include "constraint/constraint.h"
@@ -71,7 +71,7 @@ enum {
 static bool is_seed(const thud_world *w, td_awake_slot slot) {
     int direct_steps = *td_direct_steps_at(w, slot);
     return direct_steps <= TD_DIRECT_COOLDOWN &&
-           (direct_steps > 0 || w->quality.sag_limit == 0.0f) &&
+           (direct_steps > 0 || w->quality.overlap_limit == 0.0f) &&
            *td_island_local_at(w, slot) == 0 && td_row(&w->velocity, slot)[3] > 0.0f;
 }
 
@@ -203,7 +203,7 @@ bool td_islands_find(thud_world *w) {
     int slots = w->body_of.count;
     s->island.count = s->slots.count = s->constraints.count = 0;
     s->local.count = 0;
-    if (w->quality.sag_limit > 0.0f && !any_direct(w) && !w->joints.live) {
+    if (w->quality.overlap_limit > 0.0f && !any_direct(w) && !w->joints.live) {
         return true;
     }
     if (!reserve_lists(w)) {
@@ -246,7 +246,7 @@ static void mark_direct(thud_world *w, uint32_t record) {
  * for the present one: sinking is proportional to h^2. */
 float td_islands_load_max(const thud_world *w, float size) {
     float steps = (float)w->substeps, own = td_max_float(steps, (float)w->quality.substeps);
-    float sag = w->quality.sag_limit * size * (own * own);
+    float sag = w->quality.overlap_limit * size * (own * own);
     float omega = 2.0f * (float)TD_PI * w->quality.contact_stiffness; /* rad a substep */
     if (w->def.max_error > 0.0) {
         sag = td_min_float(sag, (float)w->def.max_error * (steps * steps));
@@ -308,7 +308,7 @@ static bool watch_block(thud_world *w, td_block *block, int kind) {
 
 bool td_islands_watch(thud_world *w) {
     bool joint_marked = false;
-    if (w->quality.sag_limit == 0.0f) {
+    if (w->quality.overlap_limit == 0.0f) {
         return joint_marked;
     }
     int stride = w->scratch.blocks.count < ALL_BLOCKS ? 1 : 8;

@@ -2,8 +2,8 @@
  * data.
  *
  * An island is solved directly where the soft solver's contacts would sink in under their load by
- * more than the quality's sag_limit (a contact is a spring, so that it sinks in by force /
- * stiffness), or by more than the world's max_error. With sag_limit 0 every island is. */
+ * more than the quality's overlap_limit (a contact is a spring, so that it sinks in by force /
+ * stiffness), or by more than the world's max_error. With overlap_limit 0 every island is. */
 #ifndef TD_ISLANDS_H
 #define TD_ISLANDS_H
 
@@ -64,7 +64,7 @@ bool td_islands_find(struct thud_world *w);
  * is called when the step can no longer fail, so that a step that is made again counts once. */
 void td_islands_settle(struct thud_world *w);
 /* The threshold of a contact's load: the impulse of a substep over the lighter body's mass,
- * length/s, under which the contact sinks in by max_error, or by sag_limit times `size`, the size
+ * length/s, under which the contact sinks in by max_error, or by overlap_limit times `size`, the size
  * of the smaller body. With fewer substeps than the quality's, the quality's number counts: fewer
  * substeps must not send more islands to the direct solver. */
 float td_islands_load_max(const struct thud_world *w, float size);

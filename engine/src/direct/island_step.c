@@ -27,7 +27,7 @@
  * warm takes one or two, an interior point ten to twenty. Chosen. */
 #define EASY_FACTORINGS_MAX 8
 /* An island that is nearly at rest may be slow for so many times as many steps in succession as
- * thud_quality.island_patience allows: bodies that are still being pushed apart need the time, and
+ * thud_quality.island_slow_steps allows: bodies that are still being pushed apart need the time, and
  * then rest. Chosen. */
 #define CALM_PATIENCE_FACTOR 20
 /* A result is refused where a body's motion is longer than SPEED_RATIO_MAX times the greatest speed
@@ -319,9 +319,9 @@ static bool is_calm(const td_island_work *work) {
 /* Counts the slow steps of the island in succession, at its bodies (slow_steps), and returns
  * whether there were more than the quality's patience allows, which is CALM_PATIENCE_FACTOR times
  * as many for an island nearly at rest. An island that needs many factorisations in each step is in
- * motion, and would need them for long. Quality.island_patience 0: any number is allowed. */
+ * motion, and would need them for long. Quality.island_slow_steps 0: any number is allowed. */
 static bool is_slow(const td_island_work *work) {
-    int patience = work->w->quality.island_patience * (is_calm(work) ? CALM_PATIENCE_FACTOR : 1);
+    int patience = work->w->quality.island_slow_steps * (is_calm(work) ? CALM_PATIENCE_FACTOR : 1);
     bool easy = work->problem.factorings <= EASY_FACTORINGS_MAX || patience == 0;
     int steps_max = 0;
     for (int i = 0; i < work->island->bodies; i++) {
@@ -388,7 +388,7 @@ enum { SMALL_ISLAND_BODIES_MAX = 128 };
  * than the quality's island_work has the longest cooldown at once. `joints`: the cooldown is short.
  */
 static void begin_cooldown(thud_world *w, const td_island *island, bool joints, bool always) {
-    if (w->quality.island_patience > 0 || always) {
+    if (w->quality.island_slow_steps > 0 || always) {
         bool dear = EASY_FACTORINGS_MAX * td_island_cost(island) > w->quality.island_work;
         td_islands_leave(w, island, joints ? TD_PAUSE_STEPS : TD_COOLDOWN_STEPS, !joints && dear);
     }
@@ -407,7 +407,7 @@ bool td_island_solve(thud_world *w, const td_island *island) {
             return true;
         }
         bool jammed =
-            w->quality.island_patience == 0 && work.joints > 0 && !bounces && is_jammed(&work);
+            w->quality.island_slow_steps == 0 && work.joints > 0 && !bounces && is_jammed(&work);
         joints |= jammed;
         always = work.problem.spent || jammed;
     }

@@ -130,7 +130,7 @@ static void remove_geometric_stiffness(td_island_work *work) {
 
 /* Newton's residual, in tolerances. */
 static double newton_residual(const td_island_work *work) {
-    bool everywhere = work->w->quality.sag_limit == 0.0f;
+    bool everywhere = work->w->quality.overlap_limit == 0.0f;
     return !td_island_is_joints(work) ? 1.0 : everywhere ? RESIDUAL_EXACT : RESIDUAL_OTHER;
 }
 

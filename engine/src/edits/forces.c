@@ -39,7 +39,7 @@ thud_result thud_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 forc
     if (!(is_push(x) && is_push(y) && is_push(x - y))) {
         return td_refuse(w, THUD_ERROR_INVALID, "apply force at: its torque is out of range");
     }
-    return thud_body_apply_force_and_torque(w, id, force, (float)(x - y));
+    return td_body_apply_force(w, id, force, (float)(x - y));
 }
 
 /* Applies the impulse (x, y) at the centre of mass and the angular impulse `turn`. Inside a
@@ -59,7 +59,7 @@ static thud_result apply_impulse(thud_world *w, thud_body_id id, double x, doubl
     }
     if (w->locked) {
         thud_vec2 force = {(float)(x / time), (float)(y / time)};
-        return thud_body_apply_force_and_torque(w, id, force, (float)(turn / time));
+        return td_body_apply_force(w, id, force, (float)(turn / time));
     }
     if (!(body->flags & TD_BODY_QUARANTINED)) {
         float *velocity = td_body_velocity(w, body);

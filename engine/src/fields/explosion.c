@@ -89,7 +89,7 @@ static void push_segment(const blast *b, td_body_index body, const thud_geometry
                          double dx, double dy, double across, double length) {
     double back = 2.0 * td_reach(shape), along = dx * shape->x + dy * shape->y - back;
     double x = dx * along - dy * across, y = dy * along + dx * across, fraction, nx, ny;
-    if (!thud_geometry_cast_ray(shape, x, y, 2.0 * back * dx, 2.0 * back * dy, &fraction, &nx, &ny)) {
+    if (!thud_geometry_cast_ray(shape, (thud_segment){x, y, 2.0 * back * dx, 2.0 * back * dy}, &fraction, &nx, &ny)) {
         return;
     }
     thud_pos place = {x + fraction * 2.0 * back * dx, y + fraction * 2.0 * back * dy};

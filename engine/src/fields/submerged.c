@@ -94,20 +94,21 @@ bool td_line_normal(double x, double y, thud_pos *up) {
     return td_abs(length - 1.0) <= THUD_NORMAL_ERROR;
 }
 
-thud_result thud_geometry_area_below(const thud_geometry *shape, double x, double y, double nx,
-                             double ny, double *area, double *center_x, double *center_y) {
-    if (!shape || !area || !center_x || !center_y) {
+thud_result thud_geometry_area_below(const thud_geometry *shape, thud_half_plane below,
+                                     double *out_area, double *out_center_x,
+                                     double *out_center_y) {
+    if (!shape || !out_area || !out_center_x || !out_center_y) {
         return THUD_ERROR_NULL;
     }
     thud_pos up;
-    if (thud_geometry_check(shape) != THUD_OK || !td_line_normal(nx, ny, &up) ||
-        !(td_abs(x) <= THUD_COORDINATE_MAX && td_abs(y) <= THUD_COORDINATE_MAX)) {
+    if (thud_geometry_check(shape) != THUD_OK || !td_line_normal(below.nx, below.ny, &up) ||
+        !(td_abs(below.x) <= THUD_COORDINATE_MAX && td_abs(below.y) <= THUD_COORDINATE_MAX)) {
         return THUD_ERROR_INVALID;
     }
     td_submerged_part part =
-        td_submerged_part_of(shape, up.x * (shape->x - x) + up.y * (shape->y - y), up);
-    *area = part.area;
-    *center_x = part.x;
-    *center_y = part.y;
+        td_submerged_part_of(shape, up.x * (shape->x - below.x) + up.y * (shape->y - below.y), up);
+    *out_area = part.area;
+    *out_center_x = part.x;
+    *out_center_y = part.y;
     return THUD_OK;
 }

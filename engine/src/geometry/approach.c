@@ -24,7 +24,7 @@ thud_result thud_geometry_approach(const thud_geometry *a, thud_motion motion_a,
     double ux = path > 0.0 ? dx / path : 1.0, uy = path > 0.0 ? dy / path : 0.0;
     double along = -(x * ux + y * uy), side = ux * y - uy * x;
     double travelled = td_clamp(along, 0.0, path), remaining = along - travelled;
-    out->least_time = path > 0.0 ? travelled / path : 0.0;
-    out->least = __builtin_sqrt(remaining * remaining + side * side);
+    out->min_distance_time = path > 0.0 ? travelled / path : 0.0;
+    out->min_distance = __builtin_sqrt(remaining * remaining + side * side);
     return THUD_OK;
 }

@@ -334,23 +334,24 @@ thud_result thud_minkowski_distance(const thud_minkowski *sum, double x, double 
     return THUD_OK;
 }
 
-thud_result thud_minkowski_cast(const thud_minkowski *sum, double x, double y, double dx, double dy,
-                                bool *hit, double *fraction, double *nx, double *ny) {
-    if (!sum || !hit || !fraction || !nx || !ny) {
+thud_result thud_minkowski_cast(const thud_minkowski *sum, thud_segment path, bool *out_hit,
+                                double *out_fraction, double *out_nx, double *out_ny) {
+    if (!sum || !out_hit || !out_fraction || !out_nx || !out_ny) {
         return THUD_ERROR_NULL;
     }
-    if (!readable(sum) || !in_range(x, y) || !in_range(dx, dy)) {
+    if (!readable(sum) || !in_range(path.x, path.y) || !in_range(path.dx, path.dy)) {
         return THUD_ERROR_INVALID;
     }
-    *fraction = 1.0;
-    *nx = 0.0;
-    *ny = 0.0;
-    *hit = td_minkowski_contains(sum, x, y);
-    if (*hit) {
-        *fraction = 0.0;
-        td_minkowski_distance(sum, x, y, nx, ny);
+    *out_fraction = 1.0;
+    *out_nx = 0.0;
+    *out_ny = 0.0;
+    *out_hit = td_minkowski_contains(sum, path.x, path.y);
+    if (*out_hit) {
+        *out_fraction = 0.0;
+        td_minkowski_distance(sum, path.x, path.y, out_nx, out_ny);
     } else {
-        *hit = td_minkowski_enter(sum, x, y, dx, dy, fraction, nx, ny);
+        *out_hit = td_minkowski_enter(sum, path.x, path.y, path.dx, path.dy, out_fraction, out_nx,
+                                      out_ny);
     }
     return THUD_OK;
 }

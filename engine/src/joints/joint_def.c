@@ -100,6 +100,7 @@ const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_
 thud_joint_def thud_default_joint_def(thud_joint_kind kind) {
     thud_joint_def def = {.kind = kind,
                           .length = 1.0f,
+                          .enabled = true,
                           .ratio = 1.0f,
                           .collide_connected = kind == THUD_JOINT_GEAR,
                           .break_force = THUD_JOINT_FORCE_MAX,
@@ -149,7 +150,7 @@ td_joint td_joint_of_def(const thud_world *w, const thud_joint_def *d, td_body_i
                       .part = {TD_NONE, TD_NONE, TD_NONE, TD_NONE},
                       .kind = (uint8_t)d->kind,
                       .live = 1,
-                      .disabled = d->disabled,
+                      .disabled = !d->enabled,
                       .collides = d->collide_connected,
                       .swapped = swapped,
                       .length = d->length,
@@ -208,7 +209,7 @@ thud_result thud_joint_get_def(const thud_world *w, thud_joint_id id, thud_joint
     def.break_force = joint->break_force;
     def.break_torque = joint->break_torque;
     def.only_reports = joint->only_reports;
-    def.disabled = joint->disabled;
+    def.enabled = !joint->disabled;
     def.user_data = joint->user_data;
     *out = def;
     return THUD_OK;

@@ -77,12 +77,29 @@ static int list(const thud_world *w, int index, thud_joint_id *out, int capacity
     return count + 1;
 }
 
-int thud_world_get_joints(const thud_world *w, thud_joint_id *out, int capacity) {
+/* Refuses a negative capacity, and null outputs. */
+static thud_result check_list(const thud_world *w, const thud_joint_id *out, int capacity,
+                              const int *out_count) {
+    if (!w || !out_count || (!out && capacity > 0)) {
+        return td_refuse(w, THUD_ERROR_NULL, "list of joints: world or output is null");
+    }
+    return capacity >= 0
+               ? THUD_OK
+               : td_refuse(w, THUD_ERROR_INVALID, "list of joints: capacity is negative");
+}
+
+thud_result thud_world_get_joints(const thud_world *w, thud_joint_id *out, int capacity,
+                                  int *out_count) {
+    thud_result result = check_list(w, out, capacity, out_count);
+    if (result != THUD_OK) {
+        return result;
+    }
     int count = 0;
-    for (int i = 0; w && i < w->joints.count; i++) {
+    for (int i = 0; i < w->joints.count; i++) {
         count = list(w, i, out, capacity, count);
     }
-    return count;
+    *out_count = count;
+    return THUD_OK;
 }
 
 /* The first part of a joint: a body's list has each joint once, by this part. */
@@ -95,10 +112,13 @@ static int first_part(const td_joint *joint) {
     return TD_NONE;
 }
 
-int thud_body_get_joints(const thud_world *w, thud_body_id body, thud_joint_id *out, int capacity) {
+thud_result thud_body_get_joints(const thud_world *w, thud_body_id body, thud_joint_id *out,
+                                 int capacity, int *out_count) {
     td_body_index index;
-    if (!w || td_find_body(w, body, &index) != THUD_OK) {
-        return 0;
+    thud_result result = check_list(w, out, capacity, out_count);
+    result = result != THUD_OK ? result : td_find_body(w, body, &index);
+    if (result != THUD_OK) {
+        return result;
     }
     int count = 0;
     for (int e = td_body_at(w, index)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
@@ -107,5 +127,6 @@ int thud_body_get_joints(const thud_world *w, thud_body_id body, thud_joint_id *
             count = list(w, part->joint, out, capacity, count);
         }
     }
-    return count;
+    *out_count = count;
+    return THUD_OK;
 }

@@ -78,7 +78,7 @@ bool td_rules_let_through(const thud_world *w, const thud_contact *seen) {
     int a = (int)seen->shape_a.index1 - 1, b = (int)seen->shape_b.index1 - 1;
     const td_rule *rule = td_rule_of_pair(w, a, b);
     td_body_index body[2] = {td_shape_at(w, a)->body, td_shape_at(w, b)->body};
-    return rule && rule->rule.meeting == THUD_RULE_ONE_WAY &&
+    return rule && rule->rule.kind == THUD_RULE_ONE_WAY &&
            solid_side_cosine(w, rule, body, seen->normal.x, seen->normal.y) <= SOLID_COSINE_MIN;
 }
 
@@ -86,7 +86,7 @@ bool td_rules_let_through(const thud_world *w, const thud_contact *seen) {
  * a plank that lets a body pass must not take away the face of the wall beside it. */
 bool td_rules_hide(const thud_world *w, int shape, int other) {
     const td_rule *rule = td_rule_of_pair(w, shape, other);
-    if (!rule || rule->rule.meeting != THUD_RULE_ONE_WAY) {
+    if (!rule || rule->rule.kind != THUD_RULE_ONE_WAY) {
         return true;
     }
     int e = td_body_at(w, td_shape_at(w, other)->body)->first_constraint;

@@ -12,12 +12,12 @@
 #define OF_SHAPES __builtin_nanf("")
 
 thud_rule thud_default_rule(void) {
-    return (thud_rule){.meeting = THUD_RULE_COLLIDE,
+    return (thud_rule){.kind = THUD_RULE_COLLIDE,
                        .solid_side = {0.0f, 1.0f},
                        .friction = OF_SHAPES,
                        .restitution = OF_SHAPES,
                        .surface_speed = OF_SHAPES,
-                       .most_impulse = __builtin_inff()};
+                       .event_impulse = __builtin_inff()};
 }
 
 /* ---- the hooks ---- */
@@ -26,7 +26,7 @@ thud_rule thud_default_rule(void) {
 static bool allows(const thud_world *world, int shape_a, int shape_b) {
     const td_rules *rules = world->rules;
     const td_rule *rule = td_rule_of_pair(world, shape_a, shape_b);
-    if (rule && rule->rule.meeting == THUD_RULE_IGNORE) {
+    if (rule && rule->rule.kind == THUD_RULE_IGNORE) {
         return false;
     }
     if (!rules->filter) {
@@ -56,7 +56,7 @@ static uint16_t settle(const thud_world *w, int shape_a, int shape_b,
     override(&settings->friction, rule->rule.friction);
     override(&settings->restitution, rule->rule.restitution);
     override(&settings->surface_speed, rule->rule.surface_speed);
-    unsigned marks = (rule->rule.meeting == THUD_RULE_ONE_WAY ? TD_RULE_ONE_WAY : 0u) |
+    unsigned marks = (rule->rule.kind == THUD_RULE_ONE_WAY ? TD_RULE_ONE_WAY : 0u) |
                      (td_rule_counts_impulses(rule) ? TD_RULE_IMPULSE : 0u);
     return (uint16_t)(marks ? marks | (unsigned)(rule - w->rules->table[0]) : 0u);
 }

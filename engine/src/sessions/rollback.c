@@ -188,16 +188,17 @@ thud_result thud_rollback_create(thud_world *w, const thud_rollback_options *opt
 
 /* ---- inputs ---- */
 
-thud_rollback_progress thud_progress_of(const thud_rollback *r) {
-    if (!r) {
-        return (thud_rollback_progress){0};
+thud_result thud_rollback_get_progress(const thud_rollback *r, thud_rollback_progress *out) {
+    if (!r || !out) {
+        return THUD_ERROR_NULL;
     }
     int64_t confirmed = r->steps;
     for (int i = 0; i < r->options.players; i++) {
         int64_t known_before = r->players[i].known_before;
         confirmed = known_before < confirmed ? known_before : confirmed;
     }
-    return (thud_rollback_progress){r->steps, confirmed, r->replayed};
+    *out = (thud_rollback_progress){r->steps, confirmed, r->replayed};
+    return THUD_OK;
 }
 
 thud_result thud_rollback_input(thud_rollback *r, int player, int64_t step, uint64_t input) {

@@ -16,10 +16,10 @@ const char *td_quality_error(const thud_quality *q, td_reason *why) {
                     THUD_CONTACT_STIFFNESS_MIN, THUD_CONTACT_STIFFNESS_MAX) &&
         td_float_in(why, "quality: contact_damping", q->contact_damping, 0.0f,
                     THUD_CONTACT_DAMPING_MAX) &&
-        td_float_in(why, "quality: sag_limit", q->sag_limit, 0.0f, __builtin_inff()) &&
+        td_float_in(why, "quality: overlap_limit", q->overlap_limit, 0.0f, __builtin_inff()) &&
         td_in(why, "quality: island_limit", q->island_limit, 1.0, THUD_ISLAND_LIMIT_MAX) &&
         td_in(why, "quality: island_work", (double)q->island_work, 0.0, (double)INT64_MAX) &&
-        td_in(why, "quality: island_patience", q->island_patience, 0.0, THUD_ISLAND_SLOW_STEPS_MAX);
+        td_in(why, "quality: island_slow_steps", q->island_slow_steps, 0.0, THUD_ISLAND_SLOW_STEPS_MAX);
     return in ? NULL : why->text;
 }
 
@@ -37,7 +37,7 @@ const char *td_max_error_error(double max_error, const thud_quality *quality, td
 static void set_detection(thud_world *w, const thud_detection *detection) {
     /* Contacts of directly solved islands do not sink in under load, so that a thin skin is enough.
      */
-    bool direct = w->quality.islands && w->quality.sag_limit == 0.0f;
+    bool direct = w->quality.islands && w->quality.overlap_limit == 0.0f;
     float skin = detection->rank < TD_RANK_BISECT ? 0.0f : (direct ? TD_MEET : TD_SKIN) * w->unit;
     w->detections[detection->rank] = detection;
     for (td_body_index i = {0}; i.at < w->bodies.count; i.at++) {

@@ -79,6 +79,10 @@ bool td_deferred_reserve(thud_world *w, int count);
 void td_deferred_add(thud_world *w, td_body_index body, td_deferred_kind what,
                      const double value[4]);
 
+/* Applies a force at the centre of mass and a torque through the next step, after their checks; the
+ * caller is in the world's own floating-point mode. */
+thud_result td_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 force, float torque);
+
 /* Applies the deferred edits in the order in which they were made. Those of destroyed bodies are
  * dropped; forces wait until a step has begun. */
 void td_deferred_apply(thud_world *w);

@@ -224,8 +224,7 @@ thud_result thud_body_apply_impulse(thud_world *w, thud_body_id id, thud_vec2 va
                                 (double[4]){(double)value.x, (double)value.y, point.x, point.y});
 }
 
-thud_result thud_body_apply_force_and_torque(thud_world *w, thud_body_id id, thud_vec2 value, float torque) {
-    TD_IN_OWN_MODE;
+thud_result td_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 value, float torque) {
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
@@ -239,6 +238,16 @@ thud_result thud_body_apply_force_and_torque(thud_world *w, thud_body_id id, thu
                ? result
                : apply_or_defer(w, index, TD_PUT_FORCE,
                                 (double[4]){(double)value.x, (double)value.y, (double)torque, 0.0});
+}
+
+thud_result thud_body_apply_center_force(thud_world *w, thud_body_id id, thud_vec2 force) {
+    TD_IN_OWN_MODE;
+    return td_body_apply_force(w, id, force, 0.0f);
+}
+
+thud_result thud_body_apply_torque(thud_world *w, thud_body_id id, float torque) {
+    TD_IN_OWN_MODE;
+    return td_body_apply_force(w, id, (thud_vec2){0.0f, 0.0f}, torque);
 }
 
 thud_result thud_body_set_awake(thud_world *w, thud_body_id id, bool awake) {

@@ -122,8 +122,7 @@ static double minkowski_cast(const void *inputs, int count) {
     FOR_EACH_CALL(inputs, count) {
         bool hit = false;
         double fraction = 0, nx, ny;
-        thud_minkowski_cast(&p->sum[i], p->far_b[i].x, p->far_b[i].y, p->motion[i].dx,
-                            p->motion[i].dy, &hit, &fraction, &nx, &ny);
+        thud_minkowski_cast(&p->sum[i], (thud_segment){p->far_b[i].x, p->far_b[i].y, p->motion[i].dx, p->motion[i].dy}, &hit, &fraction, &nx, &ny);
         answers += fraction;
     }
     return answers;

@@ -153,7 +153,7 @@ static void crowd_passes_through_itself_but_not_through_walls(void **state) {
     assert_true(fabs(thud_measure_of(lab.world).kinetic_energy / before - 1) < 0.01);
     double half = 0.5 * sqrt(c.area * c.bodies) + 2 * c.most;
     int count;
-    const thud_pose *poses = thud_world_get_poses(lab.world, (thud_pos){0, 0}, 1, &count);
+    const thud_pose *poses = thud_poses_of(lab.world, (thud_pos){0, 0}, 1, &count);
     for (int i = count - c.bodies; i < count; i++)
         assert_true(fabsf(poses[i].x) < half && fabsf(poses[i].y) < half);
     lab_close(&lab);

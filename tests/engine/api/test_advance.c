@@ -44,7 +44,7 @@ static void make_game(game *g, thud_world_def def) {
     bouncy.filter.category = 2;
     gate.sensor = true;
     thud_rule rule = thud_default_rule();
-    rule.most_impulse = 2;
+    rule.event_impulse = 2;
     OK(thud_world_set_rule(g->world, 2, 1, &rule));
     add_shape(g->world, add_body(g->world, THUD_BODY_STATIC, 0, -1, 0), 20, 1, true, NULL);
     add_shape(g->world, add_body(g->world, THUD_BODY_STATIC, 0, 4, 0), 1, 0.5f, true, &gate);
@@ -71,8 +71,8 @@ static void mix(uint64_t *told, uint32_t a, uint32_t b) {
 static void count_events(game *g) {
     thud_events e = thud_events_of(g->world);
     int ties, impulses;
-    const thud_joint_event *tie = thud_world_get_joint_events(g->world, &ties);
-    const thud_impulse_event *impulse = thud_world_get_impulse_events(g->world, &impulses);
+    const thud_joint_event *tie = thud_joint_events_of(g->world, &ties);
+    const thud_impulse_event *impulse = thud_impulse_events_of(g->world, &impulses);
     g->begins += e.begin_count;
     g->ends += e.end_count;
     g->hits += e.hit_count;
@@ -106,7 +106,8 @@ static void before(thud_world *world, void *context) {
     OK(thud_body_apply_buoyancy(world, g->buoy, &water));
     if (g->before % 50 == 0) { /* an edit, and a force for one step */
         OK(thud_body_set_velocity(world, g->ball[g->before % BALLS], (thud_vec2){1, 3}, 0));
-        OK(thud_body_apply_force_and_torque(world, g->ball[0], (thud_vec2){3, 1}, 0.5f));
+        OK(thud_body_apply_center_force(world, g->ball[0], (thud_vec2){3, 1}));
+        OK(thud_body_apply_torque(world, g->ball[0], 0.5f));
     }
 }
 
@@ -116,14 +117,15 @@ static void after(thud_world *world, void *context) {
     game *g = context;
     g->after++;
     if (thud_events_of(world).hit_count > 0) {
-        OK(thud_body_apply_force_and_torque(world, g->ball[2], (thud_vec2){0.5f, 2}, 0));
+        OK(thud_body_apply_center_force(world, g->ball[2], (thud_vec2){0.5f, 2}));
     }
 }
 
 /* Forces that the program applies before each call. */
 static void pull(game *g) {
-    OK(thud_body_apply_force_and_torque(g->world, g->box, (thud_vec2){1.1f, 0.7f}, 0.3f));
-    OK(thud_body_apply_force_and_torque(g->world, g->ball[4], (thud_vec2){0.1f, 0.2f}, 0));
+    OK(thud_body_apply_center_force(g->world, g->box, (thud_vec2){1.1f, 0.7f}));
+    OK(thud_body_apply_torque(g->world, g->box, 0.3f));
+    OK(thud_body_apply_center_force(g->world, g->ball[4], (thud_vec2){0.1f, 0.2f}));
 }
 
 /* Plays the game with one call for each step, as the reference. */
@@ -198,7 +200,7 @@ static void a_force_acts_for_the_time_of_its_picture(void **state) {
         uint64_t seed = 7;
         for (double passed = 0; passed < 2; passed += 1 / RATES[i]) {
             double force = random_in(&seed, -1, 3);
-            OK(thud_body_apply_force_and_torque(world, ball, (thud_vec2){(float)force, 0}, 0));
+            OK(thud_body_apply_center_force(world, ball, (thud_vec2){(float)force, 0}));
             OK(thud_world_advance(world, 1 / RATES[i], 100, NULL, &alpha));
             given += force / RATES[i];
             left = 3 * alpha / 60; /* at most: the force of the time that is not stepped yet */
@@ -217,7 +219,7 @@ static void a_force_in_one_call_is_gone_in_the_next(void **state) {
     thud_world *world = make_world(def);
     thud_body_id ball = add_ball(world, 0, 0, 0.5f);
     double h = def.time_step, mass = (double)state_of(world, ball).mass;
-    OK(thud_body_apply_force_and_torque(world, ball, (thud_vec2){1, 0}, 0));
+    OK(thud_body_apply_center_force(world, ball, (thud_vec2){1, 0}));
     OK(thud_world_advance(world, 2.5 * h, 9, NULL, NULL));
     near_to((double)state_of(world, ball).velocity.x, 2 * h / mass, 1e-7);
     OK(thud_world_advance(world, 2.5 * h, 9, NULL, NULL));
@@ -226,10 +228,10 @@ static void a_force_in_one_call_is_gone_in_the_next(void **state) {
     near_to((double)state_of(world, ball).velocity.x, 2.5 * h / mass, 1e-7);
     /* A force acts for no longer than its time: neither for time that is dropped (more than the
      * maximum of steps), nor in a call without time. */
-    OK(thud_body_apply_force_and_torque(world, ball, (thud_vec2){1, 0}, 0));
+    OK(thud_body_apply_center_force(world, ball, (thud_vec2){1, 0}));
     OK(thud_world_advance(world, 10 * h, 1, NULL, NULL));
     near_to((double)state_of(world, ball).velocity.x, 3.5 * h / mass, 1e-7);
-    OK(thud_body_apply_force_and_torque(world, ball, (thud_vec2){1, 0}, 0));
+    OK(thud_body_apply_center_force(world, ball, (thud_vec2){1, 0}));
     OK(thud_world_advance(world, 0, 1, NULL, NULL));
     OK(thud_world_advance(world, h, 1, NULL, NULL));
     near_to((double)state_of(world, ball).velocity.x, 3.5 * h / mass, 1e-7);
@@ -251,7 +253,7 @@ static void forces_leave_alone_who_does_not_heed_them(void **state) {
     OK(thud_body_set_transform(world, ball, (thud_pos){9, 9}, 0));
     OK(thud_body_set_velocity(world, ball, (thud_vec2){0, 0}, 0));
     OK(thud_world_set_gravity(world, (thud_vec2){0, 0}));
-    OK(thud_body_apply_force_and_torque(world, ball, (thud_vec2){9, 0}, 0));
+    OK(thud_body_apply_center_force(world, ball, (thud_vec2){9, 0}));
     OK(thud_world_advance(world, 0.5 / 60, 9, NULL, NULL));
     OK(thud_body_set_enabled(world, ball, false));
     OK(thud_world_advance(world, 1.0 / 60, 9, NULL, NULL));
@@ -267,7 +269,7 @@ static void forces_are_of_the_body_that_was_pushed(void **state) {
     thud_world *world = make_world(weightless());
     thud_body_id ball = add_ball(world, 0, 0, 0.5f);
     OK(thud_world_step(world));
-    OK(thud_body_apply_force_and_torque(world, ball, (thud_vec2){9, 0}, 0));
+    OK(thud_body_apply_center_force(world, ball, (thud_vec2){9, 0}));
     OK(thud_world_advance(world, 0.5 / 60, 9, NULL, NULL));
     OK(thud_body_destroy(world, ball));
     /* from here on the slot is free, while the rest of the time is not stepped yet */
@@ -284,7 +286,7 @@ static void forces_are_of_the_body_that_was_pushed(void **state) {
 /* An epilogue that pushes body b of each contact upward. */
 static void push_up(thud_world *world, const thud_contact *contact, void *context) {
     (void)context;
-    OK(thud_body_apply_force_and_torque(world, contact->body_b, (thud_vec2){0, 40}, 0));
+    OK(thud_body_apply_center_force(world, contact->body_b, (thud_vec2){0, 40}));
 }
 
 /* Pushes of an epilogue act in the next step alone: four rates of calls, with and without a query
@@ -367,7 +369,7 @@ static void visit(thud_world *world, void *context) {
     joint.body_a = g->made;
     joint.body_b = last;
     OK(thud_joint_create(world, &joint, NULL));
-    OK(thud_body_apply_force_and_torque(world, g->made, (thud_vec2){0, 1}, 0));
+    OK(thud_body_apply_center_force(world, g->made, (thud_vec2){0, 1}));
 }
 
 static void calls_may_edit_and_not_step(void **state) {

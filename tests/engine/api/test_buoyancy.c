@@ -7,8 +7,7 @@
 /* thud_geometry_area_below with the arguments of a water def. */
 static thud_result below(const thud_geometry *shape, thud_pos point, thud_vec2 normal,
                          double *area, thud_pos *centroid) {
-    return thud_geometry_area_below(shape, point.x, point.y, (double)normal.x, (double)normal.y, area,
-                            &centroid->x, &centroid->y);
+    return thud_geometry_area_below(shape, (thud_half_plane){point.x, point.y, (double)normal.x, (double)normal.y}, area, &centroid->x, &centroid->y);
 }
 
 static const double pi = 3.14159265358979323846;
@@ -113,8 +112,8 @@ static void wrong_lines_are_refused(void **state) {
     assert_int_equal(below(&disc, (thud_pos){2e15, 0}, up, &area, &centroid), THUD_ERROR_INVALID);
     assert_int_equal(below(NULL, here, up, &area, &centroid), THUD_ERROR_NULL);
     assert_int_equal(below(&disc, here, up, NULL, &centroid), THUD_ERROR_NULL);
-    assert_int_equal(thud_geometry_area_below(&disc, 0, 0, 0, 1, &area, NULL, &area), THUD_ERROR_NULL);
-    assert_int_equal(thud_geometry_area_below(&disc, 0, 0, 0, 1, &area, &area, NULL), THUD_ERROR_NULL);
+    assert_int_equal(thud_geometry_area_below(&disc, (thud_half_plane){0, 0, 0, 1}, &area, NULL, &area), THUD_ERROR_NULL);
+    assert_int_equal(thud_geometry_area_below(&disc, (thud_half_plane){0, 0, 0, 1}, &area, &area, NULL), THUD_ERROR_NULL);
     assert_true(area == 7 && centroid.x == 7 && centroid.y == 7);
 }
 

@@ -202,7 +202,7 @@ static void deeds(side *s, const setting *set, uint64_t seed, int step) {
 
 /* A query that applies deferred edits; its result is not used. */
 static void ask(side *s) {
-    thud_world_cast_ray(s->world, (thud_pos){-10, 1}, 20, 0, NULL, NULL, NULL);
+    thud_world_cast_ray(s->world, &(thud_ray){(thud_pos){-10, 1}, 20, 0, NULL}, NULL, NULL);
 }
 
 /* ---- comparison ---- */

@@ -186,7 +186,8 @@ static void make_bodies(deeds *d) {
         IN_MODE(
             thud_shape_create_circle(d->world, body, &shape, (thud_vec2){0.2f, 0.1f}, 0.23f, NULL));
         IN_MODE(thud_body_apply_impulse(d->world, body, (thud_vec2){0.1f, 1e-39f}, def.position));
-        IN_MODE(thud_body_apply_force_and_torque(d->world, body, (thud_vec2){0.3f, 0.7f}, 0.11f));
+        IN_MODE(thud_body_apply_center_force(d->world, body, (thud_vec2){0.3f, 0.7f}));
+        IN_MODE(thud_body_apply_torque(d->world, body, 0.11f));
         if (i % 5 == 0) {
             IN_MODE(
                 thud_body_set_transform(d->world, body, (thud_pos){far, 9.1}, i % 3 ? 0.77 : 0));
@@ -202,10 +203,9 @@ static void ask(deeds *d, int step) {
     volatile double up = 0.1 * step;
     thud_ray_hit ray = {0};
     thud_closest_hit closest = {0};
-    IN_MODE(thud_world_cast_ray(d->world, (thud_pos){-15.3, 0.9}, 29.7, up, NULL, &hit, &ray));
+    IN_MODE(thud_world_cast_ray(d->world, &(thud_ray){(thud_pos){-15.3, 0.9}, 29.7, up, NULL}, &hit, &ray));
     see(d, &ray.fraction, sizeof ray.fraction);
-    IN_MODE(thud_world_cast_box(d->world, (thud_pos){-9.7, 8}, 0.3, 0.7, 0.3, 7.1, -9.3, NULL, &hit,
-                                &ray));
+    IN_MODE(thud_world_cast_shape(d->world, &(thud_shape_cast){(thud_pos){-9.7, 8}, thud_obb_at(0, 0, 0.3, 0.7, 0.3), 7.1, -9.3, NULL}, &hit, &ray));
     see(d, &ray.fraction, sizeof ray.fraction);
     IN_MODE(thud_world_closest(d->world, (thud_pos){1.3, 7.7}, 30, NULL, &hit, &closest));
     see(d, &closest.distance, sizeof closest.distance);
@@ -214,7 +214,7 @@ static void ask(deeds *d, int step) {
     see(d, &d->mover.shape.x, 2 * sizeof d->mover.shape.x);
     set_mode(callers);
     int count;
-    const thud_pose *poses = thud_world_get_poses(d->world, (thud_pos){0.1, 0.3}, 0.3, &count);
+    const thud_pose *poses = thud_poses_of(d->world, (thud_pos){0.1, 0.3}, 0.3, &count);
     thud_measure measure = thud_measure_of(d->world);
     set_mode(TD_MODE_OWN);
     see(d, poses + 1, (size_t)(count - 1) * sizeof *poses);

@@ -81,7 +81,8 @@ static void quarantined_body_is_listed_and_moves_no_more(void **state) {
     run(world, 1);
     assert_int_equal(look(&w, world), 2);
     for (int i = 0; i < 2; i++) { /* twice, so that the sum overflows float */
-        OK(thud_body_apply_force_and_torque(world, wild, (thud_vec2){3e38f, 3e38f}, 3e38f));
+        OK(thud_body_apply_center_force(world, wild, (thud_vec2){3e38f, 3e38f}));
+        OK(thud_body_apply_torque(world, wild, 3e38f));
     }
     run(world, 1);
     assert_true(state_of(world, wild).quarantined);

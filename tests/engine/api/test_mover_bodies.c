@@ -116,7 +116,7 @@ static void random_moves_in_a_level_never_enter_anything(void **state) {
             int inside = 0;
             thud_geometry shape = mover.shape;
             thud_pos origin = {0, 0};
-            OK(thud_world_overlap_shape(world, origin, &shape, NULL, count_one, &inside));
+            OK(thud_world_overlap_shape(world, origin, shape, NULL, count_one, &inside));
             assert_int_equal(inside, 0);
             assert_true(report.depth == 0);
         }

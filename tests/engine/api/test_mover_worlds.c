@@ -21,7 +21,7 @@ static bool count_one(thud_shape_id shape, void *context) {
 /* Whether the shape overlaps anything in the world. */
 static bool is_inside(thud_world *world, const thud_geometry *shape) {
     int count = 0;
-    OK(thud_world_overlap_shape(world, (thud_pos){0, 0}, shape, NULL, count_one, &count));
+    OK(thud_world_overlap_shape(world, (thud_pos){0, 0}, *shape, NULL, count_one, &count));
     return count > 0;
 }
 

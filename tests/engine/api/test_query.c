@@ -30,7 +30,7 @@ static void ray_finds_the_first_shape_of_many(void **state) {
         }
         bool hit;
         thud_ray_hit found;
-        OK(thud_world_cast_ray(world, (thud_pos){ox, oy}, dx, dy, NULL, &hit, &found));
+        OK(thud_world_cast_ray(world, &(thud_ray){(thud_pos){ox, oy}, dx, dy, NULL}, &hit, &found));
         assert_int_equal(hit, first >= 0);
         if (hit) {
             thud_shape_state shape;
@@ -53,13 +53,13 @@ static void ray_meets_the_ground_and_heeds_filters(void **state) {
     OK(thud_shape_create_terrain(world, ground, &def, &flat, NULL));
     bool hit;
     thud_ray_hit found;
-    OK(thud_world_cast_ray(world, (thud_pos){0, 8}, 0, -20, NULL, &hit, &found));
+    OK(thud_world_cast_ray(world, &(thud_ray){(thud_pos){0, 8}, 0, -20, NULL}, &hit, &found));
     assert_true(hit);
     near_to(found.point.y, -2, 1e-9);
     near_to((double)found.normal.y, 1, 1e-9);
     thud_query_filter others = thud_default_query_filter();
     others.mask = 1;
-    OK(thud_world_cast_ray(world, (thud_pos){0, 8}, 0, -20, &others, &hit, &found));
+    OK(thud_world_cast_ray(world, &(thud_ray){(thud_pos){0, 8}, 0, -20, &others}, &hit, &found));
     assert_false(hit);
     thud_world_destroy(world);
 }
@@ -85,7 +85,7 @@ static void overlap_tells_in_order_of_slots_until_told_to_stop(void **state) {
     assert_true(found[1] == 3 && found[2] == 4 && found[3] == 5);
     int one[8] = {0};
     thud_geometry disc = {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = 0.2};
-    OK(thud_world_overlap_shape(world, (thud_pos){4, 0.5}, &disc, NULL, gather, one));
+    OK(thud_world_overlap_shape(world, (thud_pos){4, 0.5}, disc, NULL, gather, one));
     assert_int_equal(one[0], 1);
     assert_int_equal(one[1], 2);
     thud_world_destroy(world);
@@ -99,15 +99,15 @@ static void poses_interpolate_and_mark_free_slots(void **state) {
     OK(thud_body_destroy(world, gone));
     run(world, 10);
     int count;
-    const thud_pose *poses = thud_world_get_poses(world, (thud_pos){10, 0}, 1, &count);
+    const thud_pose *poses = thud_poses_of(world, (thud_pos){10, 0}, 1, &count);
     assert_int_equal(count, 2);
     assert_true(isnan(poses[gone.index1 - 1].x));
     near_to((double)poses[ball.index1 - 1].x, 1, 1e-5);
     near_to((double)poses[ball.index1 - 1].s, sin(0.5), 1e-5);
-    poses = thud_world_get_poses(world, (thud_pos){10, 0}, 0.5, &count);
+    poses = thud_poses_of(world, (thud_pos){10, 0}, 0.5, &count);
     near_to((double)poses[ball.index1 - 1].x, 0.95, 1e-5);
     near_to((double)poses[ball.index1 - 1].s, sin(0.475), 1e-5);
-    assert_null(thud_world_get_poses(world, (thud_pos){NAN, 0}, 0.5, &count));
+    assert_null(thud_poses_of(world, (thud_pos){NAN, 0}, 0.5, &count));
     thud_world_destroy(world);
 }
 

@@ -147,8 +147,7 @@ static bool meets(const worlds *w, int i, const query *q, double by, double *fra
         x -= w->placed[i].x;
         y -= w->placed[i].y;
         if (q->pointlike) {
-            return thud_terrain_cast_ray(&w->terrain[i], x, y - by, q->dx, q->dy, fraction, NULL,
-                                         NULL);
+            return thud_terrain_cast_ray(&w->terrain[i], (thud_segment){x, y - by, q->dx, q->dy}, fraction, NULL, NULL);
         }
         thud_geometry moving = grown(&q->shape, by);
         moving.x = x;
@@ -159,7 +158,7 @@ static bool meets(const worlds *w, int i, const query *q, double by, double *fra
     }
     thud_geometry still = grown(&w->placed[i], by), moving = q->shape;
     if (q->pointlike) {
-        return thud_geometry_cast_ray(&still, x, y, q->dx, q->dy, fraction, NULL, NULL);
+        return thud_geometry_cast_ray(&still, (thud_segment){x, y, q->dx, q->dy}, fraction, NULL, NULL);
     }
     moving.x = x;
     moving.y = y;
@@ -212,11 +211,9 @@ static int cast_all(const worlds *w, int b, const query *q, thud_ray_hit *hits, 
     int count = -1;
     thud_pos at = {w->origin.x + q->x, w->origin.y + q->y};
     if (q->pointlike) {
-        OK(thud_world_cast_ray_all(w->world[b], at, q->dx, q->dy, &q->filter, hits, capacity,
-                                   &count));
+        OK(thud_world_cast_ray_all(w->world[b], &(thud_ray){at, q->dx, q->dy, &q->filter}, hits, capacity, &count));
     } else {
-        OK(thud_world_cast_shape_all(w->world[b], at, &q->shape, q->dx, q->dy, &q->filter, hits,
-                                     capacity, &count));
+        OK(thud_world_cast_shape_all(w->world[b], &(thud_shape_cast){at, q->shape, q->dx, q->dy, &q->filter}, hits, capacity, &count));
     }
     return count;
 }
@@ -225,9 +222,9 @@ static bool cast_first(const worlds *w, int b, const query *q, thud_ray_hit *hit
     bool any = false;
     thud_pos at = {w->origin.x + q->x, w->origin.y + q->y};
     if (q->pointlike) {
-        OK(thud_world_cast_ray(w->world[b], at, q->dx, q->dy, &q->filter, &any, hit));
+        OK(thud_world_cast_ray(w->world[b], &(thud_ray){at, q->dx, q->dy, &q->filter}, &any, hit));
     } else {
-        OK(thud_world_cast_shape(w->world[b], at, &q->shape, q->dx, q->dy, &q->filter, &any, hit));
+        OK(thud_world_cast_shape(w->world[b], &(thud_shape_cast){at, q->shape, q->dx, q->dy, &q->filter}, &any, hit));
     }
     return any;
 }
@@ -315,7 +312,7 @@ static void check_overlap(const worlds *w, const query *q) {
     there.y = q->y;
     for (int b = 0; b < BROADPHASES; b++) {
         thud_pos at = {w->origin.x + q->x, w->origin.y + q->y};
-        OK(thud_world_overlap_shape(w->world[b], at, &q->shape, &q->filter, append, &found[b]));
+        OK(thud_world_overlap_shape(w->world[b], at, q->shape, &q->filter, append, &found[b]));
         assert_int_equal(found[b].count, found[0].count);
         assert_memory_equal(found[b].index1, found[0].index1, sizeof found[0].index1);
     }

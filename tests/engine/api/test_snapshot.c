@@ -223,7 +223,8 @@ static void edit(const yard *y) {
     OK(thud_body_set_enabled(y->world, y->heap[5], false));
     OK(thud_shape_destroy(y->world, y->ball_shape));
     add_shape(y->world, y->ball, 0.3f, 0.2f, false, NULL);
-    OK(thud_body_apply_force_and_torque(y->world, y->box, (thud_vec2){40, 10}, 3));
+    OK(thud_body_apply_center_force(y->world, y->box, (thud_vec2){40, 10}));
+    OK(thud_body_apply_torque(y->world, y->box, 3));
     OK(thud_body_set_awake(y->world, y->heap[6], false));
     add_ball(y->world, 1, 14, 0.4f);
 }
@@ -272,10 +273,10 @@ static void settings_with_a_setter_are_restored(void **state) {
                         .contact_damping = 2,
                         .detection = &thud_detection_bisect,
                         .islands = &thud_islands_direct,
-                        .sag_limit = 0.5f,
+                        .overlap_limit = 0.5f,
                         .island_limit = 1,
                         .island_work = 1,
-                        .island_patience = 1000};
+                        .island_slow_steps = 1000};
     for (int i = 0; i < QUALITIES; i++) {
         thud_world_def def = thud_default_world_def_of(qualities[i]);
         def.sleeping = i != 2;

@@ -194,7 +194,8 @@ static void def_of_a_joint_is_read_as_it_was_set(void **state) {
         def.frame_a = (thud_joint_frame){{0.25f, 0.5f}, 0.75};
         def.frame_b.position = (thud_vec2){-0.5f, 1};
         def.drive[THUD_DIRECTION_ALONG] = (thud_drive){true, -1, 2, 3, 0.5f, 0.25f, 4, 5, 6};
-        def.collide_connected = def.only_reports = def.disabled = true;
+        def.collide_connected = def.only_reports = true;
+        def.enabled = false;
         def.break_force = 7;
         def.break_torque = 8;
         def.user_data = 9;
@@ -210,7 +211,7 @@ static void def_of_a_joint_is_read_as_it_was_set(void **state) {
         assert_memory_equal(&read.frame_b, &def.frame_b, sizeof def.frame_b);
         assert_memory_equal(&read.drive[0].lower, &def.drive[0].lower, 8 * sizeof(float));
         assert_true(read.drive[0].limited && !read.drive[THUD_DIRECTION_TURN].limited);
-        assert_true(read.collide_connected && read.only_reports && read.disabled);
+        assert_true(read.collide_connected && read.only_reports && !read.enabled);
         assert_true(read.break_force == 7 && read.break_torque == 8 && read.user_data == 9);
         OK(thud_joint_destroy(world, joint));
         assert_int_equal(thud_joint_get_def(world, joint, &read), THUD_ERROR_STALE);

@@ -201,7 +201,7 @@ static void body_that_is_no_number_leaves_the_others_that_are_held(void **state)
         }
         thud_body_id doomed = i / QUALITIES / 3 == 2 ? loner : row[0][LINKS - 1];
         for (int twice = 0; twice < 2; twice++) { /* twice, so that the sum overflows float */
-            OK(thud_body_apply_force_and_torque(world, doomed, (thud_vec2){3e38f, 3e38f}, 0));
+            OK(thud_body_apply_center_force(world, doomed, (thud_vec2){3e38f, 3e38f}));
         }
         run(world, 1);
         assert_true(state_of(world, doomed).quarantined);

@@ -21,7 +21,7 @@ static void end_of_what_an_edit_took_away_survives_a_query(void **state) {
             OK(thud_body_set_transform(world, ball, (thud_pos){0, 40}, 0));
         }
         bool hit;
-        OK(thud_world_cast_ray(world, (thud_pos){0, 9}, 0, -20, NULL, &hit, NULL));
+        OK(thud_world_cast_ray(world, &(thud_ray){(thud_pos){0, 9}, 0, -20, NULL}, &hit, NULL));
         /* still the events of the last step */
         assert_int_equal(thud_events_of(world).end_count, 0);
         run(world, 1);

@@ -26,11 +26,11 @@ static void set(thud_world *w, uint32_t first, uint32_t second, const thud_rule 
 /* Sets rules of all kinds: belts, bounces, one-way planks, categories that ignore each other, and
  * impulse limits. */
 static void set_rules(thud_world *w) {
-    thud_rule belt = thud_default_rule(), plank = meeting(THUD_RULE_ONE_WAY), ball = belt;
-    thud_rule ignore = meeting(THUD_RULE_IGNORE);
+    thud_rule belt = thud_default_rule(), plank = rule_of_kind(THUD_RULE_ONE_WAY), ball = belt;
+    thud_rule ignore = rule_of_kind(THUD_RULE_IGNORE);
     belt.surface_speed = 2;
     belt.friction = 0.9f;
-    belt.most_impulse = 4;
+    belt.event_impulse = 4;
     plank.solid_side = (thud_vec2){0.1f, 2};
     ball.restitution = 0.8f;
     set(w, GROUND, CRATE, &belt);
@@ -41,10 +41,10 @@ static void set_rules(thud_world *w) {
 
 /* Sets rules that differ as much as possible, also for pairs that had none. */
 static void change_rules(thud_world *w) {
-    thud_rule other = meeting(THUD_RULE_ONE_WAY), ignore = meeting(THUD_RULE_IGNORE);
+    thud_rule other = rule_of_kind(THUD_RULE_ONE_WAY), ignore = rule_of_kind(THUD_RULE_IGNORE);
     other.solid_side = (thud_vec2){1, 0};
     other.friction = 0;
-    other.most_impulse = 0.5f;
+    other.event_impulse = 0.5f;
     set(w, GROUND, CRATE, NULL);
     set(w, CRATE, PLANK, &other);
     set(w, PLAYER, GROUND, &ignore);
@@ -86,8 +86,8 @@ static void same_rules(thud_world *a, thud_world *b) {
 /* Asserts that both worlds had the same impulse events; returns their number. */
 static int same_impulses(thud_world *a, thud_world *b) {
     int count[2];
-    const thud_impulse_event *one = thud_world_get_impulse_events(a, &count[0]);
-    const thud_impulse_event *two = thud_world_get_impulse_events(b, &count[1]);
+    const thud_impulse_event *one = thud_impulse_events_of(a, &count[0]);
+    const thud_impulse_event *two = thud_impulse_events_of(b, &count[1]);
     assert_int_equal(count[0], count[1]);
     for (int i = 0; i < count[0]; i++) {
         assert_int_equal(one[i].shape_a.index1, two[i].shape_a.index1);
@@ -179,7 +179,7 @@ static void snapshot_is_longer_by_what_is_set_alone(void **unused) {
     (void)unused;
     thud_world *w = bare(0);
     size_t none, one, gone;
-    thud_rule ignore = meeting(THUD_RULE_IGNORE);
+    thud_rule ignore = rule_of_kind(THUD_RULE_IGNORE);
     OK(thud_world_get_snapshot_size(w, &none));
     set(w, CRATE | PLAYER, CRATE | PLAYER, &ignore); /* three pairs of categories */
     OK(thud_world_get_snapshot_size(w, &one));
@@ -252,7 +252,7 @@ static void rules_out_of_range_are_refused(void **unused) {
     (void)unused;
     const float beyond[] = {-1, 1e9f, __builtin_inff(), -__builtin_inff()};
     const int32_t cells[] = {-1, TD_RULE_KINDS * TD_RULE_KINDS, INT32_MAX, INT32_MIN, 0};
-    const int32_t meetings[] = {-1, THUD_RULE_KIND_COUNT, INT32_MAX};
+    const int32_t kinds[] = {-1, THUD_RULE_KIND_COUNT, INT32_MAX};
     const size_t floats[] = {offsetof(thud_rule, friction), offsetof(thud_rule, restitution)};
     thud_world *w = make_pile(0, true);
     steps(w, 60);
@@ -270,8 +270,8 @@ static void rules_out_of_range_are_refused(void **unused) {
             forge(s, forged, rule + offsetof(td_kept_rule, cell), &cells[k], sizeof *cells);
             refused(w, forged, s.size, "contradicts itself");
         }
-        for (size_t k = 0; k < sizeof meetings / sizeof *meetings; k++) {
-            forge(s, forged, rule + offsetof(thud_rule, meeting), &meetings[k], sizeof *meetings);
+        for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
+            forge(s, forged, rule + offsetof(thud_rule, kind), &kinds[k], sizeof *kinds);
             refused(w, forged, s.size, "contradicts itself");
         }
         for (size_t k = 0; k < sizeof beyond / sizeof *beyond; k++) {
@@ -287,7 +287,7 @@ static void rules_out_of_range_are_refused(void **unused) {
         }
         forge(s, forged, rule + offsetof(thud_rule, surface_speed), &beyond[2], sizeof *beyond);
         refused(w, forged, s.size, "contradicts itself");
-        forge(s, forged, rule + offsetof(thud_rule, most_impulse), &beyond[0], sizeof *beyond);
+        forge(s, forged, rule + offsetof(thud_rule, event_impulse), &beyond[0], sizeof *beyond);
         refused(w, forged, s.size, "contradicts itself");
     }
     for (int32_t count = -2; count < 700; count++) {
@@ -313,7 +313,7 @@ static void without_memory_rules_stay_as_they_were(void **unused) {
     saved s = {NULL, 0};
     for (int count = 0; count == 0;) {
         steps(from, 1);
-        thud_world_get_impulse_events(from, &count);
+        thud_impulse_events_of(from, &count);
     }
     s = save(from);
     change_rules(twin);

@@ -286,7 +286,7 @@ static void refused_listeners_leave_those_that_there_are(void **state) {
     run(world, 2);
     assert_int_equal(asked, 2);
     assert_int_equal(messages, 2);
-    OK(thud_world_overlap_circle(world, (thud_pos){0, 0.5}, 1, NULL, overlap_tries, world));
+    OK(thud_world_overlap_shape(world, (thud_pos){0, 0.5}, thud_circle_at(0, 0, 1), NULL, overlap_tries, world));
     assert_int_equal(messages, 4);
     thud_listeners both = {.prologue = ask, .prologue_all = ask_all};
     assert_int_equal(thud_world_set_listeners(world, &both), THUD_ERROR_INVALID);

@@ -13,7 +13,7 @@ static void planks_are_jumped_through(void **unused) {
     for (int i = 0; i < DETECTIONS * BROADPHASES * 3 * 3 * 2; i++) {
         int d = i % 4, b = i / 4 % 3, form = i / 12 % 3, s = i / 36 % 3, plank_form = 1 + i / 108;
         thud_world *w = make(detections[d], broadphases[b]);
-        thud_rule rule = meeting(THUD_RULE_ONE_WAY);
+        thud_rule rule = rule_of_kind(THUD_RULE_ONE_WAY);
         OK(thud_world_set_rule(w, PLANK, PLAYER, &rule));
         add(w, THUD_BODY_STATIC, GROUND, 2, 0, -1, 20, 1);
         add(w, THUD_BODY_STATIC, PLANK, plank_form, 0, 2, 3, 0.1f);
@@ -34,7 +34,7 @@ static void low_jumps_fall_back(void **unused) {
     (void)unused;
     for (int i = 0; i < DETECTIONS * 12; i++) {
         thud_world *w = make(detections[i % DETECTIONS], NULL);
-        thud_rule rule = meeting(THUD_RULE_ONE_WAY);
+        thud_rule rule = rule_of_kind(THUD_RULE_ONE_WAY);
         OK(thud_world_set_rule(w, PLANK, PLAYER, &rule));
         add(w, THUD_BODY_STATIC, GROUND, 2, 0, -1, 20, 1);
         add(w, THUD_BODY_STATIC, PLANK, 2, 0, 2, 3, 0.4f);
@@ -53,7 +53,7 @@ static void planks_hold_what_falls_fast(void **unused) {
     (void)unused;
     for (int i = 0; i < DETECTIONS * 3 * 5; i++) {
         thud_world *w = make(detections[i % DETECTIONS], NULL);
-        thud_rule rule = meeting(THUD_RULE_ONE_WAY);
+        thud_rule rule = rule_of_kind(THUD_RULE_ONE_WAY);
         OK(thud_world_set_rule(w, PLANK, PLAYER, &rule));
         add(w, THUD_BODY_STATIC, PLANK, 2, 0, 2, 3, 0.3f);
         thud_body_id player = add(w, THUD_BODY_DYNAMIC, PLAYER, i / DETECTIONS % 3, 0, 5, 0.4f, 0.4f);
@@ -70,7 +70,7 @@ static void the_side_is_the_bodys(void **unused) {
     for (int reversed = 0; reversed < 2; reversed++) {
         thud_world_def def = weightless();
         thud_world *w = make_world(def);
-        thud_rule rule = meeting(THUD_RULE_ONE_WAY);
+        thud_rule rule = rule_of_kind(THUD_RULE_ONE_WAY);
         rule.solid_side = (thud_vec2){0, reversed ? -3.0f : 3.0f};
         OK(thud_world_set_rule(w, PLANK, PLAYER, &rule));
         thud_shape_def plank = of_kind(PLANK);
@@ -86,9 +86,9 @@ static void the_side_is_the_bodys(void **unused) {
         thud_rule read;
         bool set, other_way;
         OK(thud_world_get_rule(w, PLAYER, PLANK, &read, &set, &other_way));
-        assert_true(set && other_way && read.meeting == THUD_RULE_ONE_WAY);
+        assert_true(set && other_way && read.kind == THUD_RULE_ONE_WAY);
         OK(thud_world_get_rule(w, PLAYER, GROUND, &read, &set, &other_way));
-        assert_true(!set && !other_way && read.meeting == THUD_RULE_COLLIDE);
+        assert_true(!set && !other_way && read.kind == THUD_RULE_COLLIDE);
         thud_world_destroy(w);
     }
 }
@@ -99,7 +99,7 @@ static void planks_beside_ground(void **unused) {
     (void)unused;
     for (int d = 0; d < DETECTIONS; d++) {
         thud_world *w = make(detections[d], NULL);
-        thud_rule rule = meeting(THUD_RULE_ONE_WAY);
+        thud_rule rule = rule_of_kind(THUD_RULE_ONE_WAY);
         OK(thud_world_set_rule(w, PLANK, PLAYER, &rule));
         for (int i = 0; i < 12; i++) {
             add(w, THUD_BODY_STATIC, i / 3 % 2 ? PLANK : GROUND, 2, i, -0.2, 0.5f, 0.2f);
@@ -125,7 +125,7 @@ static void planks_beside_ground(void **unused) {
 static void passing_goes_through_a_snapshot(void **unused) {
     (void)unused;
     thud_world *w = make(NULL, NULL), *twin = make(NULL, NULL);
-    thud_rule rule = meeting(THUD_RULE_ONE_WAY);
+    thud_rule rule = rule_of_kind(THUD_RULE_ONE_WAY);
     OK(thud_world_set_rule(w, PLANK, PLAYER, &rule));
     OK(thud_world_set_rule(twin, PLANK, PLAYER, &rule));
     add(w, THUD_BODY_STATIC, PLANK, 2, 0, 2, 3, 0.4f);
@@ -160,7 +160,7 @@ static void what_is_held_stays_so_under_a_prologue_and_an_edit(void **unused) {
     (void)unused;
     for (int i = 0; i < 4; i++) {
         thud_world *w = make(NULL, NULL);
-        thud_rule one_way = meeting(THUD_RULE_ONE_WAY);
+        thud_rule one_way = rule_of_kind(THUD_RULE_ONE_WAY);
         OK(thud_world_set_rule(w, PLANK, PLAYER, &one_way));
         thud_body_id plank = add(w, THUD_BODY_STATIC, PLANK, 1, 0, -0.25, 3, 0.25f);
         thud_body_id player = add(w, THUD_BODY_DYNAMIC, PLAYER, 0, 0, 0.5, 0.5f, 0);

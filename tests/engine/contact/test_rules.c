@@ -12,7 +12,7 @@ static void ignored_kinds_fall_through(void **unused) {
     for (int d = 0; d < DETECTIONS; d++) {
         for (int b = 0; b < BROADPHASES; b++) {
             thud_world *w = make(detections[d], broadphases[b]);
-            thud_rule ignore = meeting(THUD_RULE_IGNORE);
+            thud_rule ignore = rule_of_kind(THUD_RULE_IGNORE);
             OK(thud_world_set_rule(w, GROUND, CRATE, &ignore));
             add(w, THUD_BODY_STATIC, GROUND, 2, 0, -1, 20, 1);
             thud_body_id crate = add(w, THUD_BODY_DYNAMIC, CRATE, 2, -3, 3, 0.5f, 0.5f);
@@ -31,7 +31,7 @@ static void ignored_kinds_fall_through(void **unused) {
 static void a_rule_takes_hold_of_what_touches(void **unused) {
     (void)unused;
     thud_world *w = make(NULL, NULL);
-    thud_rule ignore = meeting(THUD_RULE_IGNORE);
+    thud_rule ignore = rule_of_kind(THUD_RULE_IGNORE);
     add(w, THUD_BODY_STATIC, GROUND, 2, 0, -1, 20, 1);
     add(w, THUD_BODY_STATIC, PLANK, 2, 0, 2, 3, 0.1f);
     thud_body_id crate = add(w, THUD_BODY_DYNAMIC, CRATE, 2, 0, 2.6, 0.5f, 0.5f);
@@ -55,7 +55,7 @@ static void a_rule_takes_hold_of_what_touches(void **unused) {
 static void the_lowest_bit_is_the_kind(void **unused) {
     (void)unused;
     thud_world *w = make(NULL, NULL);
-    thud_rule ignore = meeting(THUD_RULE_IGNORE);
+    thud_rule ignore = rule_of_kind(THUD_RULE_IGNORE);
     OK(thud_world_set_rule(w, GROUND, PLAYER, &ignore));
     add(w, THUD_BODY_STATIC, GROUND | CRATE, 2, 0, -1, 20, 1);
     thud_body_id both = add(w, THUD_BODY_DYNAMIC, PLAYER | CRATE, 2, -3, 1, 0.5f, 0.5f);
@@ -124,7 +124,7 @@ static void a_prologue_comes_after_the_rules(void **unused) {
     (void)unused;
     thud_world *w = make(NULL, NULL);
     int asked = 0;
-    thud_rule ice = thud_default_rule(), one_way = meeting(THUD_RULE_ONE_WAY);
+    thud_rule ice = thud_default_rule(), one_way = rule_of_kind(THUD_RULE_ONE_WAY);
     ice.friction = 0;
     OK(thud_world_set_rule(w, GROUND, CRATE, &ice));
     OK(thud_world_set_rule(w, PLANK, PLAYER, &one_way));
@@ -162,7 +162,7 @@ static void impulses_are_told(void **unused) {
         for (int form = 0; form < 3; form++) {
             thud_world *w = make(detections[d], NULL);
             thud_rule fragile = thud_default_rule();
-            fragile.most_impulse = 3;
+            fragile.event_impulse = 3;
             OK(thud_world_set_rule(w, CRATE, GROUND, &fragile));
             add(w, THUD_BODY_STATIC, GROUND, 2, 0, -1, 20, 1);
             thud_body_id crate = add(w, THUD_BODY_DYNAMIC, CRATE, form, 0, 1, 0.5f, 0.5f);
@@ -171,14 +171,14 @@ static void impulses_are_told(void **unused) {
             /* it falls 0.5 m and lands with 3.2 m/s times up to 1 kg */
             for (int i = 0; i < 60; i++) {
                 steps(w, 1);
-                thud_world_get_impulse_events(w, &count);
+                thud_impulse_events_of(w, &count);
                 assert_true(count == 0 || form > 0);
             }
             throw_up(w, crate, 0, 8);
             float most = 0;
             for (int i = 0; i < 120; i++) {
                 steps(w, 1);
-                const thud_impulse_event *events = thud_world_get_impulse_events(w, &count);
+                const thud_impulse_event *events = thud_impulse_events_of(w, &count);
                 for (int k = 0; k < count; k++) {
                     assert_true(events[k].impulse > 3);
                     assert_true(fabs((double)events[k].normal.y) > 0.99);
@@ -254,19 +254,19 @@ static void wrong_rules_change_nothing(void **unused) {
     for (int i = 0; i < 9; i++) {
         bad[i] = thud_default_rule();
     }
-    bad[0].meeting = (thud_rule_kind)3;
-    bad[1].meeting = (thud_rule_kind)-1;
+    bad[0].kind = (thud_rule_kind)3;
+    bad[1].kind = (thud_rule_kind)-1;
     bad[2].solid_side = (thud_vec2){0, 0};
     bad[3].solid_side.x = INFINITY;
     bad[4].friction = nextafterf(THUD_FRICTION_MAX, INFINITY);
     bad[5].restitution = -1e-30f;
     bad[6].surface_speed = nextafterf(-THUD_SURFACE_SPEED_MAX, -INFINITY);
-    bad[7].most_impulse = -1;
-    bad[8].most_impulse = NAN;
+    bad[7].event_impulse = -1;
+    bad[8].event_impulse = NAN;
     for (int i = 0; i < 9; i++) {
         assert_int_equal(thud_world_set_rule(w, 1, 2, &bad[i]), THUD_ERROR_INVALID);
     }
-    thud_rule one_way = meeting(THUD_RULE_ONE_WAY);
+    thud_rule one_way = rule_of_kind(THUD_RULE_ONE_WAY);
     assert_int_equal(thud_world_set_rule(w, 3, 2, &one_way), THUD_ERROR_INVALID);
     assert_int_equal(thud_world_set_rule(w, 0, 2, &good), THUD_ERROR_INVALID);
     assert_int_equal(thud_world_set_rule(w, 1, 0, NULL), THUD_ERROR_INVALID);
@@ -277,7 +277,7 @@ static void wrong_rules_change_nothing(void **unused) {
     OK(thud_world_get_rule(w, 1, 2, &read, &set, NULL));
     assert_true(set && read.friction == 0.25f && isnan(read.restitution));
     int count = 7;
-    assert_null(thud_world_get_impulse_events(NULL, &count));
+    assert_null(thud_impulse_events_of(NULL, &count));
     assert_int_equal(count, 0);
     thud_world_destroy(w);
 }

@@ -81,7 +81,7 @@ static void push_some(const heap *h, uint64_t *seed) {
         if (one_in(seed, 5) && state_of(h->world, h->body[i]).kind == THUD_BODY_DYNAMIC &&
             !state_of(h->world, h->body[i]).quarantined) {
             thud_vec2 force = {either_sign(seed, h->extreme), either_sign(seed, h->extreme)};
-            OK(thud_body_apply_force_and_torque(h->world, h->body[i], force, 0));
+            OK(thud_body_apply_center_force(h->world, h->body[i], force));
         }
     }
 }

@@ -92,10 +92,10 @@ static void least_distance_of_circles_is_that_of_long_double(void **state) {
         real square = dot(p.way, p.way);
         real t = square > 0.0L ? -dot(p.start, p.way) / square : 0.0L;
         real exact = distance_at(&p, fminl(fmaxl(t, 0.0L), 1.0L));
-        assert_true(fabsl(out.least - exact) <= p.slack);
-        assert_true(out.least_time >= 0.0 && out.least_time <= 1.0);
-        assert_true(distance_at(&p, out.least_time) <= exact + p.slack);
-        assert_true(square > 0.0L || out.least_time == 0.0);
+        assert_true(fabsl(out.min_distance - exact) <= p.slack);
+        assert_true(out.min_distance_time >= 0.0 && out.min_distance_time <= 1.0);
+        assert_true(distance_at(&p, out.min_distance_time) <= exact + p.slack);
+        assert_true(square > 0.0L || out.min_distance_time == 0.0);
     }
 }
 

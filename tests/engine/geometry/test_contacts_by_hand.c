@@ -173,8 +173,8 @@ static void approach_of_circles_that_miss_is_where_they_are_abreast(void **state
                      THUD_OK);
     assert_false(out.hit);
     assert_true(out.time == 1.0);
-    NEAR(out.least, 3.0);
-    NEAR(out.least_time, 0.75);
+    NEAR(out.min_distance, 3.0);
+    NEAR(out.min_distance_time, 0.75);
 }
 
 static void approach_of_circles_that_hit_goes_on_to_the_centres(void **state) {
@@ -185,8 +185,8 @@ static void approach_of_circles_that_hit_goes_on_to_the_centres(void **state) {
                      THUD_OK);
     assert_true(out.hit);
     NEAR(out.time, 0.5);
-    NEAR(out.least, 0.0);
-    NEAR(out.least_time, 0.75);
+    NEAR(out.min_distance, 0.0);
+    NEAR(out.min_distance_time, 0.75);
 }
 
 static void approach_of_circles_that_part_is_at_the_start(void **state) {
@@ -196,8 +196,8 @@ static void approach_of_circles_that_part_is_at_the_start(void **state) {
     assert_int_equal(thud_geometry_approach(&a, (thud_motion){0}, &b, (thud_motion){3, 4, 0}, &out),
                      THUD_OK);
     assert_false(out.hit);
-    NEAR(out.least, 5.0);
-    assert_true(out.least_time == 0.0);
+    NEAR(out.min_distance, 5.0);
+    assert_true(out.min_distance_time == 0.0);
 }
 
 int main(void) {

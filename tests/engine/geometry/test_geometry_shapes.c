@@ -162,7 +162,7 @@ static void rays_at_random_shapes_agree_with_marching(void **state) {
         if (i % 2) { /* towards the shape */
             dx = 2.0 * (shape.x - ox) + draw(&r, -1.0, 1.0);
         }
-        bool hit = thud_geometry_cast_ray(&shape, ox, oy, dx, dy, &f, &nx, &ny);
+        bool hit = thud_geometry_cast_ray(&shape, (thud_segment){ox, oy, dx, dy}, &f, &nx, &ny);
         double x = ox - shape.x, y = oy - shape.y, length = sqrt(dx * dx + dy * dy);
         bool inside = point_distance(&shape, x, y) < -eps;
         double first = 2.0;

@@ -66,11 +66,11 @@ static void cast_along_a_face_touches_its_end(void **state) {
     bool hit;
     double f, nx, ny;
     OK(thud_minkowski_sum(&a, &b, &m));
-    OK(thud_minkowski_cast(&m, -4.5, 2.25, 6.0, 0.0, &hit, &f, &nx, &ny));
+    OK(thud_minkowski_cast(&m, (thud_segment){-4.5, 2.25, 6.0, 0.0}, &hit, &f, &nx, &ny));
     assert_true(hit);
     NEAR(f, 0.5);
     NEAR(nx, -1.0);
-    OK(thud_minkowski_cast(&m, -4.5, 2.2500001, 6.0, 0.0, &hit, &f, &nx, &ny));
+    OK(thud_minkowski_cast(&m, (thud_segment){-4.5, 2.2500001, 6.0, 0.0}, &hit, &f, &nx, &ny));
     assert_false(hit);
 }
 
@@ -80,7 +80,7 @@ static void ray_from_inside_through_a_corner_hits_nothing(void **state) {
     double f, nx, ny;
     for (int i = 0; i < 4; i++) {
         double dx = i % 2 ? 2.0 : -2.0, dy = i / 2 ? 2.0 : -2.0;
-        assert_false(thud_geometry_cast_ray(&a, 0.0, 0.0, dx, dy, &f, &nx, &ny));
+        assert_false(thud_geometry_cast_ray(&a, (thud_segment){0.0, 0.0, dx, dy}, &f, &nx, &ny));
     }
 }
 
@@ -89,7 +89,7 @@ static void ray_from_afar_does_not_pass_a_needle_thinner_than_its_rounding(void 
     thud_geometry a = box(1.0, 1e-12);
     double f, nx, ny;
     for (int i = 1; i < 1000; i++) {
-        assert_true(thud_geometry_cast_ray(&a, 0.0, 1e7 / i, 0.0, -1e7, &f, &nx, &ny));
+        assert_true(thud_geometry_cast_ray(&a, (thud_segment){0.0, 1e7 / i, 0.0, -1e7}, &f, &nx, &ny));
         NEAR(f, 1.0 / i);
     }
 }
@@ -131,11 +131,11 @@ static void cast_past_rounded_corner_by_hand_misses_where_a_sharp_one_would_not(
     OK(thud_minkowski_sum(&a, &b, &m));
     /* Diagonally past the corner (1, 1), at distances 0.99 and 1.01 from it. */
     double near = 2.0 + 0.99 * sqrt(2.0), far = 2.0 + 1.01 * sqrt(2.0);
-    OK(thud_minkowski_cast(&m, near + 3.0, -3.0, -6.0, 6.0, &hit, &f, &nx, &ny));
+    OK(thud_minkowski_cast(&m, (thud_segment){near + 3.0, -3.0, -6.0, 6.0}, &hit, &f, &nx, &ny));
     assert_true(hit);
-    OK(thud_minkowski_cast(&m, far + 3.0, -3.0, -6.0, 6.0, &hit, &f, &nx, &ny));
+    OK(thud_minkowski_cast(&m, (thud_segment){far + 3.0, -3.0, -6.0, 6.0}, &hit, &f, &nx, &ny));
     assert_false(hit);
-    OK(thud_minkowski_cast(&m, 0.0, 6.0, 0.0, -8.0, &hit, &f, &nx, &ny));
+    OK(thud_minkowski_cast(&m, (thud_segment){0.0, 6.0, 0.0, -8.0}, &hit, &f, &nx, &ny));
     assert_true(hit);
     NEAR(f, 0.5);
     NEAR(ny, 1.0);
@@ -153,7 +153,7 @@ static void sum_of_needles_near_parallel_loses_no_face(void **state) {
         assert_int_equal(m.count, 8);
         /* Casts straight down onto it, everywhere along its upper side, all hit. */
         for (double x = -1.99; x < 2.0; x += 0.0398) {
-            OK(thud_minkowski_cast(&m, x * cos(angle), 5.0, 0.0, -10.0, &hit, &f, &nx, &ny));
+            OK(thud_minkowski_cast(&m, (thud_segment){x * cos(angle), 5.0, 0.0, -10.0}, &hit, &f, &nx, &ny));
             assert_true(hit);
         }
     }
@@ -187,7 +187,7 @@ static void refused_input_leaves_every_output_as_it_was(void **state) {
     for (int i = 0; i < 3; i++) {
         INVALID(thud_minkowski_contains(&wrong[i], 9, 0, &yes));
         INVALID(thud_minkowski_distance(&wrong[i], 9, 0, &d, &nx, &ny));
-        INVALID(thud_minkowski_cast(&wrong[i], 9, 0, 1, 0, &yes, &d, &nx, &ny));
+        INVALID(thud_minkowski_cast(&wrong[i], (thud_segment){9, 0, 1, 0}, &yes, &d, &nx, &ny));
     }
     const double off[] = {NAN, INFINITY, -1e17};
     for (int i = 0; i < 3; i++) {
@@ -196,10 +196,10 @@ static void refused_input_leaves_every_output_as_it_was(void **state) {
         INVALID(thud_minkowski_contains(&m, 9, o, &yes));
         INVALID(thud_minkowski_distance(&m, o, 0, &d, &nx, &ny));
         INVALID(thud_minkowski_distance(&m, 9, o, &d, &nx, &ny));
-        INVALID(thud_minkowski_cast(&m, o, 0, 1, 0, &yes, &d, &nx, &ny));
-        INVALID(thud_minkowski_cast(&m, 9, o, 1, 0, &yes, &d, &nx, &ny));
-        INVALID(thud_minkowski_cast(&m, 9, 0, o, 0, &yes, &d, &nx, &ny));
-        INVALID(thud_minkowski_cast(&m, 9, 0, 1, o, &yes, &d, &nx, &ny));
+        INVALID(thud_minkowski_cast(&m, (thud_segment){o, 0, 1, 0}, &yes, &d, &nx, &ny));
+        INVALID(thud_minkowski_cast(&m, (thud_segment){9, o, 1, 0}, &yes, &d, &nx, &ny));
+        INVALID(thud_minkowski_cast(&m, (thud_segment){9, 0, o, 0}, &yes, &d, &nx, &ny));
+        INVALID(thud_minkowski_cast(&m, (thud_segment){9, 0, 1, o}, &yes, &d, &nx, &ny));
     }
     MISSING(thud_minkowski_contains(NULL, 9, 0, &yes));
     MISSING(thud_minkowski_contains(&m, 9, 0, NULL));
@@ -207,11 +207,11 @@ static void refused_input_leaves_every_output_as_it_was(void **state) {
     MISSING(thud_minkowski_distance(&m, 9, 0, NULL, &nx, &ny));
     MISSING(thud_minkowski_distance(&m, 9, 0, &d, NULL, &ny));
     MISSING(thud_minkowski_distance(&m, 9, 0, &d, &nx, NULL));
-    MISSING(thud_minkowski_cast(NULL, 9, 0, 1, 0, &yes, &d, &nx, &ny));
-    MISSING(thud_minkowski_cast(&m, 9, 0, 1, 0, NULL, &d, &nx, &ny));
-    MISSING(thud_minkowski_cast(&m, 9, 0, 1, 0, &yes, NULL, &nx, &ny));
-    MISSING(thud_minkowski_cast(&m, 9, 0, 1, 0, &yes, &d, NULL, &ny));
-    MISSING(thud_minkowski_cast(&m, 9, 0, 1, 0, &yes, &d, &nx, NULL));
+    MISSING(thud_minkowski_cast(NULL, (thud_segment){9, 0, 1, 0}, &yes, &d, &nx, &ny));
+    MISSING(thud_minkowski_cast(&m, (thud_segment){9, 0, 1, 0}, NULL, &d, &nx, &ny));
+    MISSING(thud_minkowski_cast(&m, (thud_segment){9, 0, 1, 0}, &yes, NULL, &nx, &ny));
+    MISSING(thud_minkowski_cast(&m, (thud_segment){9, 0, 1, 0}, &yes, &d, NULL, &ny));
+    MISSING(thud_minkowski_cast(&m, (thud_segment){9, 0, 1, 0}, &yes, &d, &nx, NULL));
     assert_true(yes && d == 7.0 && nx == 8.0 && ny == 9.0);
 }
 

@@ -97,7 +97,7 @@ static void placed_check_refuses_what_no_shape_can_be(void **state) {
         assert_int_equal(thud_geometry_closest(&bad[i], &good, &c), THUD_ERROR_INVALID);
         assert_int_equal(thud_geometry_closest(&good, &bad[i], &c), THUD_ERROR_INVALID);
         assert_false(thud_geometry_overlap(&bad[i], &good));
-        assert_false(thud_geometry_cast_ray(&bad[i], -9, 2, 20, 0, &f, &nx, &ny));
+        assert_false(thud_geometry_cast_ray(&bad[i], (thud_segment){-9, 2, 20, 0}, &f, &nx, &ny));
         assert_int_equal(thud_geometry_time_of_impact(&good, (thud_motion){0}, &bad[i],
                                                     (thud_motion){0}, 0.0, &hit, &time),
                          THUD_ERROR_INVALID);
@@ -205,15 +205,15 @@ static void ray_at_circle_and_box_gives_fraction_and_normal(void **state) {
     (void)state;
     thud_geometry c = circle(5, 0, 1), b = box(0, 0, 1, 2);
     double f, nx, ny;
-    assert_true(thud_geometry_cast_ray(&c, 0, 0, 8, 0, &f, &nx, &ny));
+    assert_true(thud_geometry_cast_ray(&c, (thud_segment){0, 0, 8, 0}, &f, &nx, &ny));
     NEAR(f, 0.5);
     NEAR(nx, -1.0);
-    assert_true(thud_geometry_cast_ray(&b, 0.5, 6, 0, -8, &f, &nx, &ny));
+    assert_true(thud_geometry_cast_ray(&b, (thud_segment){0.5, 6, 0, -8}, &f, &nx, &ny));
     NEAR(f, 0.5);
     NEAR(ny, 1.0);
-    assert_false(thud_geometry_cast_ray(&c, 0, 0, 3.9, 0, &f, &nx, &ny));
-    assert_false(thud_geometry_cast_ray(&c, 0, 1.001, 8, 0, &f, &nx, &ny));
-    assert_false(thud_geometry_cast_ray(&b, 3, 0, 5, 0, &f, &nx, &ny));
+    assert_false(thud_geometry_cast_ray(&c, (thud_segment){0, 0, 3.9, 0}, &f, &nx, &ny));
+    assert_false(thud_geometry_cast_ray(&c, (thud_segment){0, 1.001, 8, 0}, &f, &nx, &ny));
+    assert_false(thud_geometry_cast_ray(&b, (thud_segment){3, 0, 5, 0}, &f, &nx, &ny));
 }
 
 static void ray_that_starts_inside_or_has_no_length_hits_nothing(void **state) {
@@ -221,10 +221,10 @@ static void ray_that_starts_inside_or_has_no_length_hits_nothing(void **state) {
     thud_geometry shapes[] = {circle(0, 0, 1), box(0, 0, 1, 1), turned(0, 0, 1, 1, 0.3)};
     double f, nx, ny;
     for (int i = 0; i < 3; i++) {
-        assert_false(thud_geometry_cast_ray(&shapes[i], 0.1, 0.2, 9, 9, &f, &nx, &ny));
-        assert_false(thud_geometry_cast_ray(&shapes[i], 4, 0, 0, 0, &f, &nx, &ny));
-        assert_false(thud_geometry_cast_ray(&shapes[i], NAN, 0, 1, 0, &f, &nx, &ny));
-        assert_false(thud_geometry_cast_ray(&shapes[i], 4, 0, -INFINITY, 0, &f, &nx, &ny));
+        assert_false(thud_geometry_cast_ray(&shapes[i], (thud_segment){0.1, 0.2, 9, 9}, &f, &nx, &ny));
+        assert_false(thud_geometry_cast_ray(&shapes[i], (thud_segment){4, 0, 0, 0}, &f, &nx, &ny));
+        assert_false(thud_geometry_cast_ray(&shapes[i], (thud_segment){NAN, 0, 1, 0}, &f, &nx, &ny));
+        assert_false(thud_geometry_cast_ray(&shapes[i], (thud_segment){4, 0, -INFINITY, 0}, &f, &nx, &ny));
     }
 }
 
@@ -232,9 +232,9 @@ static void ray_from_a_million_away_finds_a_small_circle_edge(void **state) {
     (void)state;
     thud_geometry c = circle(0, 0, 1e-3);
     double f, nx, ny;
-    assert_true(thud_geometry_cast_ray(&c, -1e6, 0.999e-3, 2e6, 0, &f, &nx, &ny));
+    assert_true(thud_geometry_cast_ray(&c, (thud_segment){-1e6, 0.999e-3, 2e6, 0}, &f, &nx, &ny));
     assert_true(fabs(ny - 0.999) < 1e-6);
-    assert_false(thud_geometry_cast_ray(&c, -1e6, 1.001e-3, 2e6, 0, &f, &nx, &ny));
+    assert_false(thud_geometry_cast_ray(&c, (thud_segment){-1e6, 1.001e-3, 2e6, 0}, &f, &nx, &ny));
 }
 
 static void impact_of_circles_is_exact(void **state) {

@@ -176,7 +176,7 @@ static void islands_without_any_work_stay_soft(void **state) {
  * sequence of them. */
 static int direct_steps(int factoring_budget, int *longest) {
     thud_quality quality = thud_quality_exact;
-    quality.island_patience = factoring_budget;
+    quality.island_slow_steps = factoring_budget;
     thud_world *world = world_of(&quality);
     uint64_t seed = 5;
     for (int i = 0; i < 40; i++) {
@@ -261,7 +261,7 @@ static void islands_follow_a_copy_of_the_callers_quality(void **state) {
     thud_quality mine = thud_quality_draft;
     mine.name = "mine";
     mine.islands = &thud_islands_direct;
-    mine.sag_limit = 0;
+    mine.overlap_limit = 0;
     mine.island_limit = 10;
     mine.island_work = 1000000;
     thud_world *world = world_of(&mine);
@@ -285,7 +285,7 @@ static void islands_follow_the_quality_back_and_forth(void **state) {
         const thud_quality *quality = qualities[i % QUALITIES];
         OK(thud_world_set_quality(world, quality));
         run(world, 20);
-        if (quality->sag_limit == 0 && quality->islands) {
+        if (quality->overlap_limit == 0 && quality->islands) {
             assert_int_equal(thud_stats_of(world).direct_bodies, 30);
         }
     }

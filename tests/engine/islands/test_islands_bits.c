@@ -116,11 +116,11 @@ static void islands_are_the_same_far_from_the_origin(void **state) {
     run_hard(near, 90);
     run_hard(far, 90);
     int count;
-    const thud_pose *poses = thud_world_get_poses(near, (thud_pos){0, 0}, 1, &count);
+    const thud_pose *poses = thud_poses_of(near, (thud_pos){0, 0}, 1, &count);
     assert_int_equal(count, BODIES);
     thud_pose kept[BODIES];
     memcpy(kept, poses, sizeof kept);
-    poses = thud_world_get_poses(far, (thud_pos){away, 0}, 1, &count);
+    poses = thud_poses_of(far, (thud_pos){away, 0}, 1, &count);
     assert_memory_equal(poses, kept, sizeof kept);
     thud_world_destroy(near);
     thud_world_destroy(far);

@@ -256,7 +256,7 @@ static void islands_kinematic_wall_pushes_a_row_at_its_speed(void **state) {
             row[i] = add_box(world, i * 1.05, 0.5, 0.5f, 0.5f);
         }
         run(world, 180);
-        if (direct[q]->island_patience ==
+        if (direct[q]->island_slow_steps ==
             0) { /* a sliding row takes as few factorisations as a resting one */
             assert_in_range(thud_stats_of(world).factorings, 1, 2);
         }

@@ -141,7 +141,7 @@ static void body_that_is_no_number_leaves_no_trace_in_the_errors(void **state) {
         }
         run(world, 5);
         for (int i = 0; i < 2; i++) {
-            OK(thud_body_apply_force_and_torque(world, box[which], (thud_vec2){3e38f, -3e38f}, 0));
+            OK(thud_body_apply_center_force(world, box[which], (thud_vec2){3e38f, -3e38f}));
         }
         thud_step_error e = error_of_step(world);
         assert_int_equal(thud_events_of(world).quarantined_count, 1);

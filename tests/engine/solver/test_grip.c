@@ -48,7 +48,8 @@ static void great_force_brings_any_point_to_its_speed_in_a_step(void **state) {
         thud_vec2 axis = {(float)cosine, (float)sine}, longer = {9 * axis.x, 9 * axis.y};
         thud_body_id car = make_car(world, angle, (thud_vec2){3, -4}, (float)way);
         if (i % 4 == 0) {
-            OK(thud_body_apply_force_and_torque(world, car, (thud_vec2){4e5f, 1e5f}, 3e4f));
+            OK(thud_body_apply_center_force(world, car, (thud_vec2){4e5f, 1e5f}));
+            OK(thud_body_apply_torque(world, car, 3e4f));
         }
         OK(thud_body_apply_grip(world, car, point, longer, speed, 1e9f));
         run(world, 1);

@@ -8,7 +8,7 @@
 static thud_quality rough(void) {
     thud_quality q = thud_quality_draft;
     q.islands = &thud_islands_direct;
-    q.sag_limit = INFINITY;
+    q.overlap_limit = INFINITY;
     q.island_limit = 100;
     q.island_work = 100000;
     return q;

@@ -4,7 +4,7 @@
 
 static bool found(thud_world *world, double x, double y) {
     bool hit;
-    OK(thud_world_cast_circle(world, (thud_pos){x, y}, 0.01, 0, 0, NULL, &hit, NULL));
+    OK(thud_world_cast_shape(world, &(thud_shape_cast){(thud_pos){x, y}, thud_circle_at(0, 0, 0.01), 0, 0, NULL}, &hit, NULL));
     return hit;
 }
 

@@ -145,7 +145,7 @@ static void bad_worlds_are_refused(void **state) {
     none.detection = NULL;
     REFUSED(quality, &none);
     none = thud_quality_default;
-    none.sag_limit = NAN;
+    none.overlap_limit = NAN;
     REFUSED(quality, &none);
     REFUSED(substeps, -1);
     REFUSED(substeps, 65);
@@ -218,8 +218,8 @@ static void bad_calls_change_nothing(void **state) {
     INVALID(thud_body_apply_impulse(world, ball, (thud_vec2){0, INFINITY}, (thud_pos){0, 0}));
     INVALID(thud_body_apply_impulse(world, ball, one, (thud_pos){NAN, 0}));
     INVALID(thud_body_apply_impulse(world, floor, one, (thud_pos){0, 0}));
-    INVALID(thud_body_apply_force_and_torque(world, ball, (thud_vec2){NAN, 0}, 0));
-    INVALID(thud_body_apply_force_and_torque(world, floor, one, 0));
+    INVALID(thud_body_apply_center_force(world, ball, (thud_vec2){NAN, 0}));
+    INVALID(thud_body_apply_center_force(world, floor, one));
     INVALID(thud_body_set_awake(world, floor, true));
     INVALID(thud_world_set_gravity(world, (thud_vec2){NAN, 0}));
     INVALID(thud_world_set_time_step(world, 0));
@@ -229,8 +229,8 @@ static void bad_calls_change_nothing(void **state) {
     INVALID(thud_world_advance(world, -1, 1, NULL, NULL));
     INVALID(thud_world_advance(world, NAN, 1, NULL, NULL));
     INVALID(thud_world_advance(world, 1, 0, NULL, NULL));
-    INVALID(thud_world_cast_ray(world, (thud_pos){NAN, 0}, 1, 0, NULL, NULL, NULL));
-    INVALID(thud_world_cast_ray(world, (thud_pos){0, 0}, INFINITY, 0, NULL, NULL, NULL));
+    INVALID(thud_world_cast_ray(world, &(thud_ray){(thud_pos){NAN, 0}, 1, 0, NULL}, NULL, NULL));
+    INVALID(thud_world_cast_ray(world, &(thud_ray){(thud_pos){0, 0}, INFINITY, 0, NULL}, NULL, NULL));
     assert_int_equal(thud_body_create(world, NULL, NULL), THUD_ERROR_NULL);
     assert_int_equal(thud_shape_create_circle(world, ball, NULL, zero, 1, NULL), THUD_ERROR_NULL);
     assert_int_equal(thud_shape_create_terrain(world, floor, &shape, NULL, NULL), THUD_ERROR_NULL);

@@ -246,21 +246,21 @@ static void what_meets_nobody_is_refused(void **state) {
     blast.radius = 1;
     blast.filter = zero;
     const thud_ray ray = {.dx = 6, .filter = &zero};
-    const thud_shape_cast cast = {.shape = &ball, .dx = 6, .filter = &zero};
+    const thud_shape_cast cast = {.shape = ball, .dx = 6, .filter = &zero};
     const struct {
         thud_result result;
         const char *word;
     } refused[] = {
 #define FILTER(call) {call, "category and mask"}
-        FILTER(thud_world_cast_ray(world, at, 6, 0, &zero, NULL, NULL)),
-        FILTER(thud_world_cast_ray_all(world, at, 6, 0, &zero, NULL, 0, NULL)),
-        FILTER(thud_world_cast_ray_each(world, at, 6, 0, &zero, keep_on, NULL)),
+        FILTER(thud_world_cast_ray(world, &(thud_ray){at, 6, 0, &zero}, NULL, NULL)),
+        FILTER(thud_world_cast_ray_all(world, &(thud_ray){at, 6, 0, &zero}, NULL, 0, NULL)),
+        FILTER(thud_world_cast_ray_each(world, &(thud_ray){at, 6, 0, &zero}, keep_on, NULL)),
         FILTER(thud_world_cast_rays(world, &ray, 1, &hit)),
-        FILTER(thud_world_cast_shape(world, at, &ball, 6, 0, &zero, NULL, NULL)),
-        FILTER(thud_world_cast_shape_each(world, at, &ball, 6, 0, &zero, keep_on, NULL)),
+        FILTER(thud_world_cast_shape(world, &(thud_shape_cast){at, ball, 6, 0, &zero}, NULL, NULL)),
+        FILTER(thud_world_cast_shape_each(world, &(thud_shape_cast){at, ball, 6, 0, &zero}, keep_on, NULL)),
         FILTER(thud_world_cast_shapes(world, &cast, 1, &hit)),
         FILTER(thud_world_closest(world, at, 6, &zero, NULL, NULL)),
-        FILTER(thud_world_overlap_circle(world, at, 1, &zero, none, NULL)),
+        FILTER(thud_world_overlap_shape(world, at, thud_circle_at(0, 0, 1), &zero, none, NULL)),
         FILTER(thud_mover_move(world, &mover, (thud_vec2){0, 0}, 0.1, NULL)),
         FILTER(thud_world_explode(world, &blast, NULL)),
 #undef FILTER

@@ -127,7 +127,7 @@ static void queries_find_it_all_along(void **state) {
             thud_closest_hit closest = {0};
             bool hit = false;
             double x = i * 999.7;
-            OK(thud_world_cast_ray(world, (thud_pos){x, 4}, 0, -8, NULL, &hit, &ray));
+            OK(thud_world_cast_ray(world, &(thud_ray){(thud_pos){x, 4}, 0, -8, NULL}, &hit, &ray));
             assert_true(hit);
             near_to(ray.fraction, 0.5, 1e-6);
             OK(thud_world_closest(world, (thud_pos){x, 3}, 10, NULL, &hit, &closest));

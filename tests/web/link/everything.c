@@ -23,7 +23,7 @@ EXPORT("ray_fraction") double ray_fraction(void) {
     thud_query_filter filter = thud_default_query_filter();
     thud_ray_hit hit = {0};
     bool met = false;
-    thud_world_cast_ray(world, (thud_pos){0, 10}, 0, -20, &filter, &met, &hit);
+    thud_world_cast_ray(world, &(thud_ray){(thud_pos){0, 10}, 0, -20, &filter}, &met, &hit);
     thud_hash_of(world);
     thud_measure_of(world);
     thud_world_draw(world, &(thud_debug_draw){.flags = ~0u, .upper = {1, 1}});

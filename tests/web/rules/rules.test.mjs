@@ -41,10 +41,10 @@ test("one_way_planks_are_jumped_through_in_every_detection", () => {
 test("rules_are_read_back_taken_away_and_refused_by_name", () => {
   const { world, player } = yard();
   assert.equal(world.rule(GROUND, PLAYER), null);
-  world.setRule(GROUND, PLAYER, { friction: 0, surfaceSpeed: 2, mostImpulse: 3 });
+  world.setRule(GROUND, PLAYER, { friction: 0, surfaceSpeed: 2, eventImpulse: 3 });
   const rule = world.rule(PLAYER, GROUND);
   assert.deepEqual(
-    [rule.meeting, rule.friction, rule.restitution, rule.surfaceSpeed, rule.mostImpulse],
+    [rule.meeting, rule.friction, rule.restitution, rule.surfaceSpeed, rule.eventImpulse],
     ["collide", 0, undefined, 2, 3],
   );
   assert.ok(rule.reversed);
@@ -63,7 +63,7 @@ test("rules_are_read_back_taken_away_and_refused_by_name", () => {
 
 test("impulses_above_a_rules_are_told_as_copies_and_as_a_view", () => {
   const { world, ground, player } = yard();
-  world.setRule(PLAYER, GROUND, { mostImpulse: 2 });
+  world.setRule(PLAYER, GROUND, { eventImpulse: 2 });
   steps(world, 30);
   assert.deepEqual(world.impulses(), []);
   assert.equal(world.impulseView().length, 0);

@@ -23,7 +23,7 @@ function yard(options = {}) {
 function setRules(world) {
   world.setRule(PLANK, PLAYER, { meeting: "oneWay" });
   world.setRule(CRATE, PLANK, { meeting: "ignore" });
-  world.setRule(GROUND, PLAYER | CRATE, { surfaceSpeed: 2, mostImpulse: 1 });
+  world.setRule(GROUND, PLAYER | CRATE, { surfaceSpeed: 2, eventImpulse: 1 });
 }
 
 function changeRules(world) {

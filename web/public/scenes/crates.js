@@ -36,7 +36,7 @@ export default function ({ createWorld, grid, size }) {
     const body = loose(first + APART * EVERY * i + 0.3, LOWEST + HIGHER * (i % 6));
     world.createCircle(body, { radius: RADIUS, density: 8, friction });
   }
-  world.setRule(CRATE, ANY | CRATE | PIECE, { mostImpulse: MOST });
+  world.setRule(CRATE, ANY | CRATE | PIECE, { eventImpulse: MOST });
 
   const scene = {
     world,

@@ -39,7 +39,7 @@ export interface Rule {
    * A contact whose normal impulse in a step is larger is reported by `impulses`: mass times
    * length/s, 0 or more. Default: none is.
    */
-  mostImpulse?: number;
+  eventImpulse?: number;
 }
 
 /** A rule of a world. Values that are undefined are those of the two shapes. */
@@ -52,7 +52,7 @@ export interface RuleFound extends Rule {
   reversed: boolean;
 }
 
-/** A contact whose normal impulse was larger than its rule's `mostImpulse`. */
+/** A contact whose normal impulse was larger than its rule's `eventImpulse`. */
 export interface ImpulseEvent {
   a: ShapeId;
   b: ShapeId;

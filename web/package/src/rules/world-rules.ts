@@ -54,7 +54,7 @@ export class WorldRules extends WorldFields {
       friction: given(s[RuleOptionsAt.friction]),
       restitution: given(s[RuleOptionsAt.restitution]),
       surfaceSpeed: given(s[RuleOptionsAt.surfaceSpeed]),
-      mostImpulse: given(s[RuleOptionsAt.mostImpulse]),
+      eventImpulse: given(s[RuleOptionsAt.eventImpulse]),
       reversed: s[RuleFoundAt.reversed] !== 0,
     };
   }
@@ -70,7 +70,7 @@ export class WorldRules extends WorldFields {
 
   /**
    * The contacts of the last step, or of all steps of the last `advance`, whose impulse was larger
-   * than their rule's `mostImpulse`. A copy.
+   * than their rule's `eventImpulse`. A copy.
    * @example for (const { a } of world.impulses()) world.destroy(a)
    */
   impulses(): ImpulseEvent[] {

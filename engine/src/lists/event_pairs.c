@@ -1,4 +1,4 @@
-/* meetings.c: thud_world_next_event_pair, an iterator over the pairs of shapes of two categories that
+/* event_pairs.c: thud_world_next_event_pair, an iterator over the pairs of shapes of two categories that
  * met in the last step. It goes through begin, hit and sensor_begin events, in this order, by one
  * running number, and returns each pair once. */
 #include "lists/lists.h"
@@ -64,26 +64,26 @@ static bool is_of(const thud_world *w, uint32_t first, uint32_t second, thud_con
 }
 
 bool thud_world_next_event_pair(const thud_world *w, uint32_t first, uint32_t second,
-                             thud_event_pair *meeting) {
-    if (!w || !meeting) {
-        td_refuse(w, THUD_ERROR_NULL, "next meeting: world or meeting is null");
+                             thud_event_pair *pair) {
+    if (!w || !pair) {
+        td_refuse(w, THUD_ERROR_NULL, "next event pair: world or pair is null");
         return false;
     }
-    if (meeting->next < 0) {
-        td_refuse(w, THUD_ERROR_INVALID, "next meeting: next is negative");
+    if (pair->next < 0) {
+        td_refuse(w, THUD_ERROR_INVALID, "next event pair: next is negative");
         return false;
     }
     thud_events e = thud_events_of(w);
     thud_contact_event event;
-    int at = meeting->next;
+    int at = pair->next;
     for (; event_at(&e, at, &event); at++) {
         if (is_of(w, first, second, &event) && !is_repeated(&e, at, &event)) {
-            thud_pair pair;
-            thud_world_get_pair(w, event.shape_a, event.shape_b, &pair);
-            *meeting = (thud_event_pair){event.shape_a, event.shape_b, pair.a, pair.b, at + 1};
+            thud_pair sides;
+            thud_world_get_pair(w, event.shape_a, event.shape_b, &sides);
+            *pair = (thud_event_pair){event.shape_a, event.shape_b, sides.a, sides.b, at + 1};
             return true;
         }
     }
-    *meeting = (thud_event_pair){.next = at};
+    *pair = (thud_event_pair){.next = at};
     return false;
 }
