@@ -101,21 +101,24 @@ static void turn_lift(thud_world *world, thud_body_id lift, thud_shape_id id, do
         thud_shape_get_state(world, id, &shape) != THUD_OK)
         return;
     thud_geometry placed = {.kind = shape.kind,
-                                  .c = 1,
-                                  .hx = (double)shape.half_extents.x,
-                                  .hy = (double)shape.half_extents.y};
+                            .c = 1,
+                            .hx = (double)shape.half_extents.x,
+                            .hy = (double)shape.half_extents.y};
     thud_query_filter filter = thud_default_query_filter();
     thud_ray_hit hits[16];
     int count = 0;
     filter.sensors = true;
     double ahead_x = 2 * dt * (double)body.velocity.x, ahead_y = 2 * dt * (double)body.velocity.y;
-    thud_world_cast_shape_all(world, &(thud_shape_cast){body.position, placed, ahead_x, ahead_y, &filter}, hits, 16, &count);
+    thud_world_cast_shape_all(world,
+                              &(thud_shape_cast){body.position, placed, ahead_x, ahead_y, &filter},
+                              hits, 16, &count);
     for (int i = 0; i < count && i < 16; i++) {
         thud_shape_state met;
         thud_body_state other;
         bool ahead = (double)hits[i].normal.x * ahead_x + (double)hits[i].normal.y * ahead_y < 0;
         if (ahead && thud_shape_get_state(world, hits[i].shape, &met) == THUD_OK &&
-            thud_body_get_state(world, met.body, &other) == THUD_OK && other.kind == THUD_BODY_STATIC) {
+            thud_body_get_state(world, met.body, &other) == THUD_OK &&
+            other.kind == THUD_BODY_STATIC) {
             thud_vec2 back = {-body.velocity.x, -body.velocity.y};
             thud_body_set_velocity(world, lift, back, 0);
             return;
@@ -128,7 +131,8 @@ static void turn_lifts(session *s, double dt) {
     for (int i = 0; i < s->body_count; i++) {
         const session_body *body = &s->bodies[i];
         const session_shape *shape = &s->shapes[body->first_shape];
-        if (body->kind == THUD_BODY_KINEMATIC && body->shape_count == 1 && shape->kind == THUD_SHAPE_AABB)
+        if (body->kind == THUD_BODY_KINEMATIC && body->shape_count == 1 &&
+            shape->kind == THUD_SHAPE_AABB)
             turn_lift(s->world, body->id, shape->id, dt);
     }
 }

@@ -307,7 +307,8 @@ static bool pick_nearest(thud_shape_id id, void *context) {
     thud_shape_state shape;
     thud_body_state body;
     if (thud_shape_get_state(p->session->world, id, &shape) != THUD_OK ||
-        thud_body_get_state(p->session->world, shape.body, &body) != THUD_OK || body.kind != p->kind)
+        thud_body_get_state(p->session->world, shape.body, &body) != THUD_OK ||
+        body.kind != p->kind)
         return true;
     double distance = hypot(body.center.x - p->at.x, body.center.y - p->at.y);
     if (!p->found || distance < p->distance) {

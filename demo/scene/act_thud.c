@@ -75,8 +75,8 @@ static bool pair_has(const thud_world *world, uint32_t first, uint32_t second,
                      const thud_rule *rule) {
     thud_rule old;
     bool is_set, reversed;
-    return thud_world_get_rule(world, first, second, &old, &is_set, &reversed) == THUD_OK && is_set &&
-           (!reversed || rule->kind != THUD_RULE_ONE_WAY) && old.kind == rule->kind &&
+    return thud_world_get_rule(world, first, second, &old, &is_set, &reversed) == THUD_OK &&
+           is_set && (!reversed || rule->kind != THUD_RULE_ONE_WAY) && old.kind == rule->kind &&
            same(old.friction, rule->friction) && same(old.restitution, rule->restitution) &&
            same(old.surface_speed, rule->surface_speed) &&
            same(old.event_impulse, rule->event_impulse);

@@ -34,7 +34,8 @@ static thud_result break_shape(const scene_fields *fields, thud_world *world, th
     thud_shape_state box;
     thud_body_state body;
     if (!thud_shape_is_valid(world, id) || thud_shape_get_state(world, id, &box) != THUD_OK ||
-        box.filter.category != fields->breaks || thud_body_get_state(world, box.body, &body) != THUD_OK)
+        box.filter.category != fields->breaks ||
+        thud_body_get_state(world, box.body, &body) != THUD_OK)
         return THUD_OK;
     thud_result result = THUD_OK;
     for (int i = 0; i < 4 && result == THUD_OK; i++) {

@@ -135,11 +135,11 @@ typedef enum scene_rule_kind { SCENE_COLLIDE = 0, SCENE_IGNORE, SCENE_ONE_WAY } 
 typedef struct scene_rule {
     int step;               /* the number of steps before it takes effect; 0: from the start */
     uint32_t first, second; /* kinds: bits as in scene_shape.category */
-    scene_rule_kind kind;  /* one-way: solid from above, passed from below */
+    scene_rule_kind kind;   /* one-way: solid from above, passed from below */
     double friction, restitution;
     double surface_speed; /* m/s, clockwise */
-    double event_impulse; /* kg m/s in a step, beyond which a contact makes an impulse event; default
-                            infinite */
+    double event_impulse; /* kg m/s in a step, beyond which a contact makes an impulse event;
+                            default infinite */
 } scene_rule;
 
 enum { SCENE_RULES_MAX = 16 };

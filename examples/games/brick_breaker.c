@@ -41,8 +41,8 @@ static void set_up(game *g) {
     add_box(g, THUD_BODY_STATIC, WALL, 0, 25, 10, 1);
     add_box(g, THUD_BODY_STATIC, FLOOR, 0, -3, 12, 1);
     for (int i = 0; i < BRICKS; i++)
-        add_box(g, THUD_BODY_STATIC, BRICK, 2.4 * (i % COLUMNS) - 8.4, 16 + 1.2 * (i / COLUMNS), 1.1,
-                0.5);
+        add_box(g, THUD_BODY_STATIC, BRICK, 2.4 * (i % COLUMNS) - 8.4, 16 + 1.2 * (i / COLUMNS),
+                1.1, 0.5);
     g->paddle = add_box(g, THUD_BODY_KINEMATIC, PADDLE, 0, 1, g->half_width, 0.3);
     serve(g);
 }

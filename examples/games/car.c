@@ -20,8 +20,8 @@ typedef struct game {
 
 static void set_up(game *g) {
     thud_geometry walls[] = {thud_aabb_at(0, 0, 17, 6), thud_aabb_at(-31, 0, 1, 20),
-                                   thud_aabb_at(31, 0, 1, 20), thud_aabb_at(0, -19, 30, 1),
-                                   thud_aabb_at(0, 19, 30, 1)};
+                             thud_aabb_at(31, 0, 1, 20), thud_aabb_at(0, -19, 30, 1),
+                             thud_aabb_at(0, 19, 30, 1)};
     for (int i = 0; i < 5; i++)
         thud_body_make(g->world, walls[i], &(thud_body_options){.friction = 0.1f});
     for (int i = 0; i <= GATES; i++) {

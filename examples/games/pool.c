@@ -45,7 +45,9 @@ static bool is_free(const game *g, thud_body_id ball, double dx, double dy) {
     thud_query_filter others = {.category = ~0u, .mask = BALL, .ignore = ball};
     thud_pos from = thud_position_of(g->world, ball);
     bool hit = true;
-    thud_world_cast_shape(g->world, &(thud_shape_cast){from, thud_circle_at(0, 0, 0.49), dx, dy, &others}, &hit, NULL);
+    thud_world_cast_shape(g->world,
+                          &(thud_shape_cast){from, thud_circle_at(0, 0, 0.49), dx, dy, &others},
+                          &hit, NULL);
     return !hit;
 }
 

@@ -45,7 +45,8 @@ static void play(game *g, int steps) {
         if (g->steps % PAUSE == 0)
             throw_ball(g);
         thud_world_step(g->world);
-        for (thud_event_pair m = {0}; thud_world_next_event_pair(g->world, FLOOR, CRATE, &m); g->left--)
+        for (thud_event_pair m = {0}; thud_world_next_event_pair(g->world, FLOOR, CRATE, &m);
+             g->left--)
             thud_body_destroy(g->world, m.b.body);
         for (thud_event_pair m = {0}; thud_world_next_event_pair(g->world, FLOOR, BALL, &m);)
             thud_body_destroy(g->world, m.b.body);

@@ -4,6 +4,8 @@
 #include "engine.h"
 #include "misuse_thud.h"
 
+#include <thud/thud_testing.h>
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -30,7 +32,7 @@ static void *create(const scene *s, const engine_settings *settings) {
     def.detection = settings->detection;
     def.time_step = settings->time_step;
     def.sleeping = settings->sleeping;
-    def.baseline_simd = settings->baseline_simd;
+    thud_world_def_set_baseline_simd(&def, settings->baseline_simd);
     def.log = print_log;
     if (scene_build_thud(s, &def, &own->world, own->bodies, NULL) != THUD_OK) {
         free(own);

@@ -51,13 +51,15 @@ static void create_whole_body(fuzz_session *s, const thud_body_def *def) {
 static thud_body_def body_def(fuzz_session *s) {
     thud_body_def def = COUNTED(thud_default_body_def());
     unsigned byte = next_byte(&s->bytes);
-    static const thud_body_kind kinds[] = {THUD_BODY_DYNAMIC, THUD_BODY_DYNAMIC, THUD_BODY_STATIC, THUD_BODY_KINEMATIC};
+    static const thud_body_kind kinds[] = {THUD_BODY_DYNAMIC, THUD_BODY_DYNAMIC, THUD_BODY_STATIC,
+                                           THUD_BODY_KINEMATIC};
     def.kind = kinds[byte % 4];
     def.position = pick_place(s);
     def.angle = byte & 4 ? pick_angle(s) : 0;
     def.fixed_rotation = (byte & 24) == 24;
     def.may_sleep = (byte & 96) != 96;
-    def.velocity = byte & 128 && def.kind != THUD_BODY_STATIC ? pick_velocity(s) : (thud_vec2){0, 0};
+    def.velocity =
+        byte & 128 && def.kind != THUD_BODY_STATIC ? pick_velocity(s) : (thud_vec2){0, 0};
     return def;
 }
 

@@ -114,7 +114,8 @@ void play_shape_ray(fuzz_session *s) {
     thud_pos along = {pick_coordinate(s), pick_coordinate(s)};
     double at, nx, ny;
     s->calls[s->depth].text = "thud_geometry_cast_ray";
-    if (COUNTED(thud_geometry_cast_ray(&shape, (thud_segment){from.x, from.y, along.x, along.y}, &at, &nx, &ny))) {
+    if (COUNTED(thud_geometry_cast_ray(&shape, (thud_segment){from.x, from.y, along.x, along.y},
+                                       &at, &nx, &ny))) {
         fraction(s, at);
         unit_normal(s, nx, ny);
     }
@@ -145,7 +146,8 @@ void play_minkowski(fuzz_session *s) {
         unit_normal(s, nearest.nx, nearest.ny);
     }
     PURE(s, met,
-         thud_minkowski_cast(&sum, (thud_segment){p.x, p.y, d.x, d.y}, &met.hit, &met.fraction, &met.nx, &met.ny));
+         thud_minkowski_cast(&sum, (thud_segment){p.x, p.y, d.x, d.y}, &met.hit, &met.fraction,
+                             &met.nx, &met.ny));
     if (s->result == THUD_OK) {
         fraction(s, met.fraction);
         if (met.hit) {

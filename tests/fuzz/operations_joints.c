@@ -88,8 +88,8 @@ typedef struct linkage {
 } linkage;
 
 static linkage pick_linkage(fuzz_session *s) {
-    static const thud_joint_kind kinds[] = {THUD_JOINT_HINGE, THUD_JOINT_DISTANCE, THUD_JOINT_WELD, THUD_JOINT_SLIDER,
-                                            THUD_JOINT_WHEEL};
+    static const thud_joint_kind kinds[] = {THUD_JOINT_HINGE, THUD_JOINT_DISTANCE, THUD_JOINT_WELD,
+                                            THUD_JOINT_SLIDER, THUD_JOINT_WHEEL};
     static const float frequencies[] = {0, 1, 20, 200, 1000, THUD_JOINT_FREQUENCY_MAX};
     linkage l = {.form = (linkage_form)next_choice(&s->bytes, LINKAGE_FORMS)};
     l.kind = kinds[next_choice(&s->bytes, sizeof kinds / sizeof *kinds)];

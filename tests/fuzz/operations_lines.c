@@ -120,7 +120,8 @@ void play_line_ray(fuzz_session *s) {
     thud_pos along = {pick_coordinate(s), pick_coordinate(s)};
     double at, nx, ny;
     s->calls[s->depth].text = "thud_terrain_cast_ray";
-    if (COUNTED(thud_terrain_cast_ray(&g.line, (thud_segment){from.x, from.y, along.x, along.y}, &at, &nx, &ny))) {
+    if (COUNTED(thud_terrain_cast_ray(&g.line, (thud_segment){from.x, from.y, along.x, along.y},
+                                      &at, &nx, &ny))) {
         normal_of(s, &g, nx, ny);
         if (g.valid && !(at >= 0 && at <= 1)) {
             fuzz_fail(s, "thud_terrain_cast_ray: %g", at);

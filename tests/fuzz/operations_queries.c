@@ -82,22 +82,26 @@ static void check_all(fuzz_session *s, const way *w, const thud_ray_hit *out, in
 
 #define FILTER(w) ((w).filtered ? &(w).filter : NULL)
 
-#define FIRST(s, moving)                                                            \
-    do {                                                                                \
-        thud_ray_hit out;                                                               \
-        bool hit = false;                                                               \
-        memset(&out, CALL_FILL, sizeof out);                                            \
-        TRY(s, thud_world_cast_shape(s->world, &(thud_shape_cast){w.from, moving, w.dx, w.dy, FILTER(w)}, &hit, &out)); \
-        check_first(s, hit, &out);                                                      \
+#define FIRST(s, moving)                                                                        \
+    do {                                                                                        \
+        thud_ray_hit out;                                                                       \
+        bool hit = false;                                                                       \
+        memset(&out, CALL_FILL, sizeof out);                                                    \
+        TRY(s, thud_world_cast_shape(s->world,                                                  \
+                                     &(thud_shape_cast){w.from, moving, w.dx, w.dy, FILTER(w)}, \
+                                     &hit, &out));                                              \
+        check_first(s, hit, &out);                                                              \
     } while (0)
 
-#define ALL(s, moving)                                                                        \
-    do {                                                                                          \
-        thud_ray_hit out[ROOM];                                                                   \
-        int count = 0;                                                                            \
-        TRY(s,                                                                                    \
-            thud_world_cast_shape_all(s->world, &(thud_shape_cast){w.from, moving, w.dx, w.dy, FILTER(w)}, out, w.capacity, &count)); \
-        check_all(s, &w, out, count);                                                             \
+#define ALL(s, moving)                                                                           \
+    do {                                                                                         \
+        thud_ray_hit out[ROOM];                                                                  \
+        int count = 0;                                                                           \
+        TRY(s,                                                                                   \
+            thud_world_cast_shape_all(s->world,                                                  \
+                                      &(thud_shape_cast){w.from, moving, w.dx, w.dy, FILTER(w)}, \
+                                      out, w.capacity, &count));                                 \
+        check_all(s, &w, out, count);                                                            \
     } while (0)
 
 void play_ray(fuzz_session *s) {
@@ -113,8 +117,8 @@ void play_ray_all(fuzz_session *s) {
     way w = pick_way(s);
     thud_ray_hit out[ROOM];
     int count = 0;
-    TRY(s,
-        thud_world_cast_ray_all(s->world, &(thud_ray){w.from, w.dx, w.dy, FILTER(w)}, out, w.capacity, &count));
+    TRY(s, thud_world_cast_ray_all(s->world, &(thud_ray){w.from, w.dx, w.dy, FILTER(w)}, out,
+                                   w.capacity, &count));
     check_all(s, &w, out, count);
 }
 
@@ -169,7 +173,8 @@ void play_overlap_shape(fuzz_session *s) {
 void play_overlap_circle(fuzz_session *s) {
     way w = pick_way(s);
     double radius = (double)pick_size(s);
-    TRY(s, thud_world_overlap_shape(s->world, w.from, thud_circle_at(0, 0, radius), FILTER(w), session_overlap, s));
+    TRY(s, thud_world_overlap_shape(s->world, w.from, thud_circle_at(0, 0, radius), FILTER(w),
+                                    session_overlap, s));
 }
 
 void play_overlap_aabb(fuzz_session *s) {
@@ -183,7 +188,8 @@ void play_overlap_obb(fuzz_session *s) {
     thud_vec2 half = pick_sizes(s);
     double angle = pick_angle(s);
     double half_x = widened(half.x), half_y = widened(half.y);
-    TRY(s, thud_world_overlap_shape(s->world, w.from, thud_obb_at(0, 0, half_x, half_y, angle), FILTER(w), session_overlap, s));
+    TRY(s, thud_world_overlap_shape(s->world, w.from, thud_obb_at(0, 0, half_x, half_y, angle),
+                                    FILTER(w), session_overlap, s));
 }
 
 void play_closest(fuzz_session *s) {
@@ -210,13 +216,16 @@ void play_closest(fuzz_session *s) {
 
 void play_ray_each(fuzz_session *s) {
     way w = pick_way(s);
-    TRY(s, thud_world_cast_ray_each(s->world, &(thud_ray){w.from, w.dx, w.dy, FILTER(w)}, session_cast, s));
+    TRY(s, thud_world_cast_ray_each(s->world, &(thud_ray){w.from, w.dx, w.dy, FILTER(w)},
+                                    session_cast, s));
 }
 
 void play_cast_each(fuzz_session *s) {
     way w = pick_way(s);
     thud_geometry shape = pick_instance(s, true);
-    TRY(s, thud_world_cast_shape_each(s->world, &(thud_shape_cast){w.from, shape, w.dx, w.dy, FILTER(w)}, session_cast, s));
+    TRY(s, thud_world_cast_shape_each(s->world,
+                                      &(thud_shape_cast){w.from, shape, w.dx, w.dy, FILTER(w)},
+                                      session_cast, s));
 }
 
 static void check_many(fuzz_session *s, const thud_ray_hit *hits, int count) {
@@ -263,7 +272,7 @@ void play_casts(fuzz_session *s) {
     for (int i = 0; i < MANY; i++) {
         double part = 0.125 * (i % 17 - 8);
         casts[i] =
-            (thud_shape_cast){w.from, &shapes[i % 2], w.dx * part, w.dy * (1 - part), FILTER(w)};
+            (thud_shape_cast){w.from, shapes[i % 2], w.dx * part, w.dy * (1 - part), FILTER(w)};
     }
     memset(hits, CALL_FILL, sizeof hits);
     TRY(s, thud_world_cast_shapes(s->world, casts, count, hits));

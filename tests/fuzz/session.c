@@ -4,6 +4,8 @@
 #include "pick.h"
 #include "pool.h"
 
+#include <thud/thud_testing.h>
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -120,7 +122,7 @@ static void take_twin(fuzz_session *s, unsigned byte) {
                                                          &thud_broadphase_all};
     bool other = s->second;
     s->def.broadphase = broadphases[(byte + (other && s->twin == TWIN_BROADPHASE)) % 3];
-    s->def.baseline_simd = other && s->twin == TWIN_BASELINE;
+    thud_world_def_set_baseline_simd(&s->def, other && s->twin == TWIN_BASELINE);
     if (other && s->twin == TWIN_SHIFT) {
         double unit = s->unit;
         s->shift_x = byte & 4 ? 1e7 * unit : -65536 * unit;

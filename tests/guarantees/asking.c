@@ -96,12 +96,14 @@ static void rays_hit_the_nearest(trial *t) {
             }
         }
         thud_pos from = {x * t->scale, y * t->scale};
-        DO(t, thud_world_cast_ray(c.world, &(thud_ray){from, dx * t->scale, dy * t->scale, &f}, &any, hit));
+        DO(t, thud_world_cast_ray(c.world, &(thud_ray){from, dx * t->scale, dy * t->scale, &f},
+                                  &any, hit));
         if (any != (nearest < 2) || (any && fabs(hit[0].fraction - nearest) > 1e-4)) {
             trial_fault(t, "ray %d: found %d at %g, not %g", k, any, any ? hit[0].fraction : -1,
                         nearest);
         }
-        DO(t, thud_world_cast_ray_all(c.world, &(thud_ray){from, dx * t->scale, dy * t->scale, &f}, hit, FOUND, &count));
+        DO(t, thud_world_cast_ray_all(c.world, &(thud_ray){from, dx * t->scale, dy * t->scale, &f},
+                                      hit, FOUND, &count));
         for (int i = 0; i < count && i < FOUND; i++) {
             if (!asked_for(&c, &f, number_of(&c, hit[i].shape)) ||
                 (i && hit[i].fraction < hit[i - 1].fraction)) {
@@ -144,11 +146,14 @@ static void casts_hit_by_hit_tell_what_all_do(trial *t) {
         int count = 0;
         stir(t, &c);
         if (k % 2) {
-            DO(t, thud_world_cast_ray_all(c.world, &(thud_ray){from, dx, dy, &f}, all, FOUND, &count));
+            DO(t,
+               thud_world_cast_ray_all(c.world, &(thud_ray){from, dx, dy, &f}, all, FOUND, &count));
             DO(t, thud_world_cast_ray_each(c.world, &(thud_ray){from, dx, dy, &f}, hear, &h));
         } else {
-            DO(t, thud_world_cast_shape_all(c.world, &(thud_shape_cast){from, ball, dx, dy, &f}, all, FOUND, &count));
-            DO(t, thud_world_cast_shape_each(c.world, &(thud_shape_cast){from, ball, dx, dy, &f}, hear, &h));
+            DO(t, thud_world_cast_shape_all(c.world, &(thud_shape_cast){from, ball, dx, dy, &f},
+                                            all, FOUND, &count));
+            DO(t, thud_world_cast_shape_each(c.world, &(thud_shape_cast){from, ball, dx, dy, &f},
+                                             hear, &h));
         }
         int expected = count <= h.last ? count : h.last + 1;
         if (h.count != expected) {
@@ -188,14 +193,17 @@ static void overlaps_find_all(trial *t) {
         list l = {.c = &c};
         double angle = trial_draw(t, -1, 1);
         thud_geometry box = {.kind = THUD_SHAPE_OBB,
-                                   .x = trial_draw(t, -4, 4),
-                                   .y = trial_draw(t, -4, 4),
-                                   .c = cos(angle),
-                                   .s = sin(angle),
-                                   .hx = trial_draw(t, 0.1, 3),
-                                   .hy = trial_draw(t, 0.1, 3)};
+                             .x = trial_draw(t, -4, 4),
+                             .y = trial_draw(t, -4, 4),
+                             .c = cos(angle),
+                             .s = sin(angle),
+                             .hx = trial_draw(t, 0.1, 3),
+                             .hy = trial_draw(t, 0.1, 3)};
         stir(t, &c);
-        DO(t, thud_world_overlap_shape(c.world, (thud_pos){box.x * t->scale, box.y * t->scale}, thud_obb_at(0, 0, box.hx * t->scale, box.hy * t->scale, angle), &f, note, &l));
+        DO(t,
+           thud_world_overlap_shape(c.world, (thud_pos){box.x * t->scale, box.y * t->scale},
+                                    thud_obb_at(0, 0, box.hx * t->scale, box.hy * t->scale, angle),
+                                    &f, note, &l));
         for (int i = 0; i < FOUND && !trial_failed(t); i++) {
             thud_closest near = {.distance = 1};
             DO(t, thud_geometry_closest(&box, &c.placed[i], &near));
@@ -219,10 +227,10 @@ static void closest_is_the_closest(trial *t) {
     for (int k = 0; k < 12 && !trial_failed(t); k++) {
         thud_query_filter f = draw_query(t);
         thud_geometry point = {.kind = THUD_SHAPE_CIRCLE,
-                                     .x = trial_draw(t, -5, 5),
-                                     .y = trial_draw(t, -5, 5),
-                                     .c = 1,
-                                     .hx = 1e-6};
+                               .x = trial_draw(t, -5, 5),
+                               .y = trial_draw(t, -5, 5),
+                               .c = 1,
+                               .hx = 1e-6};
         double nearest = 1.5;
         bool found = false;
         thud_closest_hit hit = {.distance = 9};
@@ -258,11 +266,16 @@ static void casts_stop_at_the_first(trial *t) {
         for (int i = 0; i < FOUND; i++) {
             thud_motion still = {0}, way = {dx, dy, 0};
             if (asked_for(&c, &f, i)) {
-                DO(t, thud_geometry_time_of_impact(&ball, way, &c.placed[i], still, 0, &meets, &at));
+                DO(t,
+                   thud_geometry_time_of_impact(&ball, way, &c.placed[i], still, 0, &meets, &at));
                 first = meets ? fmin(first, at) : first;
             }
         }
-        DO(t, thud_world_cast_shape(c.world, &(thud_shape_cast){(thud_pos){x * t->scale, y * t->scale}, thud_circle_at(0, 0, r * t->scale), dx * t->scale, dy * t->scale, &f}, &hit, &out));
+        DO(t, thud_world_cast_shape(c.world,
+                                    &(thud_shape_cast){(thud_pos){x * t->scale, y * t->scale},
+                                                       thud_circle_at(0, 0, r * t->scale),
+                                                       dx * t->scale, dy * t->scale, &f},
+                                    &hit, &out));
         if (hit != (first < 2) || (hit && fabs(out.fraction - first) > 1e-3)) {
             trial_fault(t, "cast %d: %d at %g, not %g", k, hit, out.fraction, first);
         }
@@ -282,10 +295,10 @@ static void movers_enter_nothing(trial *t) {
     trial_wall(t, world, 0.5, 0, 0.4, 0.15);
     thud_pos start = trial_place(t, -3, 1);
     thud_geometry shape = {.kind = trial_pick(t, 2) ? THUD_SHAPE_CIRCLE : THUD_SHAPE_AABB,
-                                 .x = start.x,
-                                 .y = start.y,
-                                 .c = 1,
-                                 .hx = 0.4 * t->scale};
+                           .x = start.x,
+                           .y = start.y,
+                           .c = 1,
+                           .hx = 0.4 * t->scale};
     shape.hy = shape.kind == THUD_SHAPE_CIRCLE ? 0 : shape.hx;
     thud_mover mover = thud_default_mover(shape);
     for (int k = 0; k < trial_steps(t, 2.5) && !trial_failed(t); k++) {

@@ -11,6 +11,7 @@
 #include <thud/thud_joint.h>
 #include <thud/thud_queries.h>
 #include <thud/thud_snapshot.h>
+#include <thud/thud_testing.h>
 
 enum { STEPS = 40 };
 
@@ -41,7 +42,7 @@ static void same_bits_any_broadphase(trial *t) {
 
 static void same_bits_baseline_simd(trial *t) {
     thud_world_def def = trial_def(t);
-    def.baseline_simd = true;
+    thud_world_def_set_baseline_simd(&def, true);
     compare(t, def, 0);
 }
 
@@ -98,10 +99,9 @@ static void same_bits_any_workers(trial *t) {
         trial_run(t, one, 1);
         trial_run(t, two, 1);
         thud_step_error a = thud_step_error_of(one), b = thud_step_error_of(two);
-        if (thud_hash_of(one) != thud_hash_of(two) ||
-            a.penetration_max != b.penetration_max || a.penetration_mean != b.penetration_mean ||
-            a.residual != b.residual || a.energy_change != b.energy_change ||
-            a.overlaps != b.overlaps) {
+        if (thud_hash_of(one) != thud_hash_of(two) || a.penetration_max != b.penetration_max ||
+            a.penetration_mean != b.penetration_mean || a.residual != b.residual ||
+            a.energy_change != b.energy_change || a.overlaps != b.overlaps) {
             trial_fault(t, "step %d differs", i);
         }
     }
@@ -130,7 +130,7 @@ static void same_bits_after_restore(trial *t) {
     for (int i = 0; i < STEPS / 2; i++) {
         yard_step(&y);
     }
-    def.baseline_simd = true;
+    thud_world_def_set_baseline_simd(&def, true);
     def.job_system = trial_jobs(3 - settings_workers(t->set));
     thud_world *other = trial_make(t, def);
     DO(t, thud_world_use_joints(other));
@@ -219,8 +219,11 @@ static void ask_much(yard *y) {
     uint64_t told = yard_told(y);
     draw.lower = trial_place(t, -8, -2);
     draw.upper = trial_place(t, 8, 12);
-    DO(t, thud_world_cast_ray_all(y->world, &(thud_ray){trial_place(t, -4, 2), 8 * t->scale, 0, NULL}, hits, 4, &count));
-    DO(t, thud_world_overlap_shape(y->world, trial_place(t, 0, 2), thud_circle_at(0, 0, 2 * t->scale), NULL, see, NULL));
+    DO(t,
+       thud_world_cast_ray_all(y->world, &(thud_ray){trial_place(t, -4, 2), 8 * t->scale, 0, NULL},
+                               hits, 4, &count));
+    DO(t, thud_world_overlap_shape(y->world, trial_place(t, 0, 2),
+                                   thud_circle_at(0, 0, 2 * t->scale), NULL, see, NULL));
     DO(t, thud_world_get_bisection_limit(y->world, &limit));
     DO(t, thud_world_draw(y->world, &draw));
     ask_of_bodies(y);

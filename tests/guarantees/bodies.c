@@ -13,9 +13,13 @@ static void kinematic_bodies_push(trial *t) {
     if (!world) {
         return;
     }
-    thud_body_id plate = trial_add(
-        t, world,
-        (part){.kind = THUD_BODY_KINEMATIC, .form = UPRIGHT, .x = -1, .hx = 0.3, .hy = 1, .vx = speed});
+    thud_body_id plate = trial_add(t, world,
+                                   (part){.kind = THUD_BODY_KINEMATIC,
+                                          .form = UPRIGHT,
+                                          .x = -1,
+                                          .hx = 0.3,
+                                          .hy = 1,
+                                          .vx = speed});
     thud_body_id body = trial_drop(t, world, kind, 0, 0, 0.3);
     int steps = trial_steps(t, 1);
     trial_run(t, world, steps);
@@ -236,7 +240,8 @@ static bool count_one(thud_shape_id shape, void *context) {
 /* How many shapes overlap a small circle at that place. */
 static int found_at(trial *t, thud_world *world, double x, double y) {
     int found = 0;
-    DO(t, thud_world_overlap_shape(world, trial_place(t, x, y), thud_circle_at(0, 0, 0.05 * t->scale), NULL, count_one, &found));
+    DO(t, thud_world_overlap_shape(world, trial_place(t, x, y),
+                                   thud_circle_at(0, 0, 0.05 * t->scale), NULL, count_one, &found));
     return found;
 }
 
@@ -248,17 +253,21 @@ static void disabled_bodies_are_not_there(trial *t) {
     if (!world) {
         return;
     }
-    thud_body_id plate =
-        trial_add(t, world,
-                  (part){.kind = THUD_BODY_KINEMATIC, .form = UPRIGHT, .hx = 0.4, .hy = 1, .vy = 0.001});
+    thud_body_id plate = trial_add(
+        t, world,
+        (part){.kind = THUD_BODY_KINEMATIC, .form = UPRIGHT, .hx = 0.4, .hy = 1, .vy = 0.001});
     thud_body_id still = trial_drop(t, world, BALL, -0.69, 0, 0.3); /* touches the plate */
     trial_run(t, world, 1);
     int before = found_at(t, world, 0, 0);
     DO(t, thud_body_set_enabled(world, plate, false));
     int out = found_at(t, world, 0, 0);
-    thud_body_id shot = trial_add(
-        t, world,
-        (part){.kind = THUD_BODY_DYNAMIC, .form = BALL, .x = -2, .y = 0.65, .hx = 0.3, .vx = speed});
+    thud_body_id shot = trial_add(t, world,
+                                  (part){.kind = THUD_BODY_DYNAMIC,
+                                         .form = BALL,
+                                         .x = -2,
+                                         .y = 0.65,
+                                         .hx = 0.3,
+                                         .vx = speed});
     trial_run(t, world, 1);
     int ends = thud_events_of(world).end_count;
     trial_run(t, world, 19);

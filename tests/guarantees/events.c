@@ -162,7 +162,8 @@ typedef struct watch {
 
 static void add_watched(trial *t, watch *w) {
     for (int i = 0; i < WATCHED; i++) {
-        static const thud_body_kind kinds[] = {THUD_BODY_DYNAMIC, THUD_BODY_KINEMATIC, THUD_BODY_STATIC};
+        static const thud_body_kind kinds[] = {THUD_BODY_DYNAMIC, THUD_BODY_KINEMATIC,
+                                               THUD_BODY_STATIC};
         thud_shape_def def = thud_default_shape_def();
         thud_body_kind kind = kinds[i % 3];
         bool moves = kind != THUD_BODY_STATIC;

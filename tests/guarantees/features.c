@@ -11,6 +11,7 @@
 #include <thud/thud_rollback.h>
 #include <thud/thud_rules.h>
 #include <thud/thud_snapshot.h>
+#include <thud/thud_testing.h>
 
 enum { STEPS = 30, RESTORED_EVERY = 7, RAYS = 96 };
 
@@ -29,7 +30,7 @@ static thud_world_def def_of(trial *t, twin kind) {
     static const thud_broadphase *const all[] = {&thud_broadphase_grid, &thud_broadphase_sweep,
                                                  &thud_broadphase_all};
     thud_world_def def = trial_def(t);
-    def.baseline_simd = kind == SIMD;
+    thud_world_def_set_baseline_simd(&def, kind == SIMD);
     if (kind == NEXT_BROADPHASE || kind == LAST_BROADPHASE) {
         def.broadphase = all[(t->set->value[BROADPHASE] + (int)(kind - NEXT_BROADPHASE) + 1) % 3];
     }
@@ -75,8 +76,13 @@ static uint64_t cast(yard *y) {
     }
     thud_geometry ball = {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = 0.3 * t->scale};
     for (int i = 0; i < 4; i++) {
-        DO(t, thud_world_cast_ray_each(y->world, &(thud_ray){middle, rays[7 * i].dx, rays[7 * i].dy, NULL}, hear, &digest));
-        DO(t, thud_world_cast_shape_each(y->world, &(thud_shape_cast){middle, ball, rays[9 * i].dx, rays[9 * i].dy, NULL}, hear, &digest));
+        DO(t, thud_world_cast_ray_each(y->world,
+                                       &(thud_ray){middle, rays[7 * i].dx, rays[7 * i].dy, NULL},
+                                       hear, &digest));
+        DO(t, thud_world_cast_shape_each(y->world,
+                                         &(thud_shape_cast){middle, ball, rays[9 * i].dx,
+                                                            rays[9 * i].dy, NULL},
+                                         hear, &digest));
     }
     return digest;
 }

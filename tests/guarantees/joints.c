@@ -154,7 +154,8 @@ static capped pull_at(trial *t, thud_world *world, thud_body_id body) {
     for (int k = THUD_DIRECTION_ALONG; k <= THUD_DIRECTION_ACROSS; k++) {
         thud_drive *d = &def.drive[k];
         float most = (float)(weight * trial_draw(t, 0.5, 8)), way = (float)trial_draw(t, -20, 20);
-        c.most[k] = k == THUD_DIRECTION_ACROSS && same ? c.most[THUD_DIRECTION_ALONG] : (double)most;
+        c.most[k] =
+            k == THUD_DIRECTION_ACROSS && same ? c.most[THUD_DIRECTION_ALONG] : (double)most;
         d->frequency = c.motors ? 0 : (float)trial_draw(t, 1, 20);
         d->target = way * (float)t->scale;
         d->motor_speed = way * (float)t->scale;
@@ -230,7 +231,8 @@ static void tied_bodies_pass_through_each_other(trial *t) {
     thud_body_id tied = trial_drop(t, world, TURNED, -0.6, 2.2, 0.3);
     thud_body_id other = trial_drop(t, world, TURNED, 0.6, 2.2, 0.3);
     thud_joint_def def = between(t, kind, shelf, tied, 0);
-    def.drive[THUD_DIRECTION_ALONG].limited = kind == THUD_JOINT_DISTANCE; /* a rope, which is never taut */
+    def.drive[THUD_DIRECTION_ALONG].limited =
+        kind == THUD_JOINT_DISTANCE; /* a rope, which is never taut */
     def.drive[THUD_DIRECTION_ALONG].upper = (float)(5 * t->scale);
     make(t, world, &def);
     trial_run(t, world, trial_steps(t, 2));

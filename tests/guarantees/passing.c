@@ -210,7 +210,8 @@ static winches reel_from_outside(yard *y) {
         DO(t, thud_body_create(y->world, &hook, &def.body_a));
         DO(t, thud_body_get_state(y->world, def.body_b, &s));
         def.drive[THUD_DIRECTION_ALONG].limited = true;
-        def.drive[THUD_DIRECTION_ALONG].upper = (float)hypot(s.position.x - from.x, s.position.y - from.y);
+        def.drive[THUD_DIRECTION_ALONG].upper =
+            (float)hypot(s.position.x - from.x, s.position.y - from.y);
         w.drive[i] = def.drive[THUD_DIRECTION_ALONG];
         DO(t, thud_joint_create(y->world, &def, &w.rope[i]));
     }

@@ -114,9 +114,13 @@ static void nudge(trial *t, heap *h, int what) {
         DO(t, thud_world_set_gravity(h->world, trial_speed(t, 5, -5)));
         break;
     default:
-        trial_add(
-            t, h->world,
-            (part){.kind = THUD_BODY_DYNAMIC, .form = BALL, .x = 0, .y = 2.85, .hx = 0.4, .vy = -3});
+        trial_add(t, h->world,
+                  (part){.kind = THUD_BODY_DYNAMIC,
+                         .form = BALL,
+                         .x = 0,
+                         .y = 2.85,
+                         .hx = 0.4,
+                         .vy = -3});
     }
 }
 

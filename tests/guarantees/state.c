@@ -5,8 +5,8 @@
 
 #include <thud/thud_lists.h>
 
-/* thud_world_get_poses with alpha 0 and 1 gives the poses of the last two steps; a slot without a body
- * has the pose NaN. */
+/* thud_world_get_poses with alpha 0 and 1 gives the poses of the last two steps; a slot without a
+ * body has the pose NaN. */
 static void poses_are_those_of_two_steps(trial *t) {
     yard y;
     thud_pos before[YARD_BODIES];

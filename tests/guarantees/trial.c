@@ -178,7 +178,8 @@ thud_body_id trial_add(trial *t, thud_world *world, part p) {
 
 thud_body_id trial_drop(trial *t, thud_world *world, form kind, double x, double y, double hx) {
     return trial_add(
-        t, world, (part){.kind = THUD_BODY_DYNAMIC, .form = kind, .x = x, .y = y, .hx = hx, .hy = hx});
+        t, world,
+        (part){.kind = THUD_BODY_DYNAMIC, .form = kind, .x = x, .y = y, .hx = hx, .hy = hx});
 }
 
 thud_body_id trial_wall(trial *t, thud_world *world, double x, double y, double hx, double hy) {
@@ -208,10 +209,10 @@ thud_geometry trial_placed(trial *t, const thud_world *world, thud_body_id body)
     DO(t, thud_body_get_shapes(world, body, &id, 1, NULL));
     DO(t, thud_shape_get_state(world, id, &s));
     return (thud_geometry){.kind = s.kind,
-                                 .x = b.position.x,
-                                 .y = b.position.y,
-                                 .c = s.kind == THUD_SHAPE_OBB ? (double)b.cosine : 1.0,
-                                 .s = s.kind == THUD_SHAPE_OBB ? (double)b.sine : 0.0,
-                                 .hx = (double)s.half_extents.x / t->scale,
-                                 .hy = (double)s.half_extents.y / t->scale};
+                           .x = b.position.x,
+                           .y = b.position.y,
+                           .c = s.kind == THUD_SHAPE_OBB ? (double)b.cosine : 1.0,
+                           .s = s.kind == THUD_SHAPE_OBB ? (double)b.sine : 0.0,
+                           .hx = (double)s.half_extents.x / t->scale,
+                           .hy = (double)s.half_extents.y / t->scale};
 }

@@ -84,8 +84,10 @@ static void add_floor(yard *y) {
 
 /* Adds a joint; its kind depends on i, and some have a drive or a limit. */
 static void tie(yard *y, int i, thud_body_id a, thud_body_id b) {
-    static const thud_joint_kind kinds[] = {THUD_JOINT_DISTANCE, THUD_JOINT_HINGE, THUD_JOINT_WHEEL, THUD_JOINT_SLIDER,
-                                            THUD_JOINT_FILTER,   THUD_JOINT_WELD,  THUD_JOINT_TARGET};
+    static const thud_joint_kind kinds[] = {THUD_JOINT_DISTANCE, THUD_JOINT_HINGE,
+                                            THUD_JOINT_WHEEL,    THUD_JOINT_SLIDER,
+                                            THUD_JOINT_FILTER,   THUD_JOINT_WELD,
+                                            THUD_JOINT_TARGET};
     thud_joint_def def = thud_default_joint_def(kinds[i % 7]);
     def.body_a = a;
     def.body_b = b;

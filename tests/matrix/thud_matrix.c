@@ -14,6 +14,7 @@
 
 #include <thud/thud.h>
 #include <thud/thud_snapshot.h>
+#include <thud/thud_testing.h>
 
 #include <inttypes.h>
 #include <stdlib.h>
@@ -56,7 +57,7 @@ static thud_world *build(matrix *m, const scene *s, const char *kind) {
             def.broadphase = SETTINGS[i].broadphase;
         }
     }
-    def.baseline_simd = m->options.baseline;
+    thud_world_def_set_baseline_simd(&def, m->options.baseline);
     def.log = keep_reason;
     def.log_context = m;
     thud_world *world;

@@ -64,7 +64,8 @@ static void ball_falls_onto_floor(thud_world *world) {
     EXPECT(thud_body_set_velocity(world, thud_body_id{0, 0}, thud_vec2{0, 0}, 0) ==
            THUD_ERROR_STALE);
     bool hit = false;
-    EXPECT(thud_world_cast_ray(world, thud_pos{0, 5}, 0, -9, nullptr, &hit, nullptr) == THUD_OK);
+    thud_ray ray = {thud_pos{0, 5}, 0, -9, nullptr};
+    EXPECT(thud_world_cast_ray(world, &ray, &hit, nullptr) == THUD_OK);
     EXPECT(hit);
     thud_body_options light = {};
     light.kind = THUD_BODY_DYNAMIC;

@@ -6,7 +6,11 @@
 #include <thud/thud_joint.h>
 
 static inline bool is_driven(thud_joint_kind kind, int direction) {
-    enum { ALONG = 1 << THUD_DIRECTION_ALONG, ACROSS = 1 << THUD_DIRECTION_ACROSS, TURN = 1 << THUD_DIRECTION_TURN };
+    enum {
+        ALONG = 1 << THUD_DIRECTION_ALONG,
+        ACROSS = 1 << THUD_DIRECTION_ACROSS,
+        TURN = 1 << THUD_DIRECTION_TURN
+    };
     static const unsigned driven[THUD_JOINT_KIND_COUNT] = {
         [THUD_JOINT_DISTANCE] = ALONG,     [THUD_JOINT_HINGE] = TURN,
         [THUD_JOINT_SLIDER] = ALONG,       [THUD_JOINT_WELD] = ALONG | ACROSS | TURN,

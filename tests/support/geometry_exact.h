@@ -54,7 +54,9 @@ typedef struct solid {
 
 /* The shape's polygon with this centre and rotation (c, si). */
 static inline solid solid_at(const thud_geometry *s, vec center, real c, real si) {
-    solid out = {.count = 1, .v = {center}, .radius = s->kind == THUD_SHAPE_CIRCLE ? (real)s->hx : 0.0L};
+    solid out = {.count = 1,
+                 .v = {center},
+                 .radius = s->kind == THUD_SHAPE_CIRCLE ? (real)s->hx : 0.0L};
     if (s->kind != THUD_SHAPE_CIRCLE) {
         out.count = 4;
         for (int i = 0; i < 4; i++) {
@@ -72,8 +74,7 @@ static inline solid solid_of(const thud_geometry *s, double x, double y) {
 }
 
 /* The shape's polygon after the share t of its motion m, relative to (x, y). */
-static inline solid solid_after(const thud_geometry *s, thud_motion m, real t, double x,
-                                double y) {
+static inline solid solid_after(const thud_geometry *s, thud_motion m, real t, double x, double y) {
     bool turns = s->kind == THUD_SHAPE_OBB && m.turn != 0.0;
     real c = turns ? cosl(m.turn * t) : 1.0L, si = turns ? sinl(m.turn * t) : 0.0L;
     return solid_at(s, vec_of((real)s->x - x + m.dx * t, (real)s->y - y + m.dy * t),

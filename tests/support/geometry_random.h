@@ -79,7 +79,7 @@ static inline double point_distance(const thud_geometry *shape, double x, double
 
 static inline double outline_length(const thud_geometry *shape) {
     return shape->kind == THUD_SHAPE_CIRCLE ? 6.283185307179586 * shape->hx
-                                      : 4.0 * (shape->hx + shape->hy);
+                                            : 4.0 * (shape->hx + shape->hy);
 }
 
 /* How many random cases a pair of kinds gets: THUD_CASES of the environment, or else the share of

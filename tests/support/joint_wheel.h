@@ -30,8 +30,8 @@ static inline void add_wheel(thud_world *world) {
     for (int i = 0; i < RIM; i++) {
         thud_pos a = state_of(world, rim[i]).position;
         thud_pos b = state_of(world, rim[(i + 1) % RIM]).position;
-        thud_joint_def next = between(THUD_JOINT_DISTANCE, rim[i], rim[(i + 1) % RIM], (thud_vec2){0, 0},
-                                      (thud_vec2){0, 0});
+        thud_joint_def next = between(THUD_JOINT_DISTANCE, rim[i], rim[(i + 1) % RIM],
+                                      (thud_vec2){0, 0}, (thud_vec2){0, 0});
         next.length = (float)hypot(a.x - b.x, a.y - b.y);
         make(world, next);
     }

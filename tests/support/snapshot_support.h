@@ -139,8 +139,8 @@ static inline yard make_yard(const thud_world_def *def) {
     }
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 33};
     thud_shape_def plain = thud_default_shape_def(), sensor = plain;
-    OK(thud_shape_create_terrain(y.world, add_body(y.world, THUD_BODY_STATIC, 0, 0, 0), &plain, &line,
-                                 &y.ground));
+    OK(thud_shape_create_terrain(y.world, add_body(y.world, THUD_BODY_STATIC, 0, 0, 0), &plain,
+                                 &line, &y.ground));
     y.ball = add_body(y.world, THUD_BODY_DYNAMIC, -5, 3, 0);
     y.ball_shape = add_shape(y.world, y.ball, 0.5f, 0, false, NULL);
     y.box = add_box(y.world, 5, 3, 0.5f, 0.4f);

@@ -80,7 +80,8 @@ static void kind_and_itself_collide_or_ignore_each_other(void **state) {
     session_step(&s);
     while (s.pair[0] != 2 || s.pair[1] != 2)
         session_next_pair(&s);
-    static const thud_rule_kind expected[] = {THUD_RULE_IGNORE, THUD_RULE_COLLIDE, THUD_RULE_IGNORE};
+    static const thud_rule_kind expected[] = {THUD_RULE_IGNORE, THUD_RULE_COLLIDE,
+                                              THUD_RULE_IGNORE};
     for (int i = 0; i < 3; i++) {
         session_next_meeting(&s);
         session_step(&s);

@@ -135,8 +135,8 @@ static void make_place(place *p, thud_world_def def) {
         p->ball = add_body(p->v.world, THUD_BODY_DYNAMIC, 1.1 * (i - 125), -48.5, 0);
         p->ball_shape = add_shape(p->v.world, p->ball, 0.5f, 0, false, NULL);
     }
-    p->box_shape =
-        add_shape(p->v.world, add_body(p->v.world, THUD_BODY_DYNAMIC, 160, 90, 0), 1, 1, false, NULL);
+    p->box_shape = add_shape(p->v.world, add_body(p->v.world, THUD_BODY_DYNAMIC, 160, 90, 0), 1, 1,
+                             false, NULL);
     for (int i = 0; i < 10; i++) {
         village_step(&p->v);
     }

@@ -119,24 +119,33 @@ static bool go_on(thud_shape_id shape, void *context) {
 }
 
 static thud_result cast_ray(village *v) {
-    return thud_world_cast_ray(v->world, &(thud_ray){(thud_pos){-20, 0.5}, 60, 0, NULL}, NULL, NULL);
+    return thud_world_cast_ray(v->world, &(thud_ray){(thud_pos){-20, 0.5}, 60, 0, NULL}, NULL,
+                               NULL);
 }
 
 static thud_result cast_ray_all(village *v) {
-    return thud_world_cast_ray_all(v->world, &(thud_ray){(thud_pos){-20, 0.5}, 60, 0, NULL}, NULL, 0, NULL);
+    return thud_world_cast_ray_all(v->world, &(thud_ray){(thud_pos){-20, 0.5}, 60, 0, NULL}, NULL,
+                                   0, NULL);
 }
 
 static thud_result cast_circle_all(village *v) {
     thud_ray_hit hits[8];
-    return thud_world_cast_shape_all(v->world, &(thud_shape_cast){(thud_pos){-20, 3}, thud_circle_at(0, 0, 2), 60, 0, NULL}, hits, 8, NULL);
+    return thud_world_cast_shape_all(v->world,
+                                     &(thud_shape_cast){(thud_pos){-20, 3}, thud_circle_at(0, 0, 2),
+                                                        60, 0, NULL},
+                                     hits, 8, NULL);
 }
 
 static thud_result cast_box(village *v) {
-    return thud_world_cast_shape(v->world, &(thud_shape_cast){(thud_pos){-20, 3}, thud_obb_at(0, 0, 2, 1, 1), 60, 0, NULL}, NULL, NULL);
+    return thud_world_cast_shape(v->world,
+                                 &(thud_shape_cast){(thud_pos){-20, 3}, thud_obb_at(0, 0, 2, 1, 1),
+                                                    60, 0, NULL},
+                                 NULL, NULL);
 }
 
 static thud_result overlap(village *v) {
-    return thud_world_overlap_shape(v->world, (thud_pos){3, 1}, thud_circle_at(0, 0, 50), NULL, go_on, NULL);
+    return thud_world_overlap_shape(v->world, (thud_pos){3, 1}, thud_circle_at(0, 0, 50), NULL,
+                                    go_on, NULL);
 }
 
 static thud_result closest(village *v) {
@@ -152,7 +161,8 @@ static thud_result volume(village *v) {
 static double look_again(const thud_ray_hit *hit, void *context) {
     village *v = context;
     bool any = false;
-    thud_result result = thud_world_cast_ray(v->world, &(thud_ray){hit->point, 0, -9, NULL}, &any, NULL);
+    thud_result result =
+        thud_world_cast_ray(v->world, &(thud_ray){hit->point, 0, -9, NULL}, &any, NULL);
     if (result != THUD_OK) {
         v->told = 0; /* the call is repeated with memory, or not at all */
     }
@@ -160,7 +170,8 @@ static double look_again(const thud_ray_hit *hit, void *context) {
 }
 
 static thud_result cast_each(village *v) {
-    return thud_world_cast_ray_each(v->world, &(thud_ray){(thud_pos){-60, 20}, 120, 1, NULL}, look_again, v);
+    return thud_world_cast_ray_each(v->world, &(thud_ray){(thud_pos){-60, 20}, 120, 1, NULL},
+                                    look_again, v);
 }
 
 static thud_result cast_rays(village *v) {

@@ -125,7 +125,8 @@ static thud_result drive(place *p, const row *r, double x, thud_joint_kind kind,
 }
 
 static thud_result drive_along(place *p, const row *r, double x) {
-    return drive(p, r, x, THUD_JOINT_SLIDER, THUD_DIRECTION_ALONG, THUD_JOINT_LENGTH_MAX * (float)p->scale);
+    return drive(p, r, x, THUD_JOINT_SLIDER, THUD_DIRECTION_ALONG,
+                 THUD_JOINT_LENGTH_MAX * (float)p->scale);
 }
 
 static thud_result drive_turn(place *p, const row *r, double x) {
@@ -145,7 +146,8 @@ static thud_result rod(place *p, const row *r, double x) {
 }
 
 static thud_result gear(place *p, const row *r, double x) {
-    thud_joint_def hinge = joint_def(p, THUD_JOINT_HINGE), def = thud_default_joint_def(THUD_JOINT_GEAR);
+    thud_joint_def hinge = joint_def(p, THUD_JOINT_HINGE),
+                   def = thud_default_joint_def(THUD_JOINT_GEAR);
     OK(thud_joint_create(p->world, &hinge, &def.gear[0]));
     hinge.body_b = p->stone;
     OK(thud_joint_create(p->world, &hinge, &def.gear[1]));

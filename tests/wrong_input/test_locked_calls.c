@@ -224,7 +224,9 @@ static void ask_everything(village *v) {
     assert_true(found && hit_.shape.index1 == v->hill.index1);
     OK(thud_world_cast_ray_all(w, &(thud_ray){(thud_pos){-50, 9}, 0, -20, NULL}, hits, 8, &count));
     assert_int_equal(count, 1);
-    OK(thud_world_cast_shape_all(w, &(thud_shape_cast){high, thud_circle_at(0, 0, 1), -9, -20, NULL}, hits, 8, &count));
+    OK(thud_world_cast_shape_all(w,
+                                 &(thud_shape_cast){high, thud_circle_at(0, 0, 1), -9, -20, NULL},
+                                 hits, 8, &count));
     assert_true(count >= 1);
     OK(thud_world_overlap_aabb(w, (thud_pos){-99, -1}, (thud_pos){99, 0.25}, NULL, count_shape,
                                &touching));
@@ -292,7 +294,8 @@ static bool pass(const thud_mover *mover, const thud_mover_hit *hit_, thud_vec2 
 /* A step, a query and a mover's move, each of which calls its callback. */
 static void go_on(caller *c) {
     village_step(&c->v);
-    OK(thud_world_overlap_shape(c->v.world, (thud_pos){3, 1}, thud_circle_at(0, 0, 3), NULL, overlap, c));
+    OK(thud_world_overlap_shape(c->v.world, (thud_pos){3, 1}, thud_circle_at(0, 0, 3), NULL,
+                                overlap, c));
 }
 
 static void make_caller(caller *c, site s, const thud_detection *detection) {
@@ -313,8 +316,8 @@ static void alike(const caller *a, const caller *b, const char *name, int step) 
     const thud_world *one = a->v.world, *other = b->v.world;
     thud_stats s = thud_stats_of(one), t = thud_stats_of(other);
     thud_events e = thud_events_of(one), f = thud_events_of(other);
-    if (thud_hash_of(one) != thud_hash_of(other) || s.bodies != t.bodies ||
-        s.shapes != t.shapes || s.contacts != t.contacts || s.awake_bodies != t.awake_bodies ||
+    if (thud_hash_of(one) != thud_hash_of(other) || s.bodies != t.bodies || s.shapes != t.shapes ||
+        s.contacts != t.contacts || s.awake_bodies != t.awake_bodies ||
         e.begin_count != f.begin_count || e.end_count != f.end_count) {
         fail_msg("%s in callback %d: step %d differs from that after the same edit between steps",
                  name, (int)a->site, step);

@@ -13,7 +13,8 @@ static void listen(thud_result result, const char *message, void *context) {
 static thud_shape_id add_line(thud_world *world, double x, double y, const thud_terrain *line) {
     thud_shape_def def = thud_default_shape_def();
     thud_shape_id shape;
-    OK(thud_shape_create_terrain(world, add_body(world, THUD_BODY_STATIC, x, y, 0), &def, line, &shape));
+    OK(thud_shape_create_terrain(world, add_body(world, THUD_BODY_STATIC, x, y, 0), &def, line,
+                                 &shape));
     return shape;
 }
 
@@ -147,9 +148,9 @@ static void say_world(text *t, const village *v) {
     SAY(t,
         "world: hash %llx steps %llu bodies %d shapes %d awake %d pairs %d contacts %d colours %d "
         "blocks %d bytes %llu allocations %llu\n",
-        (unsigned long long)thud_hash_of(v->world), (unsigned long long)s.steps, s.bodies,
-        s.shapes, s.awake_bodies, s.pairs, s.contacts, s.colours, s.blocks,
-        (unsigned long long)s.bytes, (unsigned long long)s.step_allocations);
+        (unsigned long long)thud_hash_of(v->world), (unsigned long long)s.steps, s.bodies, s.shapes,
+        s.awake_bodies, s.pairs, s.contacts, s.colours, s.blocks, (unsigned long long)s.bytes,
+        (unsigned long long)s.step_allocations);
     SAY(t, "detection: impacts %d held %d %a unbisectable %d motions %d %d %d %d limit %a\n",
         s.impacts, s.held_bodies, s.held_seconds, s.unbisectable, s.motion_pairs, s.motion_circles,
         s.motion_boxes, s.motion_exact, limit);

@@ -59,7 +59,7 @@ void wrong_geometry(void **state) {
         REFUSED_UNTOLD(INVALID,
                        thud_geometry_time_of_impact(&ball, still, bad, still, 0, OUT_FLAG, time));
         REFUSED_UNTOLD(INVALID, thud_geometry_time_of_collision(bad, still, &box, still, 1e-6,
-                                                              OUT_FLAG, time));
+                                                                OUT_FLAG, time));
         REFUSED_UNTOLD(INVALID, thud_geometry_approach(&ball, still, bad, still, approach));
     }
     for (int i = 0; i < COUNT(bad_motions); i++) {
@@ -67,8 +67,8 @@ void wrong_geometry(void **state) {
         assert_false(thud_geometry_is_bisectable(&ball, still, &box, m));
         REFUSED_UNTOLD(INVALID,
                        thud_geometry_time_of_impact(&box, m, &ball, still, 0, OUT_FLAG, time));
-        REFUSED_UNTOLD(INVALID,
-                       thud_geometry_time_of_collision(&ball, still, &box, m, 1e-6, OUT_FLAG, time));
+        REFUSED_UNTOLD(INVALID, thud_geometry_time_of_collision(&ball, still, &box, m, 1e-6,
+                                                                OUT_FLAG, time));
         REFUSED_UNTOLD(INVALID, thud_terrain_time_of_impact(&ground, &box, m, 0, OUT_FLAG, time));
         REFUSED_UNTOLD(INVALID,
                        thud_terrain_time_of_collision(&ground, &box, m, 1e-6, OUT_FLAG, time));
@@ -79,8 +79,8 @@ void wrong_geometry(void **state) {
                        thud_geometry_time_of_impact(&ball, still, &box, still, x, OUT_FLAG, time));
     }
     EACH(x, bad_tolerances) {
-        REFUSED_UNTOLD(INVALID,
-                       thud_geometry_time_of_collision(&ball, still, &box, still, x, OUT_FLAG, time));
+        REFUSED_UNTOLD(INVALID, thud_geometry_time_of_collision(&ball, still, &box, still, x,
+                                                                OUT_FLAG, time));
     }
     EACH(x, not_finite) {
         assert_false(thud_geometry_cast_ray(&ball, (thud_segment){x, 5, 1, 0}, time, nx, ny));
@@ -93,8 +93,8 @@ void wrong_geometry(void **state) {
     REFUSED_UNTOLD(NULL, thud_geometry_closest(&ball, &box, NULL));
     REFUSED_UNTOLD(NULL, thud_geometry_contacts(&ball, &box, 1, NULL));
     REFUSED_UNTOLD(NULL, thud_geometry_time_of_impact(NULL, still, &box, still, 0, OUT_FLAG, time));
-    REFUSED_UNTOLD(NULL,
-                   thud_geometry_time_of_collision(&ball, still, NULL, still, 1e-6, OUT_FLAG, time));
+    REFUSED_UNTOLD(NULL, thud_geometry_time_of_collision(&ball, still, NULL, still, 1e-6, OUT_FLAG,
+                                                         time));
     REFUSED_UNTOLD(NULL, thud_geometry_approach(&ball, still, &ball, still, NULL));
     assert_false(thud_geometry_overlap(NULL, &ball) || thud_geometry_overlap(&ball, NULL));
     assert_false(thud_geometry_cast_ray(NULL, (thud_segment){0, 0, 1, 0}, time, nx, ny));
@@ -186,10 +186,14 @@ void wrong_volumes(void **state) {
         REFUSED_UNTOLD(INVALID, thud_volume_around_motion(THUD_SHAPE_OBB, bad, still, out));
     }
     const thud_volume bad_volumes[] = {
-        {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = -1},  {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = NAN},
-        {.kind = THUD_SHAPE_CIRCLE, .x = 2e16, .c = 1}, {.kind = THUD_SHAPE_AABB, .c = 1, .hx = INFINITY},
-        {.kind = THUD_SHAPE_AABB, .c = 0.6, .s = 0.8},  {.kind = THUD_SHAPE_OBB, .c = 0, .s = 0},
-        {.kind = THUD_SHAPE_OBB, .c = 1, .s = NAN},     {.kind = THUD_SHAPE_TERRAIN, .c = 1},
+        {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = -1},
+        {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = NAN},
+        {.kind = THUD_SHAPE_CIRCLE, .x = 2e16, .c = 1},
+        {.kind = THUD_SHAPE_AABB, .c = 1, .hx = INFINITY},
+        {.kind = THUD_SHAPE_AABB, .c = 0.6, .s = 0.8},
+        {.kind = THUD_SHAPE_OBB, .c = 0, .s = 0},
+        {.kind = THUD_SHAPE_OBB, .c = 1, .s = NAN},
+        {.kind = THUD_SHAPE_TERRAIN, .c = 1},
         {.kind = (thud_shape_kind)99, .c = 1},
     };
     for (int i = 0; i < COUNT(bad_volumes); i++) {
@@ -200,7 +204,8 @@ void wrong_volumes(void **state) {
         REFUSED_UNTOLD(INVALID, thud_volume_contains_point(bad, 0, 0, OUT_FLAG));
         REFUSED_UNTOLD(INVALID, thud_volume_contains(&box, bad, OUT_FLAG));
     }
-    const thud_shape_kind no_kinds[] = {THUD_SHAPE_TERRAIN, (thud_shape_kind)-1, (thud_shape_kind)99};
+    const thud_shape_kind no_kinds[] = {THUD_SHAPE_TERRAIN, (thud_shape_kind)-1,
+                                        (thud_shape_kind)99};
     for (int i = 0; i < COUNT(no_kinds); i++) {
         thud_shape_kind kind = no_kinds[i];
         REFUSED_UNTOLD(INVALID, thud_volume_around_shape(kind, &ball, out));
@@ -215,10 +220,12 @@ void wrong_volumes(void **state) {
     REFUSED_UNTOLD(INVALID, thud_volume_around_points(THUD_SHAPE_AABB, hill, 0, out));
     REFUSED_UNTOLD(INVALID, thud_volume_around_points(THUD_SHAPE_AABB, hill, -3, out));
     for (int i = 0; i < COUNT(bad_grounds); i++) {
-        REFUSED_UNTOLD(INVALID, thud_volume_around_terrain(THUD_SHAPE_AABB, &bad_grounds[i], 0, 4, out));
+        REFUSED_UNTOLD(INVALID,
+                       thud_volume_around_terrain(THUD_SHAPE_AABB, &bad_grounds[i], 0, 4, out));
     }
     for (int i = 0; i < COUNT(bad_motions); i++) {
-        REFUSED_UNTOLD(INVALID, thud_volume_around_motion(THUD_SHAPE_OBB, &box, bad_motions[i], out));
+        REFUSED_UNTOLD(INVALID,
+                       thud_volume_around_motion(THUD_SHAPE_OBB, &box, bad_motions[i], out));
     }
     EACH(x, not_finite) {
         REFUSED_UNTOLD(INVALID, thud_volume_contains_point(&box, x, 0, OUT_FLAG));
@@ -256,9 +263,12 @@ void wrong_sums(void **state) {
         REFUSED_UNTOLD(INVALID, thud_minkowski_contains(&sum, x, 0, OUT_FLAG));
         REFUSED_UNTOLD(INVALID, thud_minkowski_contains(&sum, 0, x, OUT_FLAG));
         REFUSED_UNTOLD(INVALID, thud_minkowski_distance(&sum, x, 0, number, nx, ny));
-        REFUSED_UNTOLD(INVALID, thud_minkowski_cast(&sum, (thud_segment){x, 0, 1, 0}, OUT_FLAG, number, nx, ny));
-        REFUSED_UNTOLD(INVALID, thud_minkowski_cast(&sum, (thud_segment){9, 0, x, 0}, OUT_FLAG, number, nx, ny));
-        REFUSED_UNTOLD(INVALID, thud_minkowski_cast(&sum, (thud_segment){9, 0, 0, x}, OUT_FLAG, number, nx, ny));
+        REFUSED_UNTOLD(INVALID, thud_minkowski_cast(&sum, (thud_segment){x, 0, 1, 0}, OUT_FLAG,
+                                                    number, nx, ny));
+        REFUSED_UNTOLD(INVALID, thud_minkowski_cast(&sum, (thud_segment){9, 0, x, 0}, OUT_FLAG,
+                                                    number, nx, ny));
+        REFUSED_UNTOLD(INVALID, thud_minkowski_cast(&sum, (thud_segment){9, 0, 0, x}, OUT_FLAG,
+                                                    number, nx, ny));
     }
     thud_minkowski bad[] = {sum, sum, sum, sum, sum};
     bad[0].count = 3;
@@ -269,13 +279,14 @@ void wrong_sums(void **state) {
     for (int i = 0; i < COUNT(bad); i++) {
         REFUSED_UNTOLD(INVALID, thud_minkowski_contains(&bad[i], 0, 0, OUT_FLAG));
         REFUSED_UNTOLD(INVALID, thud_minkowski_distance(&bad[i], 0, 0, number, nx, ny));
-        REFUSED_UNTOLD(INVALID,
-                       thud_minkowski_cast(&bad[i], (thud_segment){9, 0, -9, 0}, OUT_FLAG, number, nx, ny));
+        REFUSED_UNTOLD(INVALID, thud_minkowski_cast(&bad[i], (thud_segment){9, 0, -9, 0}, OUT_FLAG,
+                                                    number, nx, ny));
     }
     REFUSED_UNTOLD(NULL, thud_minkowski_sum(NULL, &box, &wrong_out.sum));
     REFUSED_UNTOLD(NULL, thud_minkowski_sum(&ball, &box, NULL));
     REFUSED_UNTOLD(NULL, thud_minkowski_contains(NULL, 0, 0, OUT_FLAG));
     REFUSED_UNTOLD(NULL, thud_minkowski_contains(&sum, 0, 0, NULL));
     REFUSED_UNTOLD(NULL, thud_minkowski_distance(NULL, 0, 0, number, nx, ny));
-    REFUSED_UNTOLD(NULL, thud_minkowski_cast(NULL, (thud_segment){9, 0, 1, 0}, OUT_FLAG, number, nx, ny));
+    REFUSED_UNTOLD(NULL,
+                   thud_minkowski_cast(NULL, (thud_segment){9, 0, 1, 0}, OUT_FLAG, number, nx, ny));
 }

@@ -105,7 +105,7 @@ int api_body_apply_impulse(thud_world *world, uint32_t index1, uint32_t generati
 int api_body_apply_force(thud_world *world, uint32_t index1, uint32_t generation, double x,
                          double y, double torque) {
     return thud_body_apply_force_and_torque(world, api_body(index1, generation),
-                                 (thud_vec2){(float)x, (float)y}, (float)torque);
+                                            (thud_vec2){(float)x, (float)y}, (float)torque);
 }
 
 int api_body_set_awake(thud_world *world, uint32_t index1, uint32_t generation, int awake) {

@@ -7,7 +7,7 @@
 
 static thud_geometry placed(const struct placed *p) {
     thud_geometry shape = api_placed(api_to_int(p->solid.kind), p->solid.half_extents[0],
-                                           p->solid.half_extents[1], p->solid.angle);
+                                     p->solid.half_extents[1], p->solid.angle);
     shape.x = p->center[0];
     shape.y = p->center[1];
     return shape;
@@ -79,9 +79,9 @@ int api_circles_approach(void) {
     thud_result result = thud_geometry_approach(&p.a, p.by_a, &p.b, p.by_b, &passing);
     if (result == THUD_OK)
         api_slots.kind = (struct meeting){.found = passing.hit,
-                                             .time = passing.time,
-                                             .least = passing.least,
-                                             .least_time = passing.least_time};
+                                          .time = passing.time,
+                                          .least = passing.min_distance,
+                                          .least_time = passing.min_distance_time};
     return result;
 }
 
@@ -93,7 +93,10 @@ int api_minkowski_cast(void) {
     double fraction = 1.0, nx = 0.0, ny = 0.0;
     thud_result result = thud_minkowski_sum(&p.a, &p.b, &sum);
     if (result == THUD_OK)
-        result = thud_minkowski_cast(&sum, (thud_segment){p.b.x - p.a.x, p.b.y - p.a.y, p.by_b.dx - p.by_a.dx, p.by_b.dy - p.by_a.dy}, &hit, &fraction, &nx, &ny);
+        result = thud_minkowski_cast(&sum,
+                                     (thud_segment){p.b.x - p.a.x, p.b.y - p.a.y,
+                                                    p.by_b.dx - p.by_a.dx, p.by_b.dy - p.by_a.dy},
+                                     &hit, &fraction, &nx, &ny);
     if (result == THUD_OK)
         api_slots.crossing = (struct crossing){hit, fraction, {nx, ny}};
     return result;

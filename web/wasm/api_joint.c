@@ -211,7 +211,7 @@ int api_joint_set_drive(thud_world *world, uint32_t index1, uint32_t generation,
     thud_drive drive =
         drive_in(direction == THUD_DIRECTION_ALONG    ? &s->along
                  : direction == THUD_DIRECTION_ACROSS ? &s->across
-                                            : &s->turn,
+                                                      : &s->turn,
                  (thud_joint_kind)api_to_int(s->making.kind), (thud_direction)direction, furthest);
     return thud_joint_set_drive(world, joint_id(index1, generation), (thud_direction)direction,
                                 &drive);

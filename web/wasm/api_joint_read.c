@@ -213,8 +213,8 @@ static bool has_bodies(const thud_world *world, thud_joint_id id) {
            thud_body_is_valid(world, state.body_a) && thud_body_is_valid(world, state.body_b);
 }
 
-/* Fills a table of all joints, with bodies at their poses of thud_world_get_poses for this origin and
- * alpha; empty where those are refused. Slots out: joint_table, with a joint_row and a
+/* Fills a table of all joints, with bodies at their poses of thud_world_get_poses for this origin
+ * and alpha; empty where those are refused. Slots out: joint_table, with a joint_row and a
  * joint_handles for each joint. */
 int api_joint_table(thud_world *world, double x, double y, double alpha) {
     int count = list_all(world), bodies = 0;

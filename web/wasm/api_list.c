@@ -57,8 +57,8 @@ int api_world_moved_bodies(const thud_world *world, thud_body_seen *seen, int sl
     int count = 0;
     thud_result result = make_room(&bodies, slots);
     if (result == THUD_OK)
-        result =
-            thud_world_get_moved_bodies(world, seen, slots, (thud_body_id *)bodies.data, slots, &count);
+        result = thud_world_get_moved_bodies(world, seen, slots, (thud_body_id *)bodies.data, slots,
+                                             &count);
     return told(result, &bodies, count);
 }
 
@@ -97,7 +97,8 @@ int api_sensor_overlaps(const thud_world *world, uint32_t index1, uint32_t gener
     if (result == THUD_OK)
         result = make_room(&shapes, count);
     if (result == THUD_OK)
-        result = thud_shape_get_sensor_overlaps(world, sensor, (thud_shape_id *)shapes.data, count, &count);
+        result = thud_shape_get_sensor_overlaps(world, sensor, (thud_shape_id *)shapes.data, count,
+                                                &count);
     return told(result, &shapes, count);
 }
 
@@ -113,7 +114,7 @@ int api_pair_get(const thud_world *world, uint32_t index1_a, uint32_t generation
                  uint32_t index1_b, uint32_t generation_b) {
     thud_pair pair;
     thud_result result = thud_world_get_pair(world, api_shape(index1_a, generation_a),
-                                       api_shape(index1_b, generation_b), &pair);
+                                             api_shape(index1_b, generation_b), &pair);
     if (result == THUD_OK)
         api_slots.pair = (struct pair){side_of(&pair.a), side_of(&pair.b)};
     return result;

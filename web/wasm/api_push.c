@@ -19,7 +19,7 @@ int api_version(void) {
 int api_body_apply_force_at(thud_world *world, uint32_t index1, uint32_t generation, double x,
                             double y, double point_x, double point_y) {
     return thud_body_apply_force(world, api_body(index1, generation),
-                                    (thud_vec2){(float)x, (float)y}, (thud_pos){point_x, point_y});
+                                 (thud_vec2){(float)x, (float)y}, (thud_pos){point_x, point_y});
 }
 
 int api_body_apply_center_impulse(thud_world *world, uint32_t index1, uint32_t generation, double x,
@@ -59,7 +59,7 @@ int api_body_world_point(const thud_world *world, uint32_t index1, uint32_t gene
                          double y) {
     thud_pos out = {0};
     thud_result result = thud_body_get_world_point(world, api_body(index1, generation),
-                                               (thud_vec2){(float)x, (float)y}, &out);
+                                                   (thud_vec2){(float)x, (float)y}, &out);
     return place(result, out.x, out.y);
 }
 
@@ -75,7 +75,7 @@ int api_body_world_vector(const thud_world *world, uint32_t index1, uint32_t gen
                           double y) {
     thud_vec2 out = {0};
     thud_result result = thud_body_get_world_vector(world, api_body(index1, generation),
-                                                (thud_vec2){(float)x, (float)y}, &out);
+                                                    (thud_vec2){(float)x, (float)y}, &out);
     return place(result, out.x, out.y);
 }
 
@@ -83,7 +83,7 @@ int api_body_local_vector(const thud_world *world, uint32_t index1, uint32_t gen
                           double y) {
     thud_vec2 out = {0};
     thud_result result = thud_body_get_local_vector(world, api_body(index1, generation),
-                                                (thud_vec2){(float)x, (float)y}, &out);
+                                                    (thud_vec2){(float)x, (float)y}, &out);
     return place(result, out.x, out.y);
 }
 

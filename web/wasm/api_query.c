@@ -55,7 +55,8 @@ int api_cast_ray(thud_world *world, double x, double y, double dx, double dy) {
     thud_query_filter filter = filter_now();
     bool hit = false;
     thud_ray_hit ray = {0};
-    thud_result result = thud_world_cast_ray(world, &(thud_ray){(thud_pos){x, y}, dx, dy, &filter}, &hit, &ray);
+    thud_result result =
+        thud_world_cast_ray(world, &(thud_ray){(thud_pos){x, y}, dx, dy, &filter}, &hit, &ray);
     api_slots.first_hit = (struct first_hit){hit, row_of(&ray)};
     return result;
 }
@@ -68,7 +69,8 @@ int api_cast_shape(thud_world *world, int kind, double x, double y, double hx, d
     bool hit = false;
     thud_ray_hit met = {0};
     thud_result result =
-        thud_world_cast_shape(world, &(thud_shape_cast){(thud_pos){x, y}, shape, dx, dy, &filter}, &hit, &met);
+        thud_world_cast_shape(world, &(thud_shape_cast){(thud_pos){x, y}, shape, dx, dy, &filter},
+                              &hit, &met);
     api_slots.first_hit = (struct first_hit){hit, row_of(&met)};
     return result;
 }
@@ -90,8 +92,10 @@ int api_cast_all(thud_world *world, int kind, double x, double y, double hx, dou
         thud_pos at = {x, y};
         thud_result result =
             kind < 0
-                ? thud_world_cast_ray_all(world, &(thud_ray){at, dx, dy, &filter}, out, room, &count)
-                : thud_world_cast_shape_all(world, &(thud_shape_cast){at, shape, dx, dy, &filter}, out, room, &count);
+                ? thud_world_cast_ray_all(world, &(thud_ray){at, dx, dy, &filter}, out, room,
+                                          &count)
+                : thud_world_cast_shape_all(world, &(thud_shape_cast){at, shape, dx, dy, &filter},
+                                            out, room, &count);
         if (result != THUD_OK)
             return result;
     }
@@ -107,22 +111,24 @@ int api_cast_all(thud_world *world, int kind, double x, double y, double hx, dou
 
 /* Import of the module: calls the JavaScript listener of the cast with the hit in the slots
  * first_hit, and returns its limit, as a thud_cast_fn does. */
-extern double thud_event_pair(void);
+extern double thud_cast_hit(void);
 
 static double met(const thud_ray_hit *hit, void *context) {
     (void)context;
     api_slots.first_hit = (struct first_hit){true, row_of(hit)};
-    return thud_event_pair();
+    return thud_cast_hit();
 }
 
-/* Calls thud_event_pair for each hit of a ray (kind -1) or a shape. */
+/* Calls thud_cast_hit for each hit of a ray (kind -1) or a shape. */
 int api_cast_each(thud_world *world, int kind, double x, double y, double hx, double hy,
                   double angle, double dx, double dy) {
     thud_query_filter filter = filter_now();
     thud_geometry shape = api_placed(kind, hx, hy, angle);
     thud_pos at = {x, y};
-    return kind < 0 ? thud_world_cast_ray_each(world, &(thud_ray){at, dx, dy, &filter}, met, NULL)
-                    : thud_world_cast_shape_each(world, &(thud_shape_cast){at, shape, dx, dy, &filter}, met, NULL);
+    return kind < 0
+               ? thud_world_cast_ray_each(world, &(thud_ray){at, dx, dy, &filter}, met, NULL)
+               : thud_world_cast_shape_each(world, &(thud_shape_cast){at, shape, dx, dy, &filter},
+                                            met, NULL);
 }
 
 /* The first hit of each of `count` rays, four doubles each: origin and displacement. All have the
@@ -215,8 +221,8 @@ int api_shape_meets_ray(thud_world *world, uint32_t index1, uint32_t generation,
                         double dx, double dy) {
     bool hit = false;
     thud_ray_hit ray = {0};
-    thud_result result = thud_shape_cast_ray(world, api_shape(index1, generation),
-                                              (thud_pos){x, y}, dx, dy, &hit, &ray);
+    thud_result result = thud_shape_cast_ray(world, api_shape(index1, generation), (thud_pos){x, y},
+                                             dx, dy, &hit, &ray);
     api_slots.first_hit = (struct first_hit){hit, row_of(&ray)};
     return result;
 }
@@ -244,7 +250,8 @@ int api_shape_closest_point(thud_world *world, uint32_t index1, uint32_t generat
 /* Slots out: bounds. */
 int api_shape_bounds(thud_world *world, uint32_t index1, uint32_t generation) {
     thud_pos lower = {0}, upper = {0};
-    thud_result result = thud_shape_get_bounds(world, api_shape(index1, generation), &lower, &upper);
+    thud_result result =
+        thud_shape_get_bounds(world, api_shape(index1, generation), &lower, &upper);
     api_slots.bounds = (struct bounds){{lower.x, lower.y}, {upper.x, upper.y}};
     return result;
 }

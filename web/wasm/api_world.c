@@ -274,7 +274,8 @@ void api_world_hash(const thud_world *world) {
     api_slots.hash.lower = (double)(uint32_t)hash;
 }
 
-/* The world's own array of poses, or null (thud_world_get_poses). Slots out: list, only its count. */
+/* The world's own array of poses, or null (thud_world_get_poses). Slots out: list, only its count.
+ */
 const thud_pose *api_world_poses(thud_world *world, double x, double y, double alpha) {
     int count = 0;
     const thud_pose *poses = thud_poses_of(world, (thud_pos){x, y}, alpha, &count);

@@ -62,7 +62,8 @@ static bool place_joint(const sketch *k, int index, placed *out) {
     out->made = &s->scene.joints[index];
     if (out->made->kind == SCENE_FILTER || out->made->kind == SCENE_GEAR ||
         !thud_joint_is_valid(s->world, s->joints[index]) ||
-        thud_joint_get_state(s->world, s->joints[index], &out->state) != THUD_OK || !out->state.enabled)
+        thud_joint_get_state(s->world, s->joints[index], &out->state) != THUD_OK ||
+        !out->state.enabled)
         return false;
     return frame_of(k, out->state.body_a, out->made, 0, &out->a, &out->axis_a) &&
            frame_of(k, out->state.body_b, out->made, 1, &out->b, &out->axis_b) &&

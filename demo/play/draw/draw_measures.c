@@ -36,8 +36,7 @@ static void dot(canvas *c, SDL_FPoint center, SDL_Color color) {
     canvas_circle(c, center, 3.5f * c->unit, (canvas_style){color, COLOR_TEXT_STRONG, c->unit});
 }
 
-void draw_closest(canvas *c, const camera *view, const thud_geometry *a,
-                  const thud_geometry *b) {
+void draw_closest(canvas *c, const camera *view, const thud_geometry *a, const thud_geometry *b) {
     thud_closest between;
     if (thud_geometry_closest(a, b, &between) != THUD_OK)
         return;

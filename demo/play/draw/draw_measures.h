@@ -10,8 +10,7 @@
 
 /* Draws the shortest line between two shapes, or out of each other if they overlap, with its
  * length. */
-void draw_closest(canvas *c, const camera *view, const thud_geometry *a,
-                  const thud_geometry *b);
+void draw_closest(canvas *c, const camera *view, const thud_geometry *a, const thud_geometry *b);
 
 /* Draws both shapes where they first touch, or where they are after a second if they do not touch
  * within it. Nothing if both are at rest. */

@@ -65,8 +65,8 @@ static void on_circle(thud_vec2 center, float radius, float c, float s, thud_sty
                     radius * (float)k->view->scale, c, s, color);
 }
 
-static void on_box(thud_vec2 center, thud_vec2 half, float c, float s, thud_style style,
-                   int island, void *context) {
+static void on_box(thud_vec2 center, thud_vec2 half, float c, float s, thud_style style, int island,
+                   void *context) {
     const sink *k = context;
     SDL_Color color;
     if (style == THUD_STYLE_BOUNDS || style == THUD_STYLE_CELL) {

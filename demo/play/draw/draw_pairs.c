@@ -36,12 +36,12 @@ static bool placed_at(const session *s, const thud_pose *poses, int count, int s
         thud_body_get_velocity(s->world, body->id, &velocity, &turn);
         *motion = (thud_motion){velocity.x, velocity.y, turn};
         *out = (thud_geometry){.kind = shape->kind,
-                                     .x = p->x + p->c * shape->offset.x - p->s * shape->offset.y,
-                                     .y = p->y + p->s * shape->offset.x + p->c * shape->offset.y,
-                                     .c = p->c * shape->c - p->s * shape->s,
-                                     .s = p->s * shape->c + p->c * shape->s,
-                                     .hx = shape->half.x,
-                                     .hy = shape->half.y};
+                               .x = p->x + p->c * shape->offset.x - p->s * shape->offset.y,
+                               .y = p->y + p->s * shape->offset.x + p->c * shape->offset.y,
+                               .c = p->c * shape->c - p->s * shape->s,
+                               .s = p->s * shape->c + p->c * shape->s,
+                               .hx = shape->half.x,
+                               .hy = shape->half.y};
         return shape->kind != THUD_SHAPE_TERRAIN;
     }
     return false;

@@ -10,7 +10,6 @@
 
 /* Draws the sum about the first shape's centre, the second's centre as a point, and the shortest
  * line from that point to the edge of the sum. */
-void draw_sum(canvas *c, const camera *view, const thud_geometry *a,
-              const thud_geometry *b);
+void draw_sum(canvas *c, const camera *view, const thud_geometry *a, const thud_geometry *b);
 
 #endif

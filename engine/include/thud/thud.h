@@ -58,9 +58,9 @@ typedef struct thud_contact {
  * that follow from the two shapes, and may change them. Where a value is not finite or out of
  * range, the log hook is told, and the pair keeps its own values. */
 typedef struct thud_contact_settings {
-    float friction;    /* coefficient, [0, THUD_FRICTION_MAX] */
-    float restitution; /* speed after over speed before, [0, THUD_PAIR_RESTITUTION_MAX]; above 1 a bounce adds
-                          energy */
+    float friction;      /* coefficient, [0, THUD_FRICTION_MAX] */
+    float restitution;   /* speed after over speed before, [0, THUD_PAIR_RESTITUTION_MAX]; above 1 a
+                            bounce adds energy */
     float surface_speed; /* length/s, |.| <= THUD_SURFACE_SPEED_MAX length scales a second: the
                             speed of b over a at which friction is zero, along (normal.y,
                             -normal.x), which is +x where b lies on top of a */
@@ -95,8 +95,6 @@ typedef struct thud_world_def {
                       and no gap of a joint and no overlap in it closes faster than that */
     bool contact_events; /* collect begin, end and hit events; default true. Sensor events are
                             collected in any case */
-    bool baseline_simd;  /* do not use AVX2: the same results bit for bit, but slower; for tests.
-                            Default false */
     thud_allocator allocator; /* default (all zero): the C library's */
     thud_log_fn *log;     /* default null: no log; where thud is built without NDEBUG the default is
                              thud_log_to_stderr */
@@ -104,13 +102,13 @@ typedef struct thud_world_def {
     thud_clock_fn *clock; /* default null: stages are not timed */
     void *clock_context;  /* handed to clock */
     double max_error;     /* length, [0, THUD_MAX_ERROR_MAX]; default 0: no limit. An island with a
-                             contact     that overlaps by more, or will under its load, is solved by the
-                             quality's     island solver until the soft solver keeps to the limit again.
-                             Needs a quality     with an island solver (thud_quality.islands) */
+                             contact that overlaps by more, or will under its load, is solved by the
+                             quality's island solver until the soft solver keeps to the limit again.
+                             Needs a quality with an island solver (thud_quality.islands) */
     double time_budget;   /* s a step, [0, THUD_TIME_BUDGET_MAX]; default 0: no budget. Where steps
-                             take   longer, substeps and the quality's island_work are halved, down to
-                             one   substep, and doubled again where time allows. Results then depend
-                             on   the   clock, and differ from run to run. Needs `clock` */
+                             take longer, substeps and the quality's island_work are halved, down to
+                             one substep, and doubled again where time allows. Results then depend
+                             on the clock, and differ from run to run. Needs `clock` */
     const thud_detection *detection;   /* default null: the quality's */
     const thud_broadphase *broadphase; /* default, also for null: &thud_broadphase_grid */
     thud_job_system job_system;        /* default (all zero): the calling thread alone */
@@ -138,9 +136,9 @@ THUD_API thud_result thud_world_step(thud_world *world);
 
 /* Advances the world by `elapsed` seconds, in [0, THUD_ADVANCE_MAX]: runs the whole steps that fit
  * into it together with the time that earlier calls left over, but at most `max_steps` (>= 1), and
- * drops the time of further steps. *steps: the number of steps run. *alpha, in [0, 1): the time
- * left over as a fraction of a step, for thud_world_get_poses. Call it once a frame; the motion does
- * not depend on the frame rate:
+ * drops the time of further steps. *out_steps: the number of steps run. *out_alpha, in [0, 1): the time
+ * left over as a fraction of a step, for thud_world_get_poses. Call it once a frame; the motion
+ * does not depend on the frame rate:
  *
  * Events, meetings, broken joints and impulses (thud_events_of and so on) are afterwards those
  * of all steps of the call, in order; none if it ran no step.
@@ -151,12 +149,12 @@ THUD_API thud_result thud_world_step(thud_world *world);
  * one frame. For forces that shall act in a single step, or that depend on positions or velocities
  * of bodies, as those of thud_fields.h, use `before` of thud_world_advance_with.
  *
- * Where a step runs out of memory the call returns THUD_ERROR_MEMORY; *steps, *alpha and the events
+ * Where a step runs out of memory the call returns THUD_ERROR_MEMORY; *out_steps, *out_alpha and the events
  * are those of the steps before it, and the rest of the time waits for the next call. If it was the
  * first step, nothing has changed. THUD_ERROR_NULL; THUD_ERROR_INVALID for a value out of range;
  * THUD_ERROR_LOCKED inside a callback. */
 THUD_API thud_result thud_world_advance(thud_world *world, double elapsed, int max_steps,
-                                        int *steps, double *alpha);
+                                        int *out_steps, double *out_alpha);
 
 typedef void thud_step_fn(thud_world *world, void *context);
 
@@ -173,8 +171,8 @@ typedef struct thud_step_calls {
 
 /* As thud_world_advance, with these callbacks; `calls` may be null. */
 THUD_API thud_result thud_world_advance_with(thud_world *world, double elapsed, int max_steps,
-                                             const thud_step_calls *calls, int *steps,
-                                             double *alpha);
+                                             const thud_step_calls *calls, int *out_steps,
+                                             double *out_alpha);
 
 /* Replaces the world's log from now on; null: no log. Allowed inside a callback. THUD_ERROR_NULL
  * for a null world. */
@@ -210,7 +208,7 @@ typedef struct thud_body_def {
                             (0, 0) */
     double angle;        /* rad, |angle| <= THUD_ANGLE_MAX; default 0 */
     thud_vec2 velocity;  /* of the centre of mass, length/s; default (0, 0); must be (0, 0) for
-                            static  bodies */
+                            static bodies */
     float angular_velocity; /* rad/s; default 0; must be 0 for static bodies. A step clamps it to
                                |.| <= THUD_ANGULAR_SPEED_MAX */
     float gravity_scale;    /* factor of the world's gravity, finite; default 1 */
@@ -256,7 +254,7 @@ typedef struct thud_body_state {
 
 /* All values of a body. THUD_ERROR_NULL, THUD_ERROR_STALE; *out is then not written. */
 THUD_API thud_result thud_body_get_state(const thud_world *world, thud_body_id body,
-                                   thud_body_state *out);
+                                         thud_body_state *out);
 
 /* Edits. An edit wakes the body and the bodies that touch it. Places and angles have the ranges of
  * the def. All edits take effect together when the next step begins; queries before it already see
@@ -293,11 +291,11 @@ THUD_API thud_result thud_body_set_enabled(thud_world *world, thud_body_id body,
 /* Does not wake the body, and takes effect at once. */
 THUD_API thud_result thud_body_set_user_data(thud_world *world, thud_body_id body,
                                              uint64_t user_data);
-/* Writes up to `capacity` (>= 0) handles of the body's shapes to `out`, unless it is null. *count,
- * unless `count` is null, is the number of shapes of the body. THUD_ERROR_NULL, THUD_ERROR_STALE,
+/* Writes up to `capacity` (>= 0) handles of the body's shapes to `out`, unless it is null. *out_count,
+ * unless `out_count` is null, is the number of shapes of the body. THUD_ERROR_NULL, THUD_ERROR_STALE,
  * THUD_ERROR_INVALID for a negative capacity. */
 THUD_API thud_result thud_body_get_shapes(const thud_world *world, thud_body_id body,
-                                      thud_shape_id *out, int capacity, int *count);
+                                          thud_shape_id *out, int capacity, int *out_count);
 
 /* ---- shapes ---- */
 
@@ -373,11 +371,11 @@ typedef struct thud_shape_state {
 
 /* All values of a shape. THUD_ERROR_NULL, THUD_ERROR_STALE; *out is then not written. */
 THUD_API thud_result thud_shape_get_state(const thud_world *world, thud_shape_id shape,
-                                    thud_shape_state *out);
+                                          thud_shape_state *out);
 /* The world's own copy of a terrain's line; its points are valid until the next edit of the world.
  * THUD_ERROR_INVALID for another kind of shape. Edits of the line are in thud_terrain.h. */
 THUD_API thud_result thud_shape_get_terrain(const thud_world *world, thud_shape_id shape,
-                                        thud_terrain *out);
+                                            thud_terrain *out);
 
 /* ---- reading all poses at once ---- */
 

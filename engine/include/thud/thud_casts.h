@@ -54,9 +54,9 @@ THUD_API thud_result thud_world_cast_shape_each(thud_world *world, const thud_sh
  * call; inside a callback the calling thread does all of them. The number of workers does not
  * change the results. */
 THUD_API thud_result thud_world_cast_rays(thud_world *world, const thud_ray *rays, int count,
-                                          thud_ray_hit *hits);
+                                          thud_ray_hit *out_hits);
 THUD_API thud_result thud_world_cast_shapes(thud_world *world, const thud_shape_cast *casts,
-                                            int count, thud_ray_hit *hits);
+                                            int count, thud_ray_hit *out_hits);
 
 /* ---- one shape, whatever its filter is; also sensors and shapes of disabled bodies ---- */
 
@@ -64,15 +64,15 @@ THUD_API thud_result thud_world_cast_shapes(thud_world *world, const thud_shape_
  * that was made inside the callback that asks. Output pointers must not be null, but those of
  * thud_shape_cast_ray. */
 
-/* The first hit of the ray on the shape. *hit: whether there is one; if not, *out is not written. A
+/* The first hit of the ray on the shape. *out_hit: whether there is one; if not, *out is not written. A
  * ray that starts inside the shape does not hit it. */
 THUD_API thud_result thud_shape_cast_ray(thud_world *world, thud_shape_id shape, thud_pos origin,
-                                          double dx, double dy, bool *hit, thud_ray_hit *out);
+                                         double dx, double dy, bool *out_hit, thud_ray_hit *out);
 
 /* Whether the point is in the shape or on its edge. A point below the line of a terrain is inside.
  */
 THUD_API thud_result thud_shape_contains_point(thud_world *world, thud_shape_id shape,
-                                               thud_pos point, bool *inside);
+                                               thud_pos point, bool *out_inside);
 
 /* The closest point of the shape's surface, at any distance. */
 THUD_API thud_result thud_shape_closest_point(thud_world *world, thud_shape_id shape,
@@ -80,8 +80,8 @@ THUD_API thud_result thud_shape_closest_point(thud_world *world, thud_shape_id s
 
 /* The smallest axis-aligned box around the shape, or around the line of a terrain.
  * THUD_ERROR_INVALID for flat terrain, which has no ends. */
-THUD_API thud_result thud_shape_get_bounds(thud_world *world, thud_shape_id shape, thud_pos *lower,
-                                       thud_pos *upper);
+THUD_API thud_result thud_shape_get_bounds(thud_world *world, thud_shape_id shape, thud_pos *out_lower,
+                                           thud_pos *out_upper);
 
 #ifdef __cplusplus
 }

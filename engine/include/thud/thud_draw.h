@@ -30,12 +30,13 @@ typedef enum thud_style {
     THUD_STYLE_MANIFOLD, /* point: one contact point */
     THUD_STYLE_DEPTH,    /* line from it along the normal, as long as the penetration */
     THUD_STYLE_IMPULSE,  /* line from it along the normal: the distance that its impulse of a step
-                           alone  would move the lighter body in a second */
+                           alone would move the lighter body in a second */
     THUD_STYLE_COLOUR,   /* line between two centres: the pair has graph colour 0 of the solver */
-    THUD_STYLE_COLOUR_LAST = THUD_STYLE_COLOUR + 15, /* the same for colour 15 and all further ones */
-    THUD_STYLE_JOINT,       /* line from a body's centre to its anchor of a joint, or between the two
-                              anchors; points at the anchors */
-    THUD_STYLE_JOINT_AXIS,  /* line: the x axis of frame a, where the joint has one */
+    THUD_STYLE_COLOUR_LAST =
+        THUD_STYLE_COLOUR + 15, /* the same for colour 15 and all further ones */
+    THUD_STYLE_JOINT,      /* line from a body's centre to its anchor of a joint, or between the two
+                             anchors; points at the anchors */
+    THUD_STYLE_JOINT_AXIS, /* line: the x axis of frame a, where the joint has one */
     THUD_STYLE_JOINT_LIMIT, /* lines: the range of places or angles of b that limits allow */
     THUD_STYLE_JOINT_FORCE, /* line from b's anchor: the distance that the joint's force alone would
                               move b in a second, from rest */
@@ -50,7 +51,7 @@ enum {
                                  broadphase only */
     THUD_DRAW_CONTACTS = 1 << 3, /* middles and normals of touching contacts */
     THUD_DRAW_ISLANDS = 1 << 4,  /* shapes with the number of their island, see `island`; and the
-                                    pairs  of islands that were solved directly */
+                                    pairs of islands that were solved directly */
     /* The intervals along x that the plane sweep broadphase kept sorted in the last step: bars in
      * rows from the lower edge of the view up, first those of awake shapes, then those of resting
      * ones. Where more than 12 intervals overlap, bars cover each other. */
@@ -79,10 +80,10 @@ typedef struct thud_debug_draw {
     thud_pos origin;       /* all coordinates are relative to it */
     thud_pos lower, upper; /* corners of the view; shapes outside are skipped */
     void *context;         /* handed to the functions */
-    void (*circle)(thud_vec2 center, float radius, float c, float s, thud_style style,
-                   int island, void *context);
-    void (*box)(thud_vec2 center, thud_vec2 half, float c, float s, thud_style style,
-                int island, void *context);
+    void (*circle)(thud_vec2 center, float radius, float c, float s, thud_style style, int island,
+                   void *context);
+    void (*box)(thud_vec2 center, thud_vec2 half, float c, float s, thud_style style, int island,
+                void *context);
     void (*line)(thud_vec2 a, thud_vec2 b, thud_style style, void *context);
     void (*point)(thud_vec2 p, thud_style style, void *context);
 } thud_debug_draw;

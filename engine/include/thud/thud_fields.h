@@ -40,11 +40,11 @@ typedef struct thud_explosion {
     double radius; /* length, [0, THUD_PLACE_MAX length scales]; default 0. Within it the impulse is
                       constant */
     double falloff;   /* length, [0, THUD_PLACE_MAX length scales]; default 0. Over this distance
-                         beyond   the radius the impulse falls linearly to 0. Radius and falloff must
-                         not both   be 0 */
+                         beyond the radius the impulse falls linearly to 0. Radius and falloff must
+                         not both be 0 */
     float impulse;    /* an impulse for each length of a shape, measured at a right angle to the
                          direction from the centre: mass/s, |.| <= THUD_EXPLOSION_MAX; negative:
-                         towards    the centre; default 1 */
+                         towards the centre; default 1 */
     thud_cover cover; /* default THUD_COVER_ALL */
     int rays;         /* rays to each shape, [1, THUD_EXPLOSION_RAYS_MAX]; default 5 */
     thud_query_filter filter; /* which shapes are pushed; sensors never are. The body `ignore` does
@@ -56,7 +56,7 @@ THUD_API thud_explosion thud_default_explosion(void);
 
 /* Applies impulses to the dynamic bodies around the centre, away from it, at once; inside a
  * callback through the next step, as impulses do (thud_forces.h), with THUD_ERROR_MEMORY where
- * memory is short. *pushed (may be null): the number of bodies that got an impulse. Sleeping bodies
+ * memory is short. *out_pushed (may be null): the number of bodies that got an impulse. Sleeping bodies
  * wake.
  *
  * The side of a shape that faces the centre is divided into `rays` pieces of equal width, measured
@@ -66,7 +66,7 @@ THUD_API thud_explosion thud_default_explosion(void);
  * in part. A shape that contains the centre gets the whole impulse, at its own centre, and shields
  * no other: place an explosion a little off a wall, along the normal of the hit. */
 THUD_API thud_result thud_world_explode(thud_world *world, const thud_explosion *explosion,
-                                        int *pushed);
+                                        int *out_pushed);
 
 /* ---- wind ---- */
 
@@ -141,9 +141,9 @@ THUD_API thud_result thud_body_apply_rolling_resistance(thud_world *world, thud_
 /* ---- grip: tyres, and friction in games seen from above ---- */
 
 /* Drives a point of a body towards a speed along an axis, by a force along the axis of at most
- * `max_force`, in [0, THUD_FORCE_MAX]. Point and axis are in the body's frame; the axis has any length
- * but 0. At speed 0 the force brakes, as a tyre sideways or a table under a sliding piece; at
- * another speed it drives, as a motor. |speed|
+ * `max_force`, in [0, THUD_FORCE_MAX]. Point and axis are in the body's frame; the axis has any
+ * length but 0. At speed 0 the force brakes, as a tyre sideways or a table under a sliding piece;
+ * at another speed it drives, as a motor. |speed|
  * <= THUD_FLOW_MAX length scales a second; |x|, |y| of the point <= THUD_SIZE_MAX length scales.
  *
  * The force takes into account the velocity that gravity and the forces applied so far will give

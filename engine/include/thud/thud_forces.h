@@ -25,7 +25,7 @@ extern "C" {
 /* A force, mass * length / s^2, at a point of the world. Its torque about the centre of mass is
  * computed once, from the present place of the body. */
 THUD_API thud_result thud_body_apply_force(thud_world *world, thud_body_id body, thud_vec2 force,
-                                              thud_pos point);
+                                           thud_pos point);
 /* An impulse, mass * length / s, at the centre of mass. */
 THUD_API thud_result thud_body_apply_center_impulse(thud_world *world, thud_body_id body,
                                                     thud_vec2 impulse);
@@ -47,18 +47,18 @@ THUD_API thud_result thud_body_set_target(thud_world *world, thud_body_id body, 
 
 /* The velocity, length/s, of the point of the body at this place of the world: v + w x r. */
 THUD_API thud_result thud_body_get_velocity_at(const thud_world *world, thud_body_id body,
-                                           thud_pos point, thud_vec2 *out);
+                                               thud_pos point, thud_vec2 *out);
 /* Points and vectors from the body's frame (its origin and axes) to the world's, and back. Points
  * in the body's frame are in single precision. What the rotation would make greater than the
  * greatest float is that float. */
 THUD_API thud_result thud_body_get_world_point(const thud_world *world, thud_body_id body,
-                                           thud_vec2 point, thud_pos *out);
+                                               thud_vec2 point, thud_pos *out);
 THUD_API thud_result thud_body_get_local_point(const thud_world *world, thud_body_id body,
-                                           thud_pos point, thud_vec2 *out);
+                                               thud_pos point, thud_vec2 *out);
 THUD_API thud_result thud_body_get_world_vector(const thud_world *world, thud_body_id body,
-                                            thud_vec2 vector, thud_vec2 *out);
+                                                thud_vec2 vector, thud_vec2 *out);
 THUD_API thud_result thud_body_get_local_vector(const thud_world *world, thud_body_id body,
-                                            thud_vec2 vector, thud_vec2 *out);
+                                                thud_vec2 vector, thud_vec2 *out);
 
 #ifdef __cplusplus
 }

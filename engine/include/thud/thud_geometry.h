@@ -1,5 +1,5 @@
-/* thud_geometry.h: geometry of shapes without a world: overlap, distance, contact points, rays, times
- * of impact, and terrain. Every function is pure: it has no state and allocates nothing.
+/* thud_geometry.h: geometry of shapes without a world: overlap, distance, contact points, rays,
+ * times of impact, and terrain. Every function is pure: it has no state and allocates nothing.
  * Coordinates are in any unit, relative to any origin near the shapes; y is up, angles are in
  * radians counter-clockwise.
  *
@@ -51,7 +51,7 @@ static inline thud_geometry thud_aabb_at(double x, double y, double half_x, doub
 }
 
 static inline thud_geometry thud_obb_at(double x, double y, double half_x, double half_y,
-                                              double angle) {
+                                        double angle) {
     thud_geometry box = {THUD_SHAPE_OBB, x, y, 0.0, 0.0, half_x, half_y};
     thud_sincos(angle, &box.s, &box.c);
     return box;
@@ -87,9 +87,9 @@ typedef struct thud_contacts {
 
 /* How two moving circles pass each other. */
 typedef struct thud_approach {
-    bool hit;          /* the circles touch during the motion */
-    double time;       /* of the impact, in [0, 1]; 1 without one */
-    double min_distance; /* of the centres during the motion */
+    bool hit;                 /* the circles touch during the motion */
+    double time;              /* of the impact, in [0, 1]; 1 without one */
+    double min_distance;      /* of the centres during the motion */
     double min_distance_time; /* in [0, 1]; the first where the distance is constant */
 } thud_approach;
 
@@ -102,15 +102,14 @@ THUD_API bool thud_geometry_overlap(const thud_geometry *a, const thud_geometry 
 /* Signed distance, normal and closest points. Where the shapes overlap, the normal is the axis of
  * least penetration. */
 THUD_API thud_result thud_geometry_closest(const thud_geometry *a, const thud_geometry *b,
-                                         thud_closest *out);
+                                           thud_closest *out);
 
 /* The contact points at which the shapes are within `margin` ([0, THUD_COORDINATE_MAX]) of each
  * other. The first is that of thud_geometry_closest. Two boxes of which one has a face at a right
  * angle to the normal may have a second: the point furthest from the first, along this face, at
  * which the opposite face of the other box lies over it. */
-THUD_API thud_result thud_geometry_contacts(const thud_geometry *a,
-                                          const thud_geometry *b, double margin,
-                                          thud_contacts *out);
+THUD_API thud_result thud_geometry_contacts(const thud_geometry *a, const thud_geometry *b,
+                                            double margin, thud_contacts *out);
 
 /* Whether the ray hits the shape; *out_fraction, in [0, 1], is the part of the ray before the hit,
  * (*out_nx, *out_ny) the unit outward normal there. A ray that starts inside hits nothing. */
@@ -118,41 +117,40 @@ THUD_API bool thud_geometry_cast_ray(const thud_geometry *shape, thud_segment ra
                                      double *out_fraction, double *out_nx, double *out_ny);
 
 /* The first time in [0, 1] at which the moving shapes come within the distance `target` ([0,
- * THUD_COORDINATE_MAX]) of each other; *hit = false and *time = 1 if they never do. Shapes that
+ * THUD_COORDINATE_MAX]) of each other; *out_hit = false and *out_time = 1 if they never do. Shapes that
  * start within the target hit at 0. Without rotation the time is in closed form, exact up to
  * rounding. With rotation it is found by conservative advancement (B. Mirtich, Impulse-based
  * dynamic simulation, 1996), which ends when the distance is within 1e-10 of the shapes' size of
  * the target. The time is never late; it is early where the shapes rotate close to each other for
  * so long that the number of iterations is cut off. */
 THUD_API thud_result thud_geometry_time_of_impact(const thud_geometry *a, thud_motion motion_a,
-                                                const thud_geometry *b, thud_motion motion_b,
-                                                double target, bool *hit, double *time);
+                                                  const thud_geometry *b, thud_motion motion_b,
+                                                  double target, bool *out_hit, double *out_time);
 
 /* Impact and closest approach of two moving circles, in closed form; rotation has no effect. The
  * closest approach is that of the whole motion, as if the circles passed through each other.
  * THUD_ERROR_INVALID unless both are circles. */
 THUD_API thud_result thud_geometry_approach(const thud_geometry *a, thud_motion motion_a,
-                                           const thud_geometry *b, thud_motion motion_b,
-                                           thud_approach *out);
+                                            const thud_geometry *b, thud_motion motion_b,
+                                            thud_approach *out);
 
 /* The time at which moving shapes that are apart at time 0 and overlap at time 1 began to overlap,
- * by bisection over the motion. At *time, in [0, 1), they are still apart; at some time within
+ * by bisection over the motion. At *out_time, in [0, 1), they are still apart; at some time within
  * `tolerance` after it they overlap. tolerance, in [THUD_TOLERANCE_MIN, 1], is a fraction of the
- * motion; each halving of it costs one overlap test. *collided = false and *time = 1 where the
+ * motion; each halving of it costs one overlap test. *out_collided = false and *out_time = 1 where the
  * shapes are apart at the end, whatever happened in between (see thud_geometry_is_bisectable), or
  * overlap at the start. */
-THUD_API thud_result thud_geometry_time_of_collision(const thud_geometry *a,
-                                                   thud_motion motion_a,
-                                                   const thud_geometry *b,
-                                                   thud_motion motion_b, double tolerance,
-                                                   bool *collided, double *time);
+THUD_API thud_result thud_geometry_time_of_collision(const thud_geometry *a, thud_motion motion_a,
+                                                     const thud_geometry *b, thud_motion motion_b,
+                                                     double tolerance, bool *out_collided,
+                                                     double *out_time);
 
 /* Whether an overlap test at the end of the motions cannot miss that one shape passed through the
  * middle of the other: the relative motion, with the rotation at the corners, is less than the
  * thickness of the thinner shape. Collisions in which corners only graze each other can still be
  * missed. False for invalid shapes. */
 THUD_API bool thud_geometry_is_bisectable(const thud_geometry *a, thud_motion motion_a,
-                                        const thud_geometry *b, thud_motion motion_b);
+                                          const thud_geometry *b, thud_motion motion_b);
 
 /* ---- terrain ---- */
 
@@ -193,10 +191,10 @@ THUD_API thud_result thud_terrain_check(const thud_terrain *terrain);
 THUD_API thud_result thud_terrain_sample_at(const thud_terrain *terrain, double x,
                                             thud_terrain_sample *out);
 
-/* The first and last segment that the interval [x_min, x_max] touches; *first > *last if there are
+/* The first and last segment that the interval [x_min, x_max] touches; *out_first > *out_last if there are
  * none. */
 THUD_API void thud_terrain_segments(const thud_terrain *terrain, double x_min, double x_max,
-                                    int *first, int *last);
+                                    int *out_first, int *out_last);
 
 /* As thud_geometry_cast_ray, against the line from above. A ray that starts below the line hits
  * nothing. */
@@ -210,8 +208,8 @@ THUD_API bool thud_terrain_overlap(const thud_terrain *terrain, const thud_geome
  * of the shortest translation that moves the shape out of the ground, and the points are one of the
  * places that touch after it. The time is proportional to the number of segments that are as near
  * as the result, and with overlap to that number times the number of segments under the shape. */
-THUD_API thud_result thud_terrain_closest(const thud_terrain *terrain,
-                                          const thud_geometry *shape, thud_closest *out);
+THUD_API thud_result thud_terrain_closest(const thud_terrain *terrain, const thud_geometry *shape,
+                                          thud_closest *out);
 
 /* As thud_geometry_contacts with the terrain as a. Candidates for the second point are: each corner
  * of a box with the closest point of the ground; each convex vertex of the ground with the closest
@@ -220,21 +218,18 @@ THUD_API thud_result thud_terrain_closest(const thud_terrain *terrain,
  * of thud_terrain_closest, or, of candidates as deep (to 1e-9 of the shape's size), the one
  * furthest from the second. Each point has its own normal: a circle in a valley touches both
  * slopes. */
-THUD_API thud_result thud_terrain_contacts(const thud_terrain *terrain,
-                                           const thud_geometry *shape, double margin,
-                                           thud_contacts *out);
+THUD_API thud_result thud_terrain_contacts(const thud_terrain *terrain, const thud_geometry *shape,
+                                           double margin, thud_contacts *out);
 
 /* As thud_geometry_time_of_impact, for a shape that moves against terrain at rest. */
 THUD_API thud_result thud_terrain_time_of_impact(const thud_terrain *terrain,
-                                                 const thud_geometry *shape,
-                                                 thud_motion motion, double target, bool *hit,
-                                                 double *time);
+                                                 const thud_geometry *shape, thud_motion motion,
+                                                 double target, bool *out_hit, double *out_time);
 
 /* As thud_geometry_time_of_collision, for a shape that moves against terrain at rest. */
 THUD_API thud_result thud_terrain_time_of_collision(const thud_terrain *terrain,
-                                                    const thud_geometry *shape,
-                                                    thud_motion motion, double tolerance,
-                                                    bool *collided, double *time);
+                                                    const thud_geometry *shape, thud_motion motion,
+                                                    double tolerance, bool *out_collided, double *out_time);
 
 #ifdef __cplusplus
 }

@@ -6,17 +6,16 @@
  * in three directions: along the x axis of frame a, across it (along its y axis), and in rotation
  * (turn). Each direction is locked, free, or driven, depending on the kind:
  *
- *     kind            along               across     turn      what of frame b is used
- *     THUD_JOINT_DISTANCE   the distance (*)    free       free      the position
- *     THUD_JOINT_HINGE      locked              locked     driven    the position, and the angle as zero
- *                                                              of turn
- *     THUD_JOINT_SLIDER     driven              locked     locked    likewise
- *     THUD_JOINT_WELD       locked, or driven where it has a drive,  likewise
- *                     each direction by itself
- *     THUD_JOINT_WHEEL      driven              locked     driven    likewise
- *     THUD_JOINT_TARGET     driven              driven     driven    likewise
- *     THUD_JOINT_FILTER     free                free       free      nothing
- *     THUD_JOINT_GEAR       couples two joints: see `gear` of the def
+ *     kind      along              across    turn     what of frame b is used
+ *     DISTANCE  the distance (*)   free      free     the position
+ *     HINGE     locked             locked    driven   the position, and the angle as zero of turn
+ *     SLIDER    driven             locked    locked   likewise
+ *     WELD      each direction locked, or     likewise
+ *               driven where it has a drive
+ *     WHEEL     driven             locked    driven   likewise
+ *     TARGET    driven             driven    driven   likewise
+ *     FILTER    free               free      free     nothing
+ *     GEAR      couples two joints: see `gear` of the def
  *
  * A driven direction without limits, spring and motor is free.
  *
@@ -108,7 +107,8 @@ typedef struct thud_drive {
                            maximum for both, it is the maximum of the force in any direction. The
                            direction of the force is decided once a step */
     float motor_speed;  /* target speed of b relative to a, |.| <= THUD_JOINT_LENGTH_MAX length
-                           scales a second, or THUD_JOINT_ANGULAR_SPEED_MAX radians a second; default 0 */
+                           scales a second, or THUD_JOINT_ANGULAR_SPEED_MAX radians a second; default
+                           0 */
     float motor_force;  /* maximum force of the motor, [0, THUD_JOINT_FORCE_MAX]; default 0: no
                            motor; a speed without a force is logged. Along and across together as
                            for springs: with speed 0 and the same maximum it acts as friction */
@@ -164,8 +164,9 @@ THUD_NODISCARD THUD_API thud_result thud_joint_create(thud_world *world, const t
 THUD_API thud_result thud_joint_destroy(thud_world *world, thud_joint_id joint);
 THUD_API bool thud_joint_is_valid(const thud_world *world, thud_joint_id joint);
 
-/* Forces of a direction's drive, of THUD_DIRECTION_TURN torques. Positive ones increase value[direction];
- * they are within THUD_JOINT_FORCE_MAX, and 0 where the drive has no such part. */
+/* Forces of a direction's drive, of THUD_DIRECTION_TURN torques. Positive ones increase
+ * value[direction]; they are within THUD_JOINT_FORCE_MAX, and 0 where the drive has no such part.
+ */
 typedef struct thud_drive_forces {
     float limit, spring, motor;
 } thud_drive_forces;
@@ -187,7 +188,7 @@ typedef struct thud_joint_state {
 } thud_joint_state;
 
 THUD_API thud_result thud_joint_get_state(const thud_world *world, thud_joint_id joint,
-                                    thud_joint_state *out);
+                                          thud_joint_state *out);
 /* A def of the joint as it is now, from which another like it can be made. Angles are in (-pi, pi];
  * what the kind does not use has its default. */
 THUD_API thud_result thud_joint_get_def(const thud_world *world, thud_joint_id joint,

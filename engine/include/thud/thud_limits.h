@@ -35,9 +35,9 @@
 #define THUD_STATIC_SIZE_MAX 32000.0f /* radius or half extent on a static body, length scales */
 #define THUD_DENSITY_MAX 1e12f        /* mass/length^2; above it the units are probably wrong */
 #define THUD_FRICTION_MAX 1e6f
-#define THUD_RESTITUTION_MAX 1.0f   /* of a shape */
-#define THUD_PAIR_RESTITUTION_MAX 4.0f        /* of a pair, by a rule or a prologue */
-#define THUD_SURFACE_SPEED_MAX 1e6f /* |speed|, length scales a second */
+#define THUD_RESTITUTION_MAX 1.0f      /* of a shape */
+#define THUD_PAIR_RESTITUTION_MAX 4.0f /* of a pair, by a rule or a prologue */
+#define THUD_SURFACE_SPEED_MAX 1e6f    /* |speed|, length scales a second */
 #define THUD_MASS_MIN 1e-30f
 #define THUD_MASS_MAX 1e30f
 
@@ -55,21 +55,21 @@
 
 /* ---- joints ---- */
 
-#define THUD_JOINT_LENGTH_MAX 1e6f     /* length scales; of motors, length scales a second */
-#define THUD_JOINT_ANGLE_MAX 3.1415927f /* |radians| of limits and targets: pi as a float */
-#define THUD_JOINT_ANGULAR_SPEED_MAX 1e6f       /* |radians| a second, of motors */
-#define THUD_JOINT_FREQUENCY_MAX 1e4f  /* Hz */
-#define THUD_JOINT_DAMPING_MAX 1e3f    /* ratio */
-#define THUD_JOINT_FORCE_MAX 1e30f     /* also torque */
-#define THUD_GEAR_RATIO_MIN 1e-4f      /* |ratio| */
+#define THUD_JOINT_LENGTH_MAX 1e6f        /* length scales; of motors, length scales a second */
+#define THUD_JOINT_ANGLE_MAX 3.1415927f   /* |radians| of limits and targets: pi as a float */
+#define THUD_JOINT_ANGULAR_SPEED_MAX 1e6f /* |radians| a second, of motors */
+#define THUD_JOINT_FREQUENCY_MAX 1e4f     /* Hz */
+#define THUD_JOINT_DAMPING_MAX 1e3f       /* ratio */
+#define THUD_JOINT_FORCE_MAX 1e30f        /* also torque */
+#define THUD_GEAR_RATIO_MIN 1e-4f         /* |ratio| */
 #define THUD_GEAR_RATIO_MAX 1e4f
 
 /* ---- movers ---- */
 
-#define THUD_MOVER_SLOPE_MAX 1.55 /* radians */
-#define THUD_MOVER_STEP_MAX 1e6   /* length, step_height and snap_distance */
-#define THUD_MOVER_DISTANCE_MAX 1e6    /* length, |velocity| * dt of one move */
-#define THUD_MOVER_FORCE_MAX 1e30 /* mass * length / s^2 */
+#define THUD_MOVER_SLOPE_MAX 1.55   /* radians */
+#define THUD_MOVER_STEP_MAX 1e6     /* length, step_height and snap_distance */
+#define THUD_MOVER_DISTANCE_MAX 1e6 /* length, |velocity| * dt of one move */
+#define THUD_MOVER_FORCE_MAX 1e30   /* mass * length / s^2 */
 
 /* ---- rollback ---- */
 

@@ -46,18 +46,18 @@ typedef struct thud_minkowski {
 /* The sum of a and the reflected b. The centres of the shapes are not used, but must be valid.
  * Elements beyond count are 0. */
 THUD_API thud_result thud_minkowski_sum(const thud_geometry *a, const thud_geometry *b,
-                                        thud_minkowski *sum);
+                                        thud_minkowski *out);
 
 /* Whether the point (x, y) is in the sum or on its edge. |x|, |y| <= THUD_VOLUME_MAX. */
 THUD_API thud_result thud_minkowski_contains(const thud_minkowski *sum, double x, double y,
-                                             bool *inside);
+                                             bool *out_inside);
 
 /* The point's signed distance from the edge of the sum, negative inside, and the unit normal along
  * which the point leaves the sum on the shortest way: the distance and normal of
- * thud_geometry_closest, from a to b. Where several faces are equally near, the normal is that of one
- * of them. |x|, |y| <= THUD_VOLUME_MAX. */
+ * thud_geometry_closest, from a to b. Where several faces are equally near, the normal is that of
+ * one of them. |x|, |y| <= THUD_VOLUME_MAX. */
 THUD_API thud_result thud_minkowski_distance(const thud_minkowski *sum, double x, double y,
-                                             double *distance, double *nx, double *ny);
+                                             double *out_distance, double *out_nx, double *out_ny);
 
 /* Where the point that moves by (dx, dy) first enters the sum: *fraction of the motion, in [0, 1],
  * and the unit outward normal there. A point that starts inside hits at 0, with the normal of

@@ -47,8 +47,8 @@ typedef struct thud_ray {
 /* A circle, AABB or OBB that moves without rotation. */
 typedef struct thud_shape_cast {
     thud_pos center;
-    thud_geometry shape; /* about `center`: its x, y are an offset from it */
-    double dx, dy;       /* the displacement of the shape */
+    thud_geometry shape;             /* about `center`: its x, y are an offset from it */
+    double dx, dy;                   /* the displacement of the shape */
     const thud_query_filter *filter; /* null: everything but sensors */
 } thud_shape_cast;
 
@@ -114,16 +114,16 @@ typedef struct thud_closest_hit {
 } thud_closest_hit;
 
 /* The shape at the least signed distance from the point, if that is at most `max_distance` ([0,
- * THUD_PLACE_MAX length scales]). *found: whether there is one; if not, *out is not written. */
+ * THUD_PLACE_MAX length scales]). *out_found: whether there is one; if not, *out is not written. */
 THUD_API thud_result thud_world_closest(thud_world *world, thud_pos point, double max_distance,
-                                        const thud_query_filter *filter, bool *found,
+                                        const thud_query_filter *filter, bool *out_found,
                                         thud_closest_hit *out);
 
 /* A bounding volume of this kind around all shapes of a body at their present places, relative to
  * `origin`; see thud_volumes.h. THUD_ERROR_STALE; THUD_ERROR_INVALID also for a body without shapes
  * or with flat terrain, which has no ends. */
-THUD_API thud_result thud_body_get_volume(thud_world *world, thud_body_id body, thud_shape_kind kind,
-                                      thud_pos origin, thud_volume *out);
+THUD_API thud_result thud_body_get_volume(thud_world *world, thud_body_id body,
+                                          thud_shape_kind kind, thud_pos origin, thud_volume *out);
 
 /* ---- the contacts of one body ---- */
 
@@ -142,11 +142,11 @@ typedef struct thud_manifold {
     bool direct;             /* the pair's island was solved directly, see thud_quality.h */
 } thud_manifold;
 
-/* The touching pairs of a body. *count is their number; at most `capacity` (>= 0) are written,
+/* The touching pairs of a body. *out_count is their number; at most `capacity` (>= 0) are written,
  * those first that began to touch last. `out` may be null where capacity is 0. THUD_ERROR_STALE,
  * THUD_ERROR_LOCKED inside a callback. */
-THUD_API thud_result thud_body_get_contacts(thud_world *world, thud_body_id body, thud_manifold *out,
-                                        int capacity, int *count);
+THUD_API thud_result thud_body_get_contacts(thud_world *world, thud_body_id body,
+                                            thud_manifold *out, int capacity, int *out_count);
 
 #ifdef __cplusplus
 }

@@ -1,7 +1,7 @@
 /* thud_reads.h: getters of single values of bodies and shapes, in place of all values by
- * thud_body_get_state or thud_shape_get_state, and the settings that steps use. Each checks the handle and
- * copies the value. They change nothing, and are allowed inside callbacks; edits made inside a
- * callback do not show before the next step.
+ * thud_body_get_state or thud_shape_get_state, and the settings that steps use. Each checks the
+ * handle and copies the value. They change nothing, and are allowed inside callbacks; edits made
+ * inside a callback do not show before the next step.
  *
  * Outputs may be null. THUD_ERROR_NULL for a null world, THUD_ERROR_STALE; outputs are then not
  * written. */
@@ -15,18 +15,20 @@ extern "C" {
 #endif
 
 THUD_API thud_result thud_body_get_position(const thud_world *world, thud_body_id body,
-                                        thud_pos *position); /* of the origin */
-THUD_API thud_result thud_body_get_rotation(const thud_world *world, thud_body_id body, double *angle,
-                                        float *cosine, float *sine); /* angle: rad, in (-pi, pi] */
-THUD_API thud_result thud_body_get_velocity(const thud_world *world, thud_body_id body,
-                                        thud_vec2 *velocity, /* of the centre of mass, length/s */
-                                        float *angular_velocity); /* rad/s */
+                                            thud_pos *out_position); /* of the origin */
+THUD_API thud_result thud_body_get_rotation(const thud_world *world, thud_body_id body,
+                                            double *out_angle, float *out_cosine,
+                                            float *out_sine); /* angle: rad, in (-pi, pi] */
+THUD_API thud_result
+thud_body_get_velocity(const thud_world *world, thud_body_id body,
+                       thud_vec2 *out_velocity,      /* of the centre of mass, length/s */
+                       float *out_angular_velocity); /* rad/s */
 THUD_API thud_result thud_body_get_user_data(const thud_world *world, thud_body_id body,
-                                         uint64_t *user_data);
+                                             uint64_t *out_user_data);
 THUD_API thud_result thud_shape_get_user_data(const thud_world *world, thud_shape_id shape,
-                                          uint64_t *user_data);
+                                              uint64_t *out_user_data);
 THUD_API thud_result thud_shape_get_body(const thud_world *world, thud_shape_id shape,
-                                     thud_body_id *body);
+                                         thud_body_id *out_body);
 
 /* Position of the origin and velocity of the centre of mass as return values, for use in
  * expressions; (0, 0) where the handle names nothing. */

@@ -20,9 +20,10 @@ extern "C" {
 /* How shapes of two kinds interact. */
 typedef enum thud_rule_kind {
     THUD_RULE_COLLIDE = 0, /* they collide */
-    THUD_RULE_IGNORE,      /* they never make a pair, as if their filters excluded it; sensors neither */
-    THUD_RULE_ONE_WAY /* they collide on one side only, as a platform that is jumped through from below
-                  */
+    THUD_RULE_IGNORE, /* they never make a pair, as if their filters excluded it; sensors neither */
+    THUD_RULE_ONE_WAY /* they collide on one side only, as a platform that is jumped through from
+                       * below
+                       */
 } thud_rule_kind;
 
 /* The number of enumerators; no enumerator itself, so that a switch need not name it. */
@@ -33,10 +34,10 @@ enum { THUD_RULE_KIND_COUNT = THUD_RULE_ONE_WAY + 1 };
  * for pairs that a rule lets pass. */
 typedef struct thud_rule {
     thud_rule_kind kind;
-    /* THUD_RULE_ONE_WAY: the side of the first kind's shape on which the second collides with it, as a
-     * direction in the frame of the first's body, of any length but 0. Default (0, 1): the top. A
-     * shape that comes from this side collides until the two part. A shape that comes from another
-     * side, or starts inside, passes until the two part or it has come out on this side. */
+    /* THUD_RULE_ONE_WAY: the side of the first kind's shape on which the second collides with it,
+     * as a direction in the frame of the first's body, of any length but 0. Default (0, 1): the
+     * top. A shape that comes from this side collides until the two part. A shape that comes from
+     * another side, or starts inside, passes until the two part or it has come out on this side. */
     thud_vec2 solid_side;
     float friction;      /* coefficient, [0, THUD_FRICTION_MAX]; default NaN */
     float restitution;   /* [0, THUD_PAIR_RESTITUTION_MAX]; default NaN */
@@ -62,11 +63,11 @@ THUD_API thud_rule thud_default_rule(void);
  * then nothing has changed. */
 THUD_API thud_result thud_world_set_rule(thud_world *world, uint32_t first, uint32_t second,
                                          const thud_rule *rule);
-/* Gets the rule of two kinds, one bit each: *out is the rule, or the default; *is_set: whether
- * there is one; *reversed: whether it was set with `second` as the first kind. Each output may be
+/* Gets the rule of two kinds, one bit each: *out is the rule, or the default; *out_is_set: whether
+ * there is one; *out_reversed: whether it was set with `second` as the first kind. Each output may be
  * null. */
 THUD_API thud_result thud_world_get_rule(const thud_world *world, uint32_t first, uint32_t second,
-                                     thud_rule *out, bool *is_set, bool *reversed);
+                                         thud_rule *out, bool *out_is_set, bool *out_reversed);
 
 /* Prepares a world that never had a rule or filter for thud_world_restore from a snapshot with
  * rules, which it would refuse otherwise. THUD_ERROR_NULL, THUD_ERROR_MEMORY, THUD_ERROR_LOCKED
@@ -86,8 +87,9 @@ typedef bool thud_filter_fn(const thud_world *world, thud_shape_id shape_a, thud
 THUD_API thud_result thud_world_set_filter(thud_world *world, thud_filter_fn *filter,
                                            void *context);
 
-/* A contact whose normal impulse was larger than its rule's event_impulse. Each segment of a terrain
- * is a contact of its own, and so is each collision that detection resolves within the step. */
+/* A contact whose normal impulse was larger than its rule's event_impulse. Each segment of a
+ * terrain is a contact of its own, and so is each collision that detection resolves within the
+ * step. */
 typedef struct thud_impulse_event {
     thud_shape_id shape_a, shape_b;
     thud_pos point;   /* in the world */

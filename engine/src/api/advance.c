@@ -276,7 +276,7 @@ static thud_result advance(thud_world *w, double elapsed, int max_steps,
 }
 
 thud_result thud_world_advance_with(thud_world *w, double elapsed, int max_steps,
-                                    const thud_step_calls *calls, int *steps, double *alpha) {
+                                    const thud_step_calls *calls, int *out_steps, double *out_alpha) {
     TD_IN_OWN_MODE;
     if (!w) {
         return THUD_ERROR_NULL;
@@ -295,16 +295,16 @@ thud_result thud_world_advance_with(thud_world *w, double elapsed, int max_steps
     w->advancing = true;
     result = advance(w, elapsed, max_steps, calls, &done);
     w->advancing = false;
-    if (steps) {
-        *steps = done;
+    if (out_steps) {
+        *out_steps = done;
     }
-    if (alpha) {
-        *alpha = td_min_double(w->spare_time / w->def.time_step, 0x1.fffffffffffffp-1);
+    if (out_alpha) {
+        *out_alpha = td_min_double(w->spare_time / w->def.time_step, 0x1.fffffffffffffp-1);
     }
     return result;
 }
 
-thud_result thud_world_advance(thud_world *w, double elapsed, int max_steps, int *steps,
-                               double *alpha) {
-    return thud_world_advance_with(w, elapsed, max_steps, NULL, steps, alpha);
+thud_result thud_world_advance(thud_world *w, double elapsed, int max_steps, int *out_steps,
+                               double *out_alpha) {
+    return thud_world_advance_with(w, elapsed, max_steps, NULL, out_steps, out_alpha);
 }

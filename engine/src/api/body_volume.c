@@ -45,8 +45,8 @@ static bool has_volume(const thud_world *w, thud_shape_kind kind, td_body_index 
     return any && td_kind_is_volume(kind);
 }
 
-thud_result thud_body_get_volume(thud_world *w, thud_body_id id, thud_shape_kind kind, thud_pos origin,
-                             thud_volume *out) {
+thud_result thud_body_get_volume(thud_world *w, thud_body_id id, thud_shape_kind kind,
+                                 thud_pos origin, thud_volume *out) {
     TD_IN_OWN_MODE;
     td_body_index index;
     if (!w || !out) {

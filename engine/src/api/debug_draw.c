@@ -18,9 +18,9 @@ static thud_style style_of(const td_drawing *d, const td_shape *shape) {
     if (body->kind == THUD_BODY_STATIC) {
         return THUD_STYLE_STATIC;
     }
-    return body->awake.at < 0             ? THUD_STYLE_SLEEPING
+    return body->awake.at < 0                  ? THUD_STYLE_SLEEPING
            : body->kind == THUD_BODY_KINEMATIC ? THUD_STYLE_KINEMATIC
-                                          : THUD_STYLE_DYNAMIC;
+                                               : THUD_STYLE_DYNAMIC;
 }
 
 /* Draws the segments of a terrain between the left and right edges of the view. */

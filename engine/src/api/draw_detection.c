@@ -161,8 +161,7 @@ void td_draw_stages(const td_drawing *d) {
 
 /* Draws the two lines parallel to the motion (x, y) that touch a circle at both ends of the motion.
  */
-static void join_circles(const td_drawing *d, const thud_geometry *start, double x,
-                         double y) {
+static void join_circles(const td_drawing *d, const thud_geometry *start, double x, double y) {
     double part = start->hx / __builtin_sqrt(x * x + y * y);
     for (int side = -1; side <= 1; side += 2) {
         double ax = start->x - side * part * y, ay = start->y + side * part * x;
@@ -195,8 +194,7 @@ static int next_on_hull(const thud_pos *corners, int count, int p, double roundi
 /* Draws those sides of the convex hull of both boxes that join a corner of one to a corner of the
  * other. The hull is found by gift wrapping (R. A. Jarvis, On the identification of the convex hull
  * of a finite set of points in the plane, 1973). */
-static void join_boxes(const td_drawing *d, const thud_geometry *start,
-                       const thud_geometry *end) {
+static void join_boxes(const td_drawing *d, const thud_geometry *start, const thud_geometry *end) {
     enum { CORNERS = 4, BOTH = 8 };
     thud_pos corners[BOTH], middle = {start->x, start->y};
     int first = 0;
@@ -242,8 +240,7 @@ static void draw_outline(const td_drawing *d, const thud_geometry *p) {
 
 /* Draws the swept volume of a shape: the shape at both ends of its motion, and the sides of their
  * convex hull that join them. */
-static void draw_swept(const td_drawing *d, const thud_geometry *start,
-                       const thud_geometry *end) {
+static void draw_swept(const td_drawing *d, const thud_geometry *start, const thud_geometry *end) {
     draw_outline(d, start);
     draw_outline(d, end);
     switch (start->kind) {
@@ -260,8 +257,7 @@ static void draw_swept(const td_drawing *d, const thud_geometry *start,
 }
 
 /* Whether the bounds of the straight motion from start to end overlap the view. */
-static bool in_view(const td_drawing *d, const thud_geometry *start,
-                    const thud_geometry *end) {
+static bool in_view(const td_drawing *d, const thud_geometry *start, const thud_geometry *end) {
     thud_vec2 lower = td_drawing_local(d, d->lower), upper = td_drawing_local(d, d->upper);
     double reach = td_reach(start);
     double left = start->x < end->x ? start->x : end->x, right = start->x + end->x - left;

@@ -107,8 +107,8 @@ static void push(td_move *m, const thud_mover_hit *hit) {
     thud_body_state body;
     td_way n = td_mover_normal(hit);
     if (!thud_body_is_valid(m->world, hit->body) ||
-        thud_body_get_state(m->world, hit->body, &body) != THUD_OK || body.kind != THUD_BODY_DYNAMIC ||
-        td_dot(n, td_up(m)) >= m->walkable) {
+        thud_body_get_state(m->world, hit->body, &body) != THUD_OK ||
+        body.kind != THUD_BODY_DYNAMIC || td_dot(n, td_up(m)) >= m->walkable) {
         return;
     }
     double rx = hit->point.x - body.center.x, ry = hit->point.y - body.center.y;
@@ -233,7 +233,7 @@ static void move(td_move *m) {
 }
 
 thud_result thud_mover_move(thud_world *w, thud_mover *mover, thud_vec2 velocity, double dt,
-                            thud_mover_report *report) {
+                            thud_mover_report *out_report) {
     TD_IN_OWN_MODE;
     if (!w || !mover) {
         return td_refuse(w, THUD_ERROR_NULL, "mover: world or mover is null");
@@ -275,8 +275,8 @@ thud_result thud_mover_move(thud_world *w, thud_mover *mover, thud_vec2 velocity
         return m.result;
     }
     *mover = m.mover;
-    if (report) {
-        *report = m.report;
+    if (out_report) {
+        *out_report = m.report;
     }
     return THUD_OK;
 }

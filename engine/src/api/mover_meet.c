@@ -34,7 +34,10 @@ static int cast_mover(td_move *m, td_way way, thud_ray_hit *found) {
     thud_pos center = {shape.x, shape.y};
     shape.x = shape.y = 0.0;
     if (m->result == THUD_OK) {
-        m->result = thud_world_cast_shape_all(m->world, &(thud_shape_cast){center, shape, way.x, way.y, &m->solid}, found, CAST_HITS_MAX, &count);
+        m->result =
+            thud_world_cast_shape_all(m->world,
+                                      &(thud_shape_cast){center, shape, way.x, way.y, &m->solid},
+                                      found, CAST_HITS_MAX, &count);
     }
     return td_min_int(count, CAST_HITS_MAX);
 }
@@ -136,7 +139,8 @@ static bool deepest_overlap(td_move *m, thud_mover_hit *hit) {
         thud_mover_hit here;
         thud_body_state body;
         if (found[i].depth > hit->depth && stops(m, &found[i], &here) &&
-            thud_body_get_state(m->world, here.body, &body) == THUD_OK && body.kind != THUD_BODY_DYNAMIC) {
+            thud_body_get_state(m->world, here.body, &body) == THUD_OK &&
+            body.kind != THUD_BODY_DYNAMIC) {
             *hit = here;
         }
     }
@@ -201,7 +205,10 @@ bool td_mover_stands_on(td_move *m, const thud_mover_hit *hit, double bottom) {
     td_way from = td_plus(td_plus(point, up, skin), ahead, size > 0.0 ? skin / size : 0.0);
     bool found;
     thud_ray_hit below;
-    return thud_world_cast_ray(m->world, &(thud_ray){(thud_pos){from.x, from.y}, -2.0 * skin * up.x, -2.0 * skin * up.y, &m->solid}, &found, &below) == THUD_OK &&
+    return thud_world_cast_ray(m->world,
+                               &(thud_ray){(thud_pos){from.x, from.y}, -2.0 * skin * up.x,
+                                           -2.0 * skin * up.y, &m->solid},
+                               &found, &below) == THUD_OK &&
            found && below.shape.index1 == hit->shape.index1 &&
            (double)below.normal.x * up.x + (double)below.normal.y * up.y >= m->walkable;
 }

@@ -25,8 +25,7 @@ thud_result td_query_check(const thud_world *w, thud_pos center, const thud_geom
 thud_geometry td_query_instance(const thud_world *w, int shape, td_position origin);
 
 /* The bounding box of a shape that lies about `center`. */
-void td_query_bounds(thud_pos center, const thud_geometry *shape, thud_pos *lower,
-                     thud_pos *upper);
+void td_query_bounds(thud_pos center, const thud_geometry *shape, thud_pos *lower, thud_pos *upper);
 
 /* Brings the preview (preview.h) and the broadphase up to date: the query sees shapes where the
  * edits made so far put them, while the edits themselves wait for the next step. Inside a callback

@@ -87,8 +87,8 @@ static thud_result check_ray(const thud_world *w, const thud_ray *ray, td_path *
     if (!w || !ray) {
         return td_refuse(w, THUD_ERROR_NULL, "cast: world or ray is null");
     }
-    *way = (td_path){td_point_meets, ray->origin, .dx = ray->dx, .dy = ray->dy,
-                     .filter = ray->filter};
+    *way =
+        (td_path){td_point_meets, ray->origin, .dx = ray->dx, .dy = ray->dy, .filter = ray->filter};
     return td_path_check(w, way);
 }
 
@@ -150,8 +150,8 @@ thud_result td_query_cast_sensors(thud_world *w, const thud_shape_cast *cast, th
     return cast_all(w, &way, out, capacity, count);
 }
 
-thud_result thud_world_cast_shape_all(thud_world *w, const thud_shape_cast *cast,
-                                      thud_ray_hit *out, int capacity, int *out_count) {
+thud_result thud_world_cast_shape_all(thud_world *w, const thud_shape_cast *cast, thud_ray_hit *out,
+                                      int capacity, int *out_count) {
     TD_IN_OWN_MODE;
     td_path way;
     thud_result result = check_shape(w, cast, &way);

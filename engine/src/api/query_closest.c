@@ -48,7 +48,7 @@ static void keep_nearest(const thud_world *w, td_position at, const thud_query_f
 }
 
 thud_result thud_world_closest(thud_world *w, thud_pos point, double max_distance,
-                               const thud_query_filter *filter, bool *found,
+                               const thud_query_filter *filter, bool *out_found,
                                thud_closest_hit *out) {
     TD_IN_OWN_MODE;
     if (!w) {
@@ -87,8 +87,8 @@ thud_result thud_world_closest(thud_world *w, thud_pos point, double max_distanc
         reach = 4.0 * reach < max_distance ? 4.0 * reach : max_distance;
     }
     bool any = best.distance <= max_distance;
-    if (found) {
-        *found = any;
+    if (out_found) {
+        *out_found = any;
     }
     if (out && any) {
         *out = td_query_closest_hit(w, nearest, point, &best);

@@ -17,21 +17,21 @@ static thud_world *unconst(const thud_world *w) {
     return pointer.same;
 }
 
-thud_result thud_world_get_snapshot_size(const thud_world *w, size_t *bytes) {
-    if (!w || !bytes) {
+thud_result thud_world_get_snapshot_size(const thud_world *w, size_t *out_bytes) {
+    if (!w || !out_bytes) {
         return td_refuse(w, THUD_ERROR_NULL, "snapshot size: world or bytes is null");
     }
     if (w->locked) {
         return td_refuse(w, THUD_ERROR_LOCKED, "snapshot size: not inside a callback");
     }
-    *bytes = (size_t)td_snapshot_head_of(unconst(w)).bytes;
+    *out_bytes = (size_t)td_snapshot_head_of(unconst(w)).bytes;
     return THUD_OK;
 }
 
 /* The checksum is over all bytes from this offset on. */
 static const size_t SUMMED_FROM = offsetof(td_snapshot_head, checksum) + sizeof(uint64_t);
 
-thud_result thud_world_snapshot(const thud_world *w, void *buffer, size_t capacity, size_t *bytes) {
+thud_result thud_world_snapshot(const thud_world *w, void *buffer, size_t capacity, size_t *out_bytes) {
     if (!w || !buffer) {
         return td_refuse(w, THUD_ERROR_NULL, "snapshot: world or buffer is null");
     }
@@ -51,8 +51,8 @@ thud_result thud_world_snapshot(const thud_world *w, void *buffer, size_t capaci
     }
     head.checksum = td_snapshot_checksum(to + SUMMED_FROM, size - SUMMED_FROM);
     memcpy(to, &head, SUMMED_FROM);
-    if (bytes) {
-        *bytes = size;
+    if (out_bytes) {
+        *out_bytes = size;
     }
     return THUD_OK;
 }

@@ -57,7 +57,7 @@ static bool numbers_in(const thud_world_def *d, td_reason *why) {
 
 /* Why the def is refused, or null. */
 static const char *def_error(const thud_world_def *d, td_reason *why) {
-    if (d->cookie != TD_COOKIE) {
+    if (d->cookie != TD_COOKIE && d->cookie != TD_COOKIE_BASELINE) {
         return "world_create: the def does not start from thud_default_world_def()";
     }
     if (!numbers_in(d, why)) {
@@ -83,7 +83,7 @@ static const char *def_error(const thud_world_def *d, td_reason *why) {
     return NULL;
 }
 
-/* Whether this processor runs the AVX2 kernels; `baseline`: thud_world_def.baseline_simd. */
+/* Whether this processor runs the AVX2 kernels; `baseline`: the def does not want them. */
 static bool has_avx2(bool baseline) {
 #if defined(TD_HAS_AVX2)
     return !baseline && __builtin_cpu_supports("avx2");
@@ -225,7 +225,7 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out) {
     w->def = *def;
     w->memory = memory;
     w->number = atomic_fetch_add(&made, 1u) + 1u;
-    w->wide = has_avx2(def->baseline_simd);
+    w->wide = has_avx2(def->cookie == TD_COOKIE_BASELINE);
     w->def.broadphase = def->broadphase ? def->broadphase : &thud_broadphase_grid;
     double unit = power_below((double)def->length_scale);
     w->unit = (float)unit;

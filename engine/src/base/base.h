@@ -82,6 +82,8 @@
 /* The value of `cookie` that default functions set in defs ("thud" in ASCII). A def without it was
  * not made by its default function, and is refused. */
 #define TD_COOKIE 0x74687564u
+/* The same for a world def whose world is not to use AVX2; see thud_testing.h. */
+#define TD_COOKIE_BASELINE 0x74687563u
 
 static inline int td_min_int(int a, int b) {
     return a < b ? a : b;

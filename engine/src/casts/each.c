@@ -76,15 +76,15 @@ thud_result thud_world_cast_ray_each(thud_world *w, const thud_ray *ray, thud_ca
     return result != THUD_OK ? result : each(w, &way, fn, context);
 }
 
-thud_result thud_world_cast_shape_each(thud_world *w, const thud_shape_cast *cast,
-                                       thud_cast_fn *fn, void *context) {
+thud_result thud_world_cast_shape_each(thud_world *w, const thud_shape_cast *cast, thud_cast_fn *fn,
+                                       void *context) {
     TD_IN_OWN_MODE;
     if (!w || !cast || !fn) {
         return td_refuse(w, THUD_ERROR_NULL, "cast: world, cast or callback is null");
     }
     thud_query_filter own = copied(cast->filter);
     thud_geometry moving = cast->shape;
-    td_path way = {td_shape_meets, cast->center,      .dx = cast->dx,
+    td_path way = {td_shape_meets, cast->center,     .dx = cast->dx,
                    .dy = cast->dy, .shape = &moving, .filter = &own};
     thud_result result = td_path_check(w, &way);
     if (result == THUD_OK && td_query_check(w, way.origin, &moving) != THUD_OK) {

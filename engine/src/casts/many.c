@@ -103,12 +103,12 @@ static thud_result check_lists(const batch *b) {
 }
 
 thud_result thud_world_cast_rays(thud_world *w, const thud_ray *rays, int count,
-                                 thud_ray_hit *hits) {
+                                 thud_ray_hit *out_hits) {
     TD_IN_OWN_MODE;
     if (!w) {
         return THUD_ERROR_NULL;
     }
-    batch b = {w, ray_path, rays, hits, .count = count};
+    batch b = {w, ray_path, rays, out_hits, .count = count};
     thud_result result = check_lists(&b);
     for (int i = 0; i < count && result == THUD_OK; i++) {
         td_path way = {.origin = rays[i].origin,
@@ -121,12 +121,12 @@ thud_result thud_world_cast_rays(thud_world *w, const thud_ray *rays, int count,
 }
 
 thud_result thud_world_cast_shapes(thud_world *w, const thud_shape_cast *casts, int count,
-                                   thud_ray_hit *hits) {
+                                   thud_ray_hit *out_hits) {
     TD_IN_OWN_MODE;
     if (!w) {
         return THUD_ERROR_NULL;
     }
-    batch b = {w, shape_path, casts, hits, .count = count};
+    batch b = {w, shape_path, casts, out_hits, .count = count};
     thud_result result = check_lists(&b);
     for (int i = 0; i < count && result == THUD_OK; i++) {
         td_path way = {.origin = casts[i].center,

@@ -35,9 +35,11 @@ bool td_point_meets(const thud_world *w, int index, const td_path *way, thud_ray
     bool hit;
     if (td_kind_is_line(shape.kind)) {
         thud_terrain terrain = td_terrain_view(w, index);
-        hit = thud_terrain_cast_ray(&terrain, (thud_segment){-shape.x, -shape.y, way->dx, way->dy}, &out->fraction, &nx, &ny);
+        hit = thud_terrain_cast_ray(&terrain, (thud_segment){-shape.x, -shape.y, way->dx, way->dy},
+                                    &out->fraction, &nx, &ny);
     } else {
-        hit = thud_geometry_cast_ray(&shape, (thud_segment){0.0, 0.0, way->dx, way->dy}, &out->fraction, &nx, &ny);
+        hit = thud_geometry_cast_ray(&shape, (thud_segment){0.0, 0.0, way->dx, way->dy},
+                                     &out->fraction, &nx, &ny);
     }
     out->point = (thud_pos){way->origin.x + out->fraction * way->dx,
                             way->origin.y + out->fraction * way->dy};

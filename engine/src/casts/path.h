@@ -15,12 +15,12 @@ typedef bool td_meets_fn(const thud_world *w, int index, const td_path *way, thu
 
 struct td_path {
     td_meets_fn *meets;
-    thud_pos origin;                  /* of the path, in the world */
-    td_position from;                 /* the same in fixed point */
-    double dx, dy;                    /* the displacement from the origin to the end, length */
-    const thud_geometry *shape; /* the moving shape, about the origin; null: a point */
-    const thud_query_filter *filter;  /* null: everything but sensors */
-    bool sensors;                     /* only sensors are hit */
+    thud_pos origin;                 /* of the path, in the world */
+    td_position from;                /* the same in fixed point */
+    double dx, dy;                   /* the displacement from the origin to the end, length */
+    const thud_geometry *shape;      /* the moving shape, about the origin; null: a point */
+    const thud_query_filter *filter; /* null: everything but sensors */
+    bool sensors;                    /* only sensors are hit */
 };
 
 td_meets_fn td_point_meets, td_shape_meets;

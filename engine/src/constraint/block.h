@@ -129,7 +129,7 @@ typedef struct td_drive_rows {
     f8 motor_speed;                /* target speed of the motor */
     f8 motor_most;                 /* bound of the motor's force (or torque); 0: no motor */
     f8 lower, upper;               /* limits of the coordinate */
-    i8 limited, across;            /* masks: there are limits; the direction is THUD_DIRECTION_ACROSS */
+    i8 limited, across; /* masks: there are limits; the direction is THUD_DIRECTION_ACROSS */
     td_anchor_rows anchor;
 } td_drive_rows;
 

@@ -13,9 +13,8 @@
  * of the reference face of `face`, to the width of that face. Writes the ends that are within
  * `margin` above the face: places halfway between edge and face, and separations. Returns their
  * number, 0 to 2. */
-static int clip_incident_edge(const thud_geometry *face, const thud_geometry *other,
-                              double nx, double ny, double margin, double *x, double *y,
-                              double *separation) {
+static int clip_incident_edge(const thud_geometry *face, const thud_geometry *other, double nx,
+                              double ny, double margin, double *x, double *y, double *separation) {
     double u, v, tx = -ny, ty = nx;
     /* The incident edge: centre, direction and half length; (u, v) is the normal in its box. */
     td_to_frame(other, -nx, -ny, &u, &v);
@@ -53,8 +52,8 @@ static int clip_incident_edge(const thud_geometry *face, const thud_geometry *ot
 
 /* The separation along axis i: 0 and 1 are the axes of a, 2 and 3 those of b. (*nx, *ny) is the
  * axis as a unit normal from a to b. */
-static double separation_on_axis(const thud_geometry *a, const thud_geometry *b, int i,
-                                 double *nx, double *ny) {
+static double separation_on_axis(const thud_geometry *a, const thud_geometry *b, int i, double *nx,
+                                 double *ny) {
     const thud_geometry *box = i < 2 ? a : b;
     double x = i % 2 ? -box->s : box->c, y = i % 2 ? box->c : box->s;
     double along = (b->x - a->x) * x + (b->y - a->y) * y;
@@ -82,8 +81,8 @@ bool td_boxes_overlap(const thud_geometry *a, const thud_geometry *b) {
     return true;
 }
 
-bool td_internal_edge_boxes(const thud_geometry *a, const thud_geometry *b,
-                            double margin, td_axis_hidden_fn *hidden, void *context,
+bool td_internal_edge_boxes(const thud_geometry *a, const thud_geometry *b, double margin,
+                            td_axis_hidden_fn *hidden, void *context,
                             td_internal_edge_contact *out) {
     double best = -1e300, best_of_all = -1e300;
     const thud_geometry *face = NULL;

@@ -27,8 +27,8 @@ typedef bool td_axis_hidden_fn(double nx, double ny, void *context);
  * contact along it. False, with *out undefined, where all axes are excluded, where the boxes are
  * further apart than `margin`, where the axis has a much deeper overlap than an excluded one
  * (OPEN_DEPTH_RATIO_MAX in box_faces.c), or where no point of it is within `margin`. */
-bool td_internal_edge_boxes(const thud_geometry *a, const thud_geometry *b,
-                            double margin, td_axis_hidden_fn *hidden, void *context,
+bool td_internal_edge_boxes(const thud_geometry *a, const thud_geometry *b, double margin,
+                            td_axis_hidden_fn *hidden, void *context,
                             td_internal_edge_contact *out);
 
 #endif

@@ -42,7 +42,8 @@ bool td_pair_allowed(const thud_world *w, int shape_a, int shape_b) {
     const td_shape *a = td_shape_at(w, shape_a), *b = td_shape_at(w, shape_b);
     const td_body *body_a = td_body_at(w, a->body), *body_b = td_body_at(w, b->body);
     /* A collision needs a dynamic body; a sensor one that moves. */
-    int kind_min = (a->flags | b->flags) & TD_SHAPE_SENSOR ? THUD_BODY_KINEMATIC : THUD_BODY_DYNAMIC;
+    int kind_min =
+        (a->flags | b->flags) & TD_SHAPE_SENSOR ? THUD_BODY_KINEMATIC : THUD_BODY_DYNAMIC;
     if (td_same_body(a->body, b->body) || (body_a->kind < kind_min && body_b->kind < kind_min) ||
         ((body_a->flags | body_b->flags) & TD_BODY_DISABLED)) {
         return false;

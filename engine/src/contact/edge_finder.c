@@ -87,8 +87,8 @@ static void find_parts(box_parts *parts, const thud_geometry *box, double width)
 
 /* Whether a neighbour that contains the corner at (x, y) hides it from all sides: it extends past
  * it along the normals closest to either face. */
-static bool flattens_corner(const td_neighbourhood *s, int neighbour,
-                            const thud_geometry *placed, int corner, double x, double y) {
+static bool flattens_corner(const td_neighbourhood *s, int neighbour, const thud_geometry *placed,
+                            int corner, double x, double y) {
     const thud_geometry *box = &s->a;
     double u = corner & 1 ? 1.0 : -1.0, v = corner & 2 ? 1.0 : -1.0, nx, ny, mx, my;
     double level = 0.5 * FLAT_CORNER_SLOPE * (box->hx < box->hy ? box->hx : box->hy);

@@ -9,8 +9,7 @@
 #include "terrain/terrain.h"
 
 td_neighbourhood td_neighbourhood_between(thud_world *w, int shape, int other,
-                                          const thud_geometry *a,
-                                          const thud_geometry *b) {
+                                          const thud_geometry *a, const thud_geometry *b) {
     const td_shape *first = td_shape_at(w, shape);
     td_neighbourhood s = {.w = w,
                           .shape = shape,
@@ -58,12 +57,12 @@ thud_geometry td_neighbour_instance(const td_neighbourhood *s, int neighbour) {
     }
     const td_shape *n = td_shape_at(s->w, neighbour), *first = td_shape_at(s->w, s->shape);
     return (thud_geometry){.kind = (thud_shape_kind)n->kind,
-                                 .x = (double)(n->x - first->x),
-                                 .y = (double)(n->y - first->y),
-                                 .c = (double)n->angle_c,
-                                 .s = (double)n->angle_s,
-                                 .hx = (double)n->half_x,
-                                 .hy = (double)n->half_y};
+                           .x = (double)(n->x - first->x),
+                           .y = (double)(n->y - first->y),
+                           .c = (double)n->angle_c,
+                           .s = (double)n->angle_s,
+                           .hx = (double)n->half_x,
+                           .hy = (double)n->half_y};
 }
 
 bool td_neighbour_contains(const td_neighbourhood *s, int neighbour, const thud_geometry *n,
@@ -148,8 +147,8 @@ static bool visit(const td_neighbourhood *s, int n, td_neighbour_fn *fn, void *c
 }
 
 /* td_neighbour_any for the shapes of one moving body, by their bounding squares. */
-static bool any_in_body(const td_neighbourhood *s, const thud_geometry *where,
-                        td_neighbour_fn *fn, void *context) {
+static bool any_in_body(const td_neighbourhood *s, const thud_geometry *where, td_neighbour_fn *fn,
+                        void *context) {
     double near = td_reach(where) + 2.0 * TD_NEIGHBOUR_GAP * s->unit;
     int n = td_body_at(s->w, td_shape_at(s->w, s->shape)->body)->first_shape;
     for (; n != TD_NONE; n = td_shape_at(s->w, n)->next) {
@@ -164,8 +163,8 @@ static bool any_in_body(const td_neighbourhood *s, const thud_geometry *where,
     return false;
 }
 
-bool td_neighbour_any(const td_neighbourhood *s, const thud_geometry *where,
-                      td_neighbour_fn *fn, void *context) {
+bool td_neighbour_any(const td_neighbourhood *s, const thud_geometry *where, td_neighbour_fn *fn,
+                      void *context) {
     thud_world *w = s->w;
     td_array *hits = &w->scratch.hits;
     if (s->moves) {

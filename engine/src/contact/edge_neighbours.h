@@ -24,7 +24,7 @@ typedef struct td_neighbourhood {
     bool moves;         /* the body is not static */
     double c, s;        /* cosine and sine of the frame's rotation in the world; not static only */
     thud_geometry a, b; /* `shape` and `other` in the frame */
-    double unit;              /* length scale */
+    double unit;        /* length scale */
 } td_neighbourhood;
 
 /* For the present poses. With `other` TD_NONE, the field b is a copy of a. */
@@ -32,8 +32,7 @@ td_neighbourhood td_neighbourhood_of(thud_world *w, int shape, int other);
 /* The same for given instances of both shapes, relative to any common origin, such as the poses at
  * a time within the step. */
 td_neighbourhood td_neighbourhood_between(thud_world *w, int shape, int other,
-                                          const thud_geometry *a,
-                                          const thud_geometry *b);
+                                          const thud_geometry *a, const thud_geometry *b);
 
 /* Whether a shape is one that can hide edges of static shapes: live, not a sensor, and of a static
  * body that is enabled. */
@@ -47,17 +46,16 @@ thud_geometry td_neighbour_instance(const td_neighbourhood *s, int neighbour);
 
 /* Whether the neighbour, grown by `slack` on all sides, contains the point. A terrain contains what
  * is below its line. */
-bool td_neighbour_contains(const td_neighbourhood *s, int neighbour,
-                           const thud_geometry *placed, double x, double y, double slack);
+bool td_neighbour_contains(const td_neighbourhood *s, int neighbour, const thud_geometry *placed,
+                           double x, double y, double slack);
 /* Whether the neighbour and a box share a point. */
-bool td_neighbour_overlaps(const td_neighbourhood *s, int neighbour,
-                           const thud_geometry *placed, const thud_geometry *box);
+bool td_neighbour_overlaps(const td_neighbourhood *s, int neighbour, const thud_geometry *placed,
+                           const thud_geometry *box);
 /* Whether the neighbour extends further than `level` (length) beyond the point (x, y), which it
  * contains, in the direction of the unit vector (nx, ny). Of a terrain only the part of the line
  * within 2 TD_NEIGHBOUR_GAP of x counts, without its ends. */
-bool td_neighbour_extends(const td_neighbourhood *s, int neighbour,
-                          const thud_geometry *placed, double x, double y, double nx,
-                          double ny, double level);
+bool td_neighbour_extends(const td_neighbourhood *s, int neighbour, const thud_geometry *placed,
+                          double x, double y, double nx, double ny, double level);
 
 /* Called for a neighbour; true ends the enumeration. */
 typedef bool td_neighbour_fn(const td_neighbourhood *s, int neighbour, void *context);
@@ -67,7 +65,7 @@ typedef bool td_neighbour_fn(const td_neighbourhood *s, int neighbour, void *con
  * not TD_NONE, only neighbours count that may collide with it, too, and that no one-way rule lets
  * it pass. Terrains count wherever they are. Uses scratch.hits, for which td_internal_edges_see and
  * its siblings reserve room; false where the search runs out of memory. */
-bool td_neighbour_any(const td_neighbourhood *s, const thud_geometry *where,
-                      td_neighbour_fn *fn, void *context);
+bool td_neighbour_any(const td_neighbourhood *s, const thud_geometry *where, td_neighbour_fn *fn,
+                      void *context);
 
 #endif

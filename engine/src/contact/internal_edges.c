@@ -206,8 +206,8 @@ static bool is_hidden(double nx, double ny, void *context) {
         const td_neighbourhood *neighbourhood = &s->neighbourhood[i];
         double x = s->sign[i] * nx, y = s->sign[i] * ny;
         if (neighbourhood->moves) {
-            td_to_frame(&(thud_geometry){.c = neighbourhood->c, .s = neighbourhood->s}, x, y,
-                        &x, &y);
+            td_to_frame(&(thud_geometry){.c = neighbourhood->c, .s = neighbourhood->s}, x, y, &x,
+                        &y);
         }
         hidden = is_ghost(neighbourhood, x, y, face ? RESTING_FACE_SINE_MAX : FACE_SINE_MAX);
     }

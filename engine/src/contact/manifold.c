@@ -40,7 +40,7 @@ thud_manifold td_manifold_of(const thud_world *w, const td_contact *contact) {
 }
 
 thud_result thud_body_get_contacts(thud_world *w, thud_body_id id, thud_manifold *out, int capacity,
-                               int *count) {
+                                   int *out_count) {
     TD_IN_OWN_MODE;
     td_body_index index;
     int n = 0;
@@ -48,7 +48,7 @@ thud_result thud_body_get_contacts(thud_world *w, thud_body_id id, thud_manifold
     if (result != THUD_OK) {
         return result;
     }
-    if (!count || (!out && capacity > 0)) {
+    if (!out_count || (!out && capacity > 0)) {
         return td_refuse(w, THUD_ERROR_NULL, "body contacts: out or count is null");
     }
     if (capacity < 0) {
@@ -68,6 +68,6 @@ thud_result thud_body_get_contacts(thud_world *w, thud_body_id id, thud_manifold
         }
         n++;
     }
-    *count = n;
+    *out_count = n;
     return THUD_OK;
 }

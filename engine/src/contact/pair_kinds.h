@@ -95,21 +95,21 @@ enum {
 static inline unsigned td_pairing_of(thud_shape_kind a, thud_shape_kind b) {
     static const uint8_t of[][THUD_SHAPE_KIND_COUNT] = {
         [THUD_SHAPE_CIRCLE] = {[THUD_SHAPE_CIRCLE] = TD_PAIR_CIRCLE_CIRCLE,
-                         [THUD_SHAPE_AABB] = TD_PAIR_CIRCLE_BOX | TD_PAIR_SWAPS,
-                         [THUD_SHAPE_OBB] = TD_PAIR_CIRCLE_BOX | TD_PAIR_SWAPS,
-                         [THUD_SHAPE_TERRAIN] = TD_PAIR_NEVER | TD_PAIR_SWAPS},
+                               [THUD_SHAPE_AABB] = TD_PAIR_CIRCLE_BOX | TD_PAIR_SWAPS,
+                               [THUD_SHAPE_OBB] = TD_PAIR_CIRCLE_BOX | TD_PAIR_SWAPS,
+                               [THUD_SHAPE_TERRAIN] = TD_PAIR_NEVER | TD_PAIR_SWAPS},
         [THUD_SHAPE_AABB] = {[THUD_SHAPE_CIRCLE] = TD_PAIR_BOX_CIRCLE,
-                       [THUD_SHAPE_AABB] = TD_PAIR_AABB_AABB,
-                       [THUD_SHAPE_OBB] = TD_PAIR_BOX_BOX | TD_PAIR_SWAPS,
-                       [THUD_SHAPE_TERRAIN] = TD_PAIR_NEVER | TD_PAIR_SWAPS},
+                             [THUD_SHAPE_AABB] = TD_PAIR_AABB_AABB,
+                             [THUD_SHAPE_OBB] = TD_PAIR_BOX_BOX | TD_PAIR_SWAPS,
+                             [THUD_SHAPE_TERRAIN] = TD_PAIR_NEVER | TD_PAIR_SWAPS},
         [THUD_SHAPE_OBB] = {[THUD_SHAPE_CIRCLE] = TD_PAIR_BOX_CIRCLE,
-                      [THUD_SHAPE_AABB] = TD_PAIR_BOX_BOX,
-                      [THUD_SHAPE_OBB] = TD_PAIR_BOX_BOX,
-                      [THUD_SHAPE_TERRAIN] = TD_PAIR_NEVER | TD_PAIR_SWAPS},
+                            [THUD_SHAPE_AABB] = TD_PAIR_BOX_BOX,
+                            [THUD_SHAPE_OBB] = TD_PAIR_BOX_BOX,
+                            [THUD_SHAPE_TERRAIN] = TD_PAIR_NEVER | TD_PAIR_SWAPS},
         [THUD_SHAPE_TERRAIN] = {[THUD_SHAPE_CIRCLE] = TD_PAIR_TERRAIN_CIRCLE,
-                          [THUD_SHAPE_AABB] = TD_PAIR_TERRAIN_BOX,
-                          [THUD_SHAPE_OBB] = TD_PAIR_TERRAIN_BOX,
-                          [THUD_SHAPE_TERRAIN] = TD_PAIR_NEVER}};
+                                [THUD_SHAPE_AABB] = TD_PAIR_TERRAIN_BOX,
+                                [THUD_SHAPE_OBB] = TD_PAIR_TERRAIN_BOX,
+                                [THUD_SHAPE_TERRAIN] = TD_PAIR_NEVER}};
     _Static_assert(sizeof of / sizeof *of == 4 && THUD_SHAPE_KIND_COUNT == 4,
                    "a new kind of shape needs a row and a column here");
     return of[a][b];

@@ -134,7 +134,7 @@ static void sweep_against_shape(sweep *s, int other) {
     td_swept_hit hit = {thud_geometry_overlap(&swept->placed, &b), false, 1.0};
     motion.turn = hit.inside ? 0.0 : motion.turn;
     thud_geometry_time_of_impact(hit.inside ? &swept->core : &swept->placed, motion, &b, still, 0.0,
-                               &hit.hit, &hit.time);
+                                 &hit.hit, &hit.time);
     record_hit(s, other, &hit);
 }
 
@@ -173,19 +173,17 @@ static void set_shape(sweep *s, int index, const float *delta, float c, float si
     s->shrink = (double)shrink;
     s->swept.placed =
         (thud_geometry){.kind = (thud_shape_kind)shape->kind,
-                              .x = (double)(c * arm_x - sine * arm_y),
-                              .y = (double)(sine * arm_x + c * arm_y),
-                              .c = turns ? (double)(c * shape->angle_c - sine * shape->angle_s)
-                                         : 1.0,
-                              .s = turns ? (double)(sine * shape->angle_c + c * shape->angle_s)
-                                         : 0.0,
-                              .hx = (double)(hx - shrink),
-                              .hy = td_kind_is_round(shape->kind) ? 0.0 : (double)(hy - shrink)};
+                        .x = (double)(c * arm_x - sine * arm_y),
+                        .y = (double)(sine * arm_x + c * arm_y),
+                        .c = turns ? (double)(c * shape->angle_c - sine * shape->angle_s) : 1.0,
+                        .s = turns ? (double)(sine * shape->angle_c + c * shape->angle_s) : 0.0,
+                        .hx = (double)(hx - shrink),
+                        .hy = td_kind_is_round(shape->kind) ? 0.0 : (double)(hy - shrink)};
     s->swept.core = (thud_geometry){.kind = THUD_SHAPE_CIRCLE,
-                                          .x = s->swept.placed.x,
-                                          .y = s->swept.placed.y,
-                                          .c = 1.0,
-                                          .hx = (double)(0.25f * half_thickness)};
+                                    .x = s->swept.placed.x,
+                                    .y = s->swept.placed.y,
+                                    .c = 1.0,
+                                    .hx = (double)(0.25f * half_thickness)};
     /* The centre of a shape off the centre of mass also moves as the body turns. */
     float end_c, end_s;
     td_angle_turn(td_pose_at(w, s->body)->angle, &end_c, &end_s);

@@ -14,7 +14,7 @@
 typedef struct td_approach {
     bool on_ground;      /* shape a against `ground`, in the frame of the ground; b is not set */
     thud_terrain ground; /* a view; the world owns its points */
-    thud_geometry a, b;       /* at the start of the interval */
+    thud_geometry a, b;  /* at the start of the interval */
     thud_motion motion_a, motion_b; /* over the whole interval */
     double distance;                /* at the start; negative: overlap */
     double target;     /* the distance at which the pair counts as meeting; < distance */

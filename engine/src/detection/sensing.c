@@ -61,8 +61,8 @@ static double leg_end_at(const thud_world *w, td_body_index body, double time) {
 
 /* A shape and its motion on a part of a leg; backward in time where that ends before it begins. */
 typedef struct moving_shape {
-    thud_geometry at; /* at the first time */
-    thud_motion motion;     /* to the second time */
+    thud_geometry at;   /* at the first time */
+    thud_motion motion; /* to the second time */
 } moving_shape;
 
 /* A shape from time `from` to time `to`, relative to `origin`. */

@@ -103,8 +103,8 @@ static double half_extent_quanta(const thud_world *w, double length) {
 
 /* Extends bounds to contain a placed shape with `slack` (a length) on each side, like
  * td_placed_bounds. */
-static void widen(const thud_world *w, const thud_geometry *p, td_position origin,
-                  double slack, td_far_bounds *b) {
+static void widen(const thud_world *w, const thud_geometry *p, td_position origin, double slack,
+                  td_far_bounds *b) {
     double x = (double)((origin.x + td_round64(p->x * w->to_fixed)) >> TD_COARSE_SHIFT);
     double y = (double)((origin.y + td_round64(p->y * w->to_fixed)) >> TD_COARSE_SHIFT);
     double half_x = half_extent_quanta(w, td_half_along(p, 1.0, 0.0) + slack);

@@ -102,20 +102,18 @@ void td_trajectory_reduce_fall(const thud_world *w, td_trajectory *f, double x, 
 }
 
 thud_geometry td_trajectory_shape(const thud_world *w, const td_trajectory *f, int index,
-                                        double time, td_position origin) {
+                                  double time, td_position origin) {
     const td_shape *shape = td_shape_at(w, index);
     float c, s;
     td_angle_turn(angle_at(f, time), &c, &s);
     thud_geometry p = {.kind = (thud_shape_kind)shape->kind,
-                             .x = (double)(f->place.x - origin.x) / w->to_fixed +
-                                  path_along(f, 0, time) +
-                                  (double)(c * shape->arm_x - s * shape->arm_y),
-                             .y = (double)(f->place.y - origin.y) / w->to_fixed +
-                                  path_along(f, 1, time) +
-                                  (double)(s * shape->arm_x + c * shape->arm_y),
-                             .c = 1.0,
-                             .hx = (double)shape->half_x,
-                             .hy = (double)shape->half_y};
+                       .x = (double)(f->place.x - origin.x) / w->to_fixed + path_along(f, 0, time) +
+                            (double)(c * shape->arm_x - s * shape->arm_y),
+                       .y = (double)(f->place.y - origin.y) / w->to_fixed + path_along(f, 1, time) +
+                            (double)(s * shape->arm_x + c * shape->arm_y),
+                       .c = 1.0,
+                       .hx = (double)shape->half_x,
+                       .hy = (double)shape->half_y};
     if (td_kind_turns(shape->kind)) {
         p.c = (double)(c * shape->angle_c - s * shape->angle_s);
         p.s = (double)(s * shape->angle_c + c * shape->angle_s);
@@ -328,9 +326,8 @@ bool td_toi_candidate_approach(thud_world *w, const td_toi_candidate *e, double 
 }
 
 /* Replaces the contact points of a ghost by those along an allowed normal, or by none. */
-static void move_ghost_contacts(thud_world *w, const td_toi_candidate *e,
-                                const thud_geometry *a, const thud_geometry *b,
-                                thud_contacts *contacts) {
+static void move_ghost_contacts(thud_world *w, const td_toi_candidate *e, const thud_geometry *a,
+                                const thud_geometry *b, thud_contacts *contacts) {
     td_internal_edge_pair pair = {w, {e->shape[0], e->shape[1]}, {*a, *b}};
     td_internal_edge_contact open = {.count = 0};
     if (!w->internal_edges->is_ghost(&pair, contacts->point[0].nx, contacts->point[0].ny)) {

@@ -94,7 +94,8 @@ static inline double td_motion_held(const thud_world *w, int axis, double motion
  * clamp velocities to the maximum speed (length/s; spin in rad/s), so that a gain is at most twice
  * that: from the one bound to the other. */
 static inline double td_gain_clamped(const thud_world *w, int axis, double gain) {
-    double max = axis < 2 ? (double)(w->def.maximum_speed * w->unit) : (double)THUD_ANGULAR_SPEED_MAX;
+    double max =
+        axis < 2 ? (double)(w->def.maximum_speed * w->unit) : (double)THUD_ANGULAR_SPEED_MAX;
     return td_clamp(gain, -2.0 * max, 2.0 * max);
 }
 
@@ -132,8 +133,8 @@ void td_trajectory_displacement(const thud_world *w, const td_trajectory *trajec
  * body's velocity at the end of the step is reduced by as much. */
 void td_trajectory_reduce_fall(const thud_world *w, td_trajectory *trajectory, double x, double y);
 /* One of the body's shapes at `time`, relative to `origin`. */
-thud_geometry td_trajectory_shape(const thud_world *w, const td_trajectory *trajectory,
-                                        int shape, double time, td_position origin);
+thud_geometry td_trajectory_shape(const thud_world *w, const td_trajectory *trajectory, int shape,
+                                  double time, td_position origin);
 
 /* The largest distance of the relative path of two bodies from its chord in a `duration` (share of
  * the step): |fall_b - fall_a| duration^2 / 8, the sagitta of a parabola. */

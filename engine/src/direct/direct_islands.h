@@ -64,9 +64,9 @@ bool td_islands_find(struct thud_world *w);
  * is called when the step can no longer fail, so that a step that is made again counts once. */
 void td_islands_settle(struct thud_world *w);
 /* The threshold of a contact's load: the impulse of a substep over the lighter body's mass,
- * length/s, under which the contact sinks in by max_error, or by overlap_limit times `size`, the size
- * of the smaller body. With fewer substeps than the quality's, the quality's number counts: fewer
- * substeps must not send more islands to the direct solver. */
+ * length/s, under which the contact sinks in by max_error, or by overlap_limit times `size`, the
+ * size of the smaller body. With fewer substeps than the quality's, the quality's number counts:
+ * fewer substeps must not send more islands to the direct solver. */
 float td_islands_load_max(const struct thud_world *w, float size);
 /* The size of the smaller of two bodies; slot 0 (static) has none. */
 float td_islands_size(const struct thud_world *w, td_awake_slot a, td_awake_slot b);

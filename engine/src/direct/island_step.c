@@ -27,8 +27,8 @@
  * warm takes one or two, an interior point ten to twenty. Chosen. */
 #define EASY_FACTORINGS_MAX 8
 /* An island that is nearly at rest may be slow for so many times as many steps in succession as
- * thud_quality.island_slow_steps allows: bodies that are still being pushed apart need the time, and
- * then rest. Chosen. */
+ * thud_quality.island_slow_steps allows: bodies that are still being pushed apart need the time,
+ * and then rest. Chosen. */
 #define CALM_PATIENCE_FACTOR 20
 /* A result is refused where a body's motion is longer than SPEED_RATIO_MAX times the greatest speed
  * without constraints times h, corrections of overlaps included (moves_too_far). Chosen; not tuned.
@@ -45,7 +45,8 @@
 
 /* ---- the result ---- */
 
-/* Clamps each number of a velocity to the world's maximum speed, and its turn to THUD_ANGULAR_SPEED_MAX. */
+/* Clamps each number of a velocity to the world's maximum speed, and its turn to
+ * THUD_ANGULAR_SPEED_MAX. */
 static void clamp_velocity(const thud_world *w, double velocity[3]) {
     double speed_max = (double)(w->def.maximum_speed * w->unit);
     for (int k = 0; k < 3; k++) {

@@ -50,7 +50,8 @@ static const char *joint_error(const thud_world *w, td_body_index index, int kin
         const td_joint *joint = td_joint_of(w, part);
         bool second = td_same_body(joint->body[!joint->swapped], index);
         if (kind == THUD_BODY_KINEMATIC &&
-            (joint->kind == THUD_JOINT_GEAR || td_body_at(w, td_other_body(w, e))->kind != THUD_BODY_DYNAMIC ||
+            (joint->kind == THUD_JOINT_GEAR ||
+             td_body_at(w, td_other_body(w, e))->kind != THUD_BODY_DYNAMIC ||
              (second && (joint->kind == THUD_JOINT_WHEEL || joint->kind == THUD_JOINT_TARGET)))) {
             return "set kind: a joint needs the body to be dynamic";
         }

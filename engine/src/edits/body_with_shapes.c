@@ -69,7 +69,7 @@ static thud_result create(thud_world *w, thud_body_id body, const thud_body_shap
 
 thud_result thud_body_create_with_shapes(thud_world *w, const thud_body_def *def,
                                          const thud_body_shape *shapes, int count,
-                                         thud_body_id *body, thud_shape_id *shape_ids) {
+                                         thud_body_id *out_body, thud_shape_id *out_shape_ids) {
     TD_IN_OWN_MODE;
     if (!w || !def || (!shapes && count > 0)) {
         return td_refuse(w, THUD_ERROR_NULL,
@@ -93,11 +93,11 @@ thud_result thud_body_create_with_shapes(thud_world *w, const thud_body_def *def
     thud_body_id made = {0};
     thud_result result = thud_body_create(w, def, &made);
     for (int i = 0; i < count && result == THUD_OK; i++) {
-        result = create(w, made, &shapes[i], shape_ids ? &shape_ids[i] : NULL);
+        result = create(w, made, &shapes[i], out_shape_ids ? &out_shape_ids[i] : NULL);
         assert(result == THUD_OK);
     }
-    if (body && result == THUD_OK) {
-        *body = made;
+    if (out_body && result == THUD_OK) {
+        *out_body = made;
     }
     return result;
 }

@@ -17,8 +17,7 @@ static thud_result find(const thud_world *w, thud_body_id id, td_body_index *ind
                : result;
 }
 
-thud_result thud_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 force,
-                                     thud_pos point) {
+thud_result thud_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 force, thud_pos point) {
     TD_IN_OWN_MODE;
     td_body_index index;
     thud_result result = find(w, id, &index);

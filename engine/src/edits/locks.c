@@ -114,17 +114,17 @@ thud_result thud_body_set_locks(thud_world *w, thud_body_id id, bool x, bool y) 
     return THUD_OK;
 }
 
-thud_result thud_body_get_locks(const thud_world *w, thud_body_id id, bool *x, bool *y) {
+thud_result thud_body_get_locks(const thud_world *w, thud_body_id id, bool *out_x, bool *out_y) {
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result == THUD_OK) {
         bool has_x, has_y;
         read_locks(w, lock_of(w, index), &has_x, &has_y);
-        if (x) {
-            *x = has_x;
+        if (out_x) {
+            *out_x = has_x;
         }
-        if (y) {
-            *y = has_y;
+        if (out_y) {
+            *out_y = has_y;
         }
     }
     return result;

@@ -38,8 +38,7 @@ static thud_shape_def shape_def(const thud_body_options *options) {
     return def;
 }
 
-thud_body_id thud_body_make(thud_world *w, thud_geometry at,
-                            const thud_body_options *options) {
+thud_body_id thud_body_make(thud_world *w, thud_geometry at, const thud_body_options *options) {
     TD_IN_OWN_MODE;
     thud_body_options usual = {0};
     thud_body_id made = {0, 0};

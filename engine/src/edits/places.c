@@ -24,7 +24,7 @@ static thud_result find_at(const thud_world *w, thud_body_id id, double x, doubl
 }
 
 thud_result thud_body_get_velocity_at(const thud_world *w, thud_body_id id, thud_pos point,
-                                  thud_vec2 *out) {
+                                      thud_vec2 *out) {
     TD_IN_OWN_MODE;
     td_body_index index;
     thud_result result = find_at(w, id, point.x, point.y, out, &index);
@@ -53,7 +53,7 @@ static thud_vec2 rotated(const td_pose *pose, double x, double y, double sign) {
 }
 
 thud_result thud_body_get_world_point(const thud_world *w, thud_body_id id, thud_vec2 point,
-                                  thud_pos *out) {
+                                      thud_pos *out) {
     TD_IN_OWN_MODE;
     td_body_index index;
     thud_result result = find_at(w, id, (double)point.x, (double)point.y, out, &index);
@@ -69,7 +69,7 @@ thud_result thud_body_get_world_point(const thud_world *w, thud_body_id id, thud
 }
 
 thud_result thud_body_get_local_point(const thud_world *w, thud_body_id id, thud_pos point,
-                                  thud_vec2 *out) {
+                                      thud_vec2 *out) {
     TD_IN_OWN_MODE;
     td_body_index index;
     thud_result result = find_at(w, id, point.x, point.y, out, &index);
@@ -100,11 +100,11 @@ static thud_result rotate_vector(const thud_world *w, thud_body_id id, thud_vec2
 }
 
 thud_result thud_body_get_world_vector(const thud_world *w, thud_body_id id, thud_vec2 vector,
-                                   thud_vec2 *out) {
+                                       thud_vec2 *out) {
     return rotate_vector(w, id, vector, 1.0, out);
 }
 
 thud_result thud_body_get_local_vector(const thud_world *w, thud_body_id id, thud_vec2 vector,
-                                   thud_vec2 *out) {
+                                       thud_vec2 *out) {
     return rotate_vector(w, id, vector, -1.0, out);
 }

@@ -37,8 +37,8 @@ thud_explosion thud_default_explosion(void) {
 /* Whether a hit of a ray to a shape of `target` is cover, by the def's setting. */
 static bool is_cover(const blast *b, const thud_ray_hit *hit, td_body_index target) {
     td_body_index body = td_shape_at(b->world, (int)hit->shape.index1 - 1)->body;
-    return !td_same_body(body, target) &&
-           (b->def->cover == THUD_COVER_ALL || td_body_at(b->world, body)->kind != THUD_BODY_DYNAMIC);
+    return !td_same_body(body, target) && (b->def->cover == THUD_COVER_ALL ||
+                                           td_body_at(b->world, body)->kind != THUD_BODY_DYNAMIC);
 }
 
 /* Whether a body covers the place from the centre. The ray ends 1e-9 of its length before the
@@ -85,11 +85,12 @@ static double falloff_factor(const blast *b, double distance) {
 /* Pushes at one segment of the side that faces the centre. (dx, dy) is the unit vector to the
  * shape's nearest point, `across` the middle of the segment perpendicular to it, and `length` its
  * width. The place is found by a ray along (dx, dy) from in front of the shape. */
-static void push_segment(const blast *b, td_body_index body, const thud_geometry *shape,
-                         double dx, double dy, double across, double length) {
+static void push_segment(const blast *b, td_body_index body, const thud_geometry *shape, double dx,
+                         double dy, double across, double length) {
     double back = 2.0 * td_reach(shape), along = dx * shape->x + dy * shape->y - back;
     double x = dx * along - dy * across, y = dy * along + dx * across, fraction, nx, ny;
-    if (!thud_geometry_cast_ray(shape, (thud_segment){x, y, 2.0 * back * dx, 2.0 * back * dy}, &fraction, &nx, &ny)) {
+    if (!thud_geometry_cast_ray(shape, (thud_segment){x, y, 2.0 * back * dx, 2.0 * back * dy},
+                                &fraction, &nx, &ny)) {
         return;
     }
     thud_pos place = {x + fraction * 2.0 * back * dx, y + fraction * 2.0 * back * dy};
@@ -229,7 +230,7 @@ static thud_result check(const thud_world *w, const thud_explosion *def) {
     return td_query_check_filter(w, &def->filter);
 }
 
-thud_result thud_world_explode(thud_world *w, const thud_explosion *def, int *pushed) {
+thud_result thud_world_explode(thud_world *w, const thud_explosion *def, int *out_pushed) {
     TD_IN_OWN_MODE;
     if (!w || !def) {
         return td_refuse(w, THUD_ERROR_NULL, "explode: world or explosion is null");
@@ -250,7 +251,7 @@ thud_result thud_world_explode(thud_world *w, const thud_explosion *def, int *pu
                .push = {.stride = (int)sizeof(td_push)},
                .room = {.stride = (int)sizeof(int)}};
     b.cover.ignore = def->filter.ignore;
-    result = explode(&b, pushed);
+    result = explode(&b, out_pushed);
     td_array_free(&w->memory, &b.push);
     td_array_free(&w->memory, &b.room);
     return result;

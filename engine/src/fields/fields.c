@@ -39,17 +39,17 @@ thud_result td_field_body_in_flow(const thud_world *w, const char *name, thud_ve
     return result != THUD_OK ? result : td_check(w, name, (double)flow.y, -max, max);
 }
 
-thud_geometry td_field_shape(const thud_world *w, const td_field_body *a,
-                                   const td_shape *shape, double turn) {
+thud_geometry td_field_shape(const thud_world *w, const td_field_body *a, const td_shape *shape,
+                             double turn) {
     const td_body *body = td_body_at(w, a->index);
     const td_pose *pose = td_pose_at(w, a->index);
     thud_geometry at = {(thud_shape_kind)shape->kind,
-                              0.0,
-                              0.0,
-                              (double)pose->c,
-                              (double)pose->s,
-                              (double)shape->half_x,
-                              (double)shape->half_y};
+                        0.0,
+                        0.0,
+                        (double)pose->c,
+                        (double)pose->s,
+                        (double)shape->half_x,
+                        (double)shape->half_y};
     /* One Newton step for 1 / sqrt(c^2 + s^2) from 1: cosine and sine in single precision are not
      * exactly of length 1. */
     double scale = 1.5 - 0.5 * (at.c * at.c + at.s * at.s), c, s;

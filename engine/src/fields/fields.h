@@ -57,8 +57,8 @@ static inline thud_pos td_field_velocity_at(const td_field_body *a, double x, do
 
 /* A shape of the body as it is placed after the body has rotated by `turn` more radians. It follows
  * from the present pose, pending edits included, and not from the proxies. */
-thud_geometry td_field_shape(const thud_world *w, const td_field_body *a,
-                                   const td_shape *shape, double turn);
+thud_geometry td_field_shape(const thud_world *w, const td_field_body *a, const td_shape *shape,
+                             double turn);
 
 /* Whether fields act on the shape: it is no sensor, and was not made inside a callback. */
 static inline bool td_field_meets(const td_shape *shape) {

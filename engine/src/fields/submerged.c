@@ -21,8 +21,7 @@ static double angle_of(double cosine, double sine) {
 /* The part of a circle whose centre is at `height` above the line: a circular segment, of area
  * r^2 angle - height * half, where `half` is half the chord, with its centroid 2/3 half^3 / area
  * below the centre. */
-static td_submerged_part part_of_circle(const thud_geometry *circle, double height,
-                                        thud_pos up) {
+static td_submerged_part part_of_circle(const thud_geometry *circle, double height, thud_pos up) {
     double r = circle->hx;
     td_submerged_part part = {0.0, circle->x, circle->y};
     if (height >= r) {
@@ -82,10 +81,9 @@ static td_submerged_part part_of_box(const thud_geometry *box, double height, th
                                box->y + left[0].y + sum_y / (3.0 * twice)};
 }
 
-td_submerged_part td_submerged_part_of(const thud_geometry *shape, double height,
-                                       thud_pos up) {
+td_submerged_part td_submerged_part_of(const thud_geometry *shape, double height, thud_pos up) {
     return shape->kind == THUD_SHAPE_CIRCLE ? part_of_circle(shape, height, up)
-                                      : part_of_box(shape, height, up);
+                                            : part_of_box(shape, height, up);
 }
 
 bool td_line_normal(double x, double y, thud_pos *up) {
@@ -95,8 +93,7 @@ bool td_line_normal(double x, double y, thud_pos *up) {
 }
 
 thud_result thud_geometry_area_below(const thud_geometry *shape, thud_half_plane below,
-                                     double *out_area, double *out_center_x,
-                                     double *out_center_y) {
+                                     double *out_area, double *out_center_x, double *out_center_y) {
     if (!shape || !out_area || !out_center_x || !out_center_y) {
         return THUD_ERROR_NULL;
     }

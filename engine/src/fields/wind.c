@@ -53,8 +53,8 @@ static void add_edge_force(const td_field_body *a, const wind *air, thud_pos fro
 }
 
 /* Adds the force on a circle. */
-static void add_circle_force(const td_field_body *a, const wind *air,
-                             const thud_geometry *circle, td_push *push) {
+static void add_circle_force(const td_field_body *a, const wind *air, const thud_geometry *circle,
+                             td_push *push) {
     thud_pos u = td_field_velocity_at(a, circle->x, circle->y);
     double drag = 2.0 * circle->hx * air->drag * __builtin_sqrt(u.x * u.x + u.y * u.y);
     double lift = 2.0 * circle->hx * air->lift * circle->hx * a->turn;
@@ -104,7 +104,7 @@ thud_result thud_body_apply_wind(thud_world *w, thud_body_id id, thud_vec2 veloc
         if (td_field_meets(shape)) {
             thud_geometry placed = td_field_shape(w, &a, shape, 0.0);
             (placed.kind == THUD_SHAPE_CIRCLE ? add_circle_force : add_box_force)(&a, &air, &placed,
-                                                                            &push);
+                                                                                  &push);
         }
     }
     return td_field_push(w, &a, td_push_dissipative(w, &a, push));

@@ -4,8 +4,8 @@
 #include "geometry/shape_instance.h"
 
 thud_result thud_geometry_approach(const thud_geometry *a, thud_motion motion_a,
-                                  const thud_geometry *b, thud_motion motion_b,
-                                  thud_approach *out) {
+                                   const thud_geometry *b, thud_motion motion_b,
+                                   thud_approach *out) {
     if (!a || !b || !out) {
         return THUD_ERROR_NULL;
     }

@@ -35,9 +35,9 @@ static bool overlap_at(const void *pair, double time) {
 }
 
 thud_result thud_geometry_time_of_collision(const thud_geometry *a, thud_motion motion_a,
-                                          const thud_geometry *b, thud_motion motion_b,
-                                          double tolerance, bool *collided, double *time) {
-    if (!a || !b || !collided || !time) {
+                                            const thud_geometry *b, thud_motion motion_b,
+                                            double tolerance, bool *out_collided, double *out_time) {
+    if (!a || !b || !out_collided || !out_time) {
         return THUD_ERROR_NULL;
     }
     if (thud_geometry_check(a) != THUD_OK || thud_geometry_check(b) != THUD_OK ||
@@ -46,7 +46,7 @@ thud_result thud_geometry_time_of_collision(const thud_geometry *a, thud_motion 
         return THUD_ERROR_INVALID;
     }
     shapes m = {a, b, motion_a, motion_b};
-    *collided = td_bisect(overlap_at, &m, tolerance, time);
+    *out_collided = td_bisect(overlap_at, &m, tolerance, out_time);
     return THUD_OK;
 }
 
@@ -58,15 +58,14 @@ static double thickness(const thud_geometry *shape) {
 /* The distance by which turning may move a point of the shape, at most. It is 0 for a shape that
  * does not turn, and where no point of the shape is further from its centre than half of both
  * thicknesses together: such a point cannot pass through the middle of the other shape. */
-static double turning_reach(const thud_geometry *shape, thud_motion m,
-                            const thud_geometry *other) {
+static double turning_reach(const thud_geometry *shape, thud_motion m, const thud_geometry *other) {
     double radius = __builtin_sqrt(shape->hx * shape->hx + shape->hy * shape->hy);
     bool far = radius > 0.5 * (thickness(shape) + thickness(other));
     return td_kind_turns(shape->kind) && far ? td_abs(m.turn) * radius : 0.0;
 }
 
 bool thud_geometry_is_bisectable(const thud_geometry *a, thud_motion motion_a,
-                               const thud_geometry *b, thud_motion motion_b) {
+                                 const thud_geometry *b, thud_motion motion_b) {
     if (thud_geometry_check(a) != THUD_OK || thud_geometry_check(b) != THUD_OK ||
         !td_motion_valid(motion_a) || !td_motion_valid(motion_b)) {
         return false;

@@ -20,8 +20,7 @@ thud_result thud_geometry_check(const thud_geometry *p) {
 }
 
 /* Two circles. Where the centres coincide, the normal is (0, 1). */
-static void circle_circle(const thud_geometry *a, const thud_geometry *b,
-                          thud_closest *out) {
+static void circle_circle(const thud_geometry *a, const thud_geometry *b, thud_closest *out) {
     double dx = b->x - a->x, dy = b->y - a->y;
     double length = __builtin_sqrt(dx * dx + dy * dy);
     out->nx = length > 0.0 ? dx / length : 0.0;
@@ -35,8 +34,7 @@ static void circle_circle(const thud_geometry *a, const thud_geometry *b,
 
 /* A box and a circle. A centre outside of the box is nearest to its projection onto the box; one
  * inside leaves through the nearest face. */
-static void box_circle(const thud_geometry *box, const thud_geometry *circle,
-                       thud_closest *out) {
+static void box_circle(const thud_geometry *box, const thud_geometry *circle, thud_closest *out) {
     double u, v, nu, nv, distance;
     td_to_frame(box, circle->x - box->x, circle->y - box->y, &u, &v);
     double cu = td_clamp(u, -box->hx, box->hx), cv = td_clamp(v, -box->hy, box->hy);
@@ -78,8 +76,8 @@ static void flip(thud_closest *c) {
 
 /* Tests the separation of a and b along both axes of the box `reference`. Keeps the greatest one so
  * far in *out, with its normal from a to b, and returns whether it is one of these two. */
-static bool try_axes(const thud_geometry *reference, const thud_geometry *a,
-                     const thud_geometry *b, thud_closest *out) {
+static bool try_axes(const thud_geometry *reference, const thud_geometry *a, const thud_geometry *b,
+                     thud_closest *out) {
     double dx = b->x - a->x, dy = b->y - a->y;
     bool better = false;
     for (int axis = 0; axis < 2; axis++) {
@@ -100,8 +98,7 @@ static bool try_axes(const thud_geometry *reference, const thud_geometry *a,
 /* Sets the points of two overlapping boxes where the normal in *out is that of a face of a: the
  * deepest corner of b, and its projection onto that face, clamped to the face's ends where b's edge
  * is parallel to it and longer. */
-static void deepest_points(const thud_geometry *a, const thud_geometry *b,
-                           thud_closest *out) {
+static void deepest_points(const thud_geometry *a, const thud_geometry *b, thud_closest *out) {
     double u, v, x, y;
     td_to_frame(b, -out->nx, -out->ny, &u, &v);
     td_from_frame(b, u < 0.0 ? -b->hx : b->hx, v < 0.0 ? -b->hy : b->hy, &x, &y);
@@ -148,16 +145,14 @@ static void try_corners(const thud_geometry *a, const thud_geometry *b, bool fli
 }
 
 /* The separation of two boxes along the normal of *c. */
-static double gap_along(const thud_geometry *a, const thud_geometry *b,
-                        const thud_closest *c) {
+static double gap_along(const thud_geometry *a, const thud_geometry *b, const thud_closest *c) {
     return (b->x - a->x) * c->nx + (b->y - a->y) * c->ny - td_projected_extent(a, c->nx, c->ny) -
            td_projected_extent(b, c->nx, c->ny);
 }
 
 /* Sets distance and normal of *out by the axes of both boxes. Returns whether the axis is one of
  * b's. */
-static bool try_all_axes(const thud_geometry *a, const thud_geometry *b,
-                         thud_closest *out) {
+static bool try_all_axes(const thud_geometry *a, const thud_geometry *b, thud_closest *out) {
     out->distance = -1e300;
     try_axes(a, a, b, out);
     return try_axes(b, a, b, out);
@@ -209,7 +204,7 @@ void td_closest(const thud_geometry *a, const thud_geometry *b, thud_closest *ou
 }
 
 thud_result thud_geometry_closest(const thud_geometry *a, const thud_geometry *b,
-                                thud_closest *out) {
+                                  thud_closest *out) {
     if (!a || !b || !out) {
         return THUD_ERROR_NULL;
     }

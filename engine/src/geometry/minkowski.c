@@ -55,8 +55,7 @@ static void set_box(thud_minkowski *sum, thud_pos e, double hx, double hy) {
 }
 
 /* The sum of two boxes: a box where they are parallel, else an octagon. */
-static void set_boxes(thud_minkowski *sum, const thud_geometry *a,
-                      const thud_geometry *b) {
+static void set_boxes(thud_minkowski *sum, const thud_geometry *a, const thud_geometry *b) {
     if (!td_kind_turns(a->kind) && !td_kind_turns(b->kind)) {
         set_box(sum, (thud_pos){1.0, 0.0}, a->hx + b->hx, a->hy + b->hy);
         return;
@@ -97,8 +96,7 @@ void td_minkowski_of(const thud_geometry *shape, thud_minkowski *sum) {
     }
 }
 
-void td_minkowski_sum(const thud_geometry *a, const thud_geometry *b,
-                      thud_minkowski *sum) {
+void td_minkowski_sum(const thud_geometry *a, const thud_geometry *b, thud_minkowski *sum) {
     if (td_kind_is_round(b->kind)) {
         td_minkowski_of(a, sum);
         sum->radius += b->hx;
@@ -236,7 +234,8 @@ bool td_minkowski_enter(const thud_minkowski *sum, double x, double y, double dx
         return enter_circle(sum->vertices[0], sum->radius, x, y, dx, dy, fraction, nx, ny);
     }
     int faces = sum->count / 2, face = TD_NONE;
-    double at[THUD_MINKOWSKI_VERTICES_MAX / 2], rate[THUD_MINKOWSKI_VERTICES_MAX / 2], enter = 0.0, side = 1.0;
+    double at[THUD_MINKOWSKI_VERTICES_MAX / 2], rate[THUD_MINKOWSKI_VERTICES_MAX / 2], enter = 0.0,
+                                                                                       side = 1.0;
     for (int i = 0; i < faces; i++) {
         at[i] = dot(sum->normals[i], x, y);
         rate[i] = dot(sum->normals[i], dx, dy);
@@ -299,38 +298,38 @@ static bool readable(const thud_minkowski *sum) {
 }
 
 thud_result thud_minkowski_sum(const thud_geometry *a, const thud_geometry *b,
-                               thud_minkowski *sum) {
-    if (!a || !b || !sum) {
+                               thud_minkowski *out) {
+    if (!a || !b || !out) {
         return THUD_ERROR_NULL;
     }
     if (thud_geometry_check(a) != THUD_OK || thud_geometry_check(b) != THUD_OK) {
         return THUD_ERROR_INVALID;
     }
-    *sum = (thud_minkowski){0};
-    td_minkowski_sum(a, b, sum);
+    *out = (thud_minkowski){0};
+    td_minkowski_sum(a, b, out);
     return THUD_OK;
 }
 
-thud_result thud_minkowski_contains(const thud_minkowski *sum, double x, double y, bool *inside) {
-    if (!sum || !inside) {
+thud_result thud_minkowski_contains(const thud_minkowski *sum, double x, double y, bool *out_inside) {
+    if (!sum || !out_inside) {
         return THUD_ERROR_NULL;
     }
     if (!readable(sum) || !in_range(x, y)) {
         return THUD_ERROR_INVALID;
     }
-    *inside = td_minkowski_contains(sum, x, y);
+    *out_inside = td_minkowski_contains(sum, x, y);
     return THUD_OK;
 }
 
-thud_result thud_minkowski_distance(const thud_minkowski *sum, double x, double y, double *distance,
-                                    double *nx, double *ny) {
-    if (!sum || !distance || !nx || !ny) {
+thud_result thud_minkowski_distance(const thud_minkowski *sum, double x, double y, double *out_distance,
+                                    double *out_nx, double *out_ny) {
+    if (!sum || !out_distance || !out_nx || !out_ny) {
         return THUD_ERROR_NULL;
     }
     if (!readable(sum) || !in_range(x, y)) {
         return THUD_ERROR_INVALID;
     }
-    *distance = td_minkowski_distance(sum, x, y, nx, ny);
+    *out_distance = td_minkowski_distance(sum, x, y, out_nx, out_ny);
     return THUD_OK;
 }
 
@@ -350,8 +349,8 @@ thud_result thud_minkowski_cast(const thud_minkowski *sum, thud_segment path, bo
         *out_fraction = 0.0;
         td_minkowski_distance(sum, path.x, path.y, out_nx, out_ny);
     } else {
-        *out_hit = td_minkowski_enter(sum, path.x, path.y, path.dx, path.dy, out_fraction, out_nx,
-                                      out_ny);
+        *out_hit =
+            td_minkowski_enter(sum, path.x, path.y, path.dx, path.dy, out_fraction, out_nx, out_ny);
     }
     return THUD_OK;
 }

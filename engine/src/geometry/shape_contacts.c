@@ -13,8 +13,7 @@
 
 /* Finds the outward normal of the box's face that is nearest to the direction (x, y). Returns the
  * tangent of the angle between both. */
-static double face_along(const thud_geometry *box, double x, double y, double *nx,
-                         double *ny) {
+static double face_along(const thud_geometry *box, double x, double y, double *nx, double *ny) {
     double u, v;
     td_to_frame(box, x, y, &u, &v);
     bool by_u = td_abs(u) > td_abs(v);
@@ -116,8 +115,8 @@ static void add_far_end(const thud_geometry *a, const thud_geometry *b, double m
     out->point[out->count++] = c;
 }
 
-thud_result thud_geometry_contacts(const thud_geometry *a, const thud_geometry *b,
-                                 double margin, thud_contacts *out) {
+thud_result thud_geometry_contacts(const thud_geometry *a, const thud_geometry *b, double margin,
+                                   thud_contacts *out) {
     if (!a || !b || !out) {
         return THUD_ERROR_NULL;
     }

@@ -12,14 +12,12 @@ static inline double td_clamp(double x, double low, double high) {
 }
 
 /* Rotates a world vector into the shape's frame, and back. */
-static inline void td_to_frame(const thud_geometry *f, double x, double y, double *u,
-                               double *v) {
+static inline void td_to_frame(const thud_geometry *f, double x, double y, double *u, double *v) {
     *u = f->c * x + f->s * y;
     *v = f->c * y - f->s * x;
 }
 
-static inline void td_from_frame(const thud_geometry *f, double u, double v, double *x,
-                                 double *y) {
+static inline void td_from_frame(const thud_geometry *f, double u, double v, double *x, double *y) {
     *x = f->c * u - f->s * v;
     *y = f->s * u + f->c * v;
 }
@@ -82,24 +80,22 @@ static inline bool td_target_valid(double target) {
 }
 
 /* The instance at a time of its motion, 0 to 1. */
-thud_geometry td_placed_at(const thud_geometry *shape, const thud_motion *motion,
-                                 double time);
+thud_geometry td_placed_at(const thud_geometry *shape, const thud_motion *motion, double time);
 
-/* closest.c: does what thud_geometry_closest does, for shapes known to be valid; boxes may have hy =
- * 0. */
+/* closest.c: does what thud_geometry_closest does, for shapes known to be valid; boxes may have hy
+ * = 0. */
 void td_closest(const thud_geometry *a, const thud_geometry *b, thud_closest *out);
 
 /* toi.c: does what thud_geometry_time_of_impact does, for shapes and motions known to be valid. */
-void td_time_of_impact(const thud_geometry *a, thud_motion motion_a,
-                       const thud_geometry *b, thud_motion motion_b, double target, bool *hit,
-                       double *time);
+void td_time_of_impact(const thud_geometry *a, thud_motion motion_a, const thud_geometry *b,
+                       thud_motion motion_b, double target, bool *hit, double *time);
 /* A lower bound of the time until the shapes can come within `target` of each other, for
  * conservative advancement: by the separation along the unit normal (nx, ny), from a to b, which is
  * greater than the target. Motions are per unit of time; more than 1 says "not within the
  * motions". */
 typedef double td_jump_fn(const thud_geometry *a, const thud_motion *motion_a,
-                          const thud_geometry *b, const thud_motion *motion_b, double nx,
-                          double ny, double target);
+                          const thud_geometry *b, const thud_motion *motion_b, double nx, double ny,
+                          double target);
 td_jump_fn td_time_across;
 /* A td_jump_fn that also uses the faces of turning boxes, and finds longer times than
  * td_time_across where such a face keeps the shapes apart. It takes longer itself, which pays for
@@ -109,8 +105,8 @@ td_jump_fn td_time_across_faces;
 /* As td_time_of_impact, with the bound to advance by. `target` may be negative, so that shapes may
  * overlap by that much; turning shapes may stop up to `tolerance` (length) short of it, which saves
  * advances. */
-void td_time_of_near_impact(const thud_geometry *a, thud_motion motion_a,
-                            const thud_geometry *b, thud_motion motion_b, double target,
-                            double tolerance, td_jump_fn *jump, bool *hit, double *time);
+void td_time_of_near_impact(const thud_geometry *a, thud_motion motion_a, const thud_geometry *b,
+                            thud_motion motion_b, double target, double tolerance, td_jump_fn *jump,
+                            bool *hit, double *time);
 
 #endif

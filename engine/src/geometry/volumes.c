@@ -76,8 +76,8 @@ static thud_pos corner_along(const thud_geometry *box, int i, double c, double s
 }
 
 /* The span of a moving shape along (c, s), relative to the middle of its centre's path. */
-static td_volume_span span_of_motion(const thud_geometry *start, const thud_motion *m,
-                                     double c, double s) {
+static td_volume_span span_of_motion(const thud_geometry *start, const thud_motion *m, double c,
+                                     double s) {
     double u = td_kind_is_round(start->kind) ? start->hx : 0.0, v = u;
     thud_geometry end = td_placed_at(start, m, 1.0);
     bool half_turn = td_kind_turns(start->kind) && td_abs(m->turn) >= TD_PI;

@@ -57,7 +57,7 @@ static double coordinate_of(const thud_world *w, const td_joint *gear, int i) {
     td_joint_place place = td_joint_place_of(w, joint);
     double x = (double)place.x, y = (double)place.y;
     return joint->kind == THUD_JOINT_DISTANCE ? __builtin_sqrt(x * x + y * y)
-                                        : x * (double)place.axis_x + y * (double)place.axis_y;
+                                              : x * (double)place.axis_x + y * (double)place.axis_y;
 }
 
 double td_gear_gap(const thud_world *w, const td_joint *gear) {

@@ -28,7 +28,8 @@ const char *td_joint_drive_error(const thud_world *w, thud_joint_kind kind, int 
                                  const thud_drive *d, td_reason *why) {
     bool turns = direction == THUD_DIRECTION_TURN;
     float max_value = turns ? THUD_JOINT_ANGLE_MAX : THUD_JOINT_LENGTH_MAX * w->unit;
-    float max_speed = turns ? THUD_JOINT_ANGULAR_SPEED_MAX : max_value, max_force = THUD_JOINT_FORCE_MAX;
+    float max_speed = turns ? THUD_JOINT_ANGULAR_SPEED_MAX : max_value,
+          max_force = THUD_JOINT_FORCE_MAX;
     float min = kind == THUD_JOINT_DISTANCE ? 0.0f : -max_value;
     if (!(td_joint_drivable((int)kind) >> direction & 1u)) {
         return undrivable_error(direction, d);
@@ -72,7 +73,8 @@ const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_
     }
     float min = d->ratio < 0.0f ? -THUD_GEAR_RATIO_MAX : THUD_GEAR_RATIO_MIN;
     float max = d->ratio < 0.0f ? -THUD_GEAR_RATIO_MIN : THUD_GEAR_RATIO_MAX;
-    if (d->kind == THUD_JOINT_GEAR && !td_float_in(why, "joint create: ratio", d->ratio, min, max)) {
+    if (d->kind == THUD_JOINT_GEAR &&
+        !td_float_in(why, "joint create: ratio", d->ratio, min, max)) {
         return why->text;
     }
     if (td_same_body(a, b) || (!is_dynamic(w, a) && !is_dynamic(w, b))) {
@@ -82,8 +84,9 @@ const char *td_joint_def_error(const thud_world *w, const thud_joint_def *d, td_
         return "joint create: body b of a wheel or target must be dynamic";
     }
     if (!td_joint_frame_valid(w, why, &d->frame_a) || !td_joint_frame_valid(w, why, &d->frame_b) ||
-        (d->kind == THUD_JOINT_DISTANCE && !td_above_0(why, "joint create: length", (double)d->length,
-                                                 (double)(THUD_JOINT_LENGTH_MAX * w->unit))) ||
+        (d->kind == THUD_JOINT_DISTANCE &&
+         !td_above_0(why, "joint create: length", (double)d->length,
+                     (double)(THUD_JOINT_LENGTH_MAX * w->unit))) ||
         !td_joint_break_valid(why, "joint create: break_force", d->break_force) ||
         !td_joint_break_valid(why, "joint create: break_torque", d->break_torque)) {
         return why->text;

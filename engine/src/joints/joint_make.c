@@ -92,7 +92,8 @@ static thud_result find_dynamic_body(const thud_world *w, thud_joint_id id, td_b
         return result;
     }
     const td_joint *joint = td_joint_at(w, index);
-    if ((!td_gear_by_angle(joint) && joint->kind != THUD_JOINT_SLIDER && joint->kind != THUD_JOINT_DISTANCE) ||
+    if ((!td_gear_by_angle(joint) && joint->kind != THUD_JOINT_SLIDER &&
+         joint->kind != THUD_JOINT_DISTANCE) ||
         td_body_at(w, joint->body[0])->kind != THUD_BODY_STATIC) {
         return td_refuse(
             w, THUD_ERROR_INVALID,

@@ -43,8 +43,9 @@ td_joint_reading td_joint_read(const thud_world *w, const td_joint *joint) {
     if (joint->kind == THUD_JOINT_DISTANCE) {
         r.value[THUD_DIRECTION_ALONG] = __builtin_sqrt(x * x + y * y);
         r.value[THUD_DIRECTION_ACROSS] = 0.0;
-        double off = joint->locked ? r.value[THUD_DIRECTION_ALONG] - (double)joint->length
-                                   : error_of(joint, THUD_DIRECTION_ALONG, r.value[THUD_DIRECTION_ALONG]);
+        double off = joint->locked
+                         ? r.value[THUD_DIRECTION_ALONG] - (double)joint->length
+                         : error_of(joint, THUD_DIRECTION_ALONG, r.value[THUD_DIRECTION_ALONG]);
         r.gap = td_abs(off);
         return r;
     }

@@ -140,7 +140,8 @@ TD_INLINE void place_lock(const thud_world *w, td_block *block) {
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), mass = inverse_masses(w, block);
     rows->haste = f8_all(TD_JOINT_HASTE);
     place8 p = place_of(w, &rows->anchor, used_lanes(block));
-    i8 stays = is_locked(rows->locked, THUD_DIRECTION_ALONG) & is_locked(rows->locked, THUD_DIRECTION_ACROSS);
+    i8 stays = is_locked(rows->locked, THUD_DIRECTION_ALONG) &
+               is_locked(rows->locked, THUD_DIRECTION_ACROSS);
     f8 x = f8_pick(stays, one, p.axis_x), y = f8_pick(stays, zero, p.axis_y);
     set_frame(block, &p, x, y);
     f8 gap[2] = {p.x * x + p.y * y, p.y * x - p.x * y};

@@ -1,6 +1,6 @@
-/* event_pairs.c: thud_world_next_event_pair, an iterator over the pairs of shapes of two categories that
- * met in the last step. It goes through begin, hit and sensor_begin events, in this order, by one
- * running number, and returns each pair once. */
+/* event_pairs.c: thud_world_next_event_pair, an iterator over the pairs of shapes of two categories
+ * that met in the last step. It goes through begin, hit and sensor_begin events, in this order, by
+ * one running number, and returns each pair once. */
 #include "lists/lists.h"
 
 #include "thud/thud_events.h"
@@ -64,7 +64,7 @@ static bool is_of(const thud_world *w, uint32_t first, uint32_t second, thud_con
 }
 
 bool thud_world_next_event_pair(const thud_world *w, uint32_t first, uint32_t second,
-                             thud_event_pair *pair) {
+                                thud_event_pair *pair) {
     if (!w || !pair) {
         td_refuse(w, THUD_ERROR_NULL, "next event pair: world or pair is null");
         return false;

@@ -34,17 +34,19 @@ static thud_result list_bodies(const thud_world *w, body_filter_fn *contains, th
     return THUD_OK;
 }
 
-thud_result thud_world_get_bodies(const thud_world *w, thud_body_id *out, int capacity, int *count) {
-    return list_bodies(w, td_body_lives, out, capacity, count);
+thud_result thud_world_get_bodies(const thud_world *w, thud_body_id *out, int capacity,
+                                  int *out_count) {
+    return list_bodies(w, td_body_lives, out, capacity, out_count);
 }
 
 thud_result thud_world_get_awake_bodies(const thud_world *w, thud_body_id *out, int capacity,
-                                    int *count) {
-    return list_bodies(w, is_awake, out, capacity, count);
+                                        int *out_count) {
+    return list_bodies(w, is_awake, out, capacity, out_count);
 }
 
-thud_result thud_world_get_shapes(const thud_world *w, thud_shape_id *out, int capacity, int *count) {
-    thud_result result = td_list_check(w, out, capacity, count);
+thud_result thud_world_get_shapes(const thud_world *w, thud_shape_id *out, int capacity,
+                                  int *out_count) {
+    thud_result result = td_list_check(w, out, capacity, out_count);
     if (result != THUD_OK) {
         return result;
     }
@@ -58,21 +60,21 @@ thud_result thud_world_get_shapes(const thud_world *w, thud_shape_id *out, int c
         }
         n++;
     }
-    *count = n;
+    *out_count = n;
     return THUD_OK;
 }
 
 /* ---- slots ---- */
 
-thud_result thud_world_get_slot_counts(const thud_world *w, int *bodies, int *shapes) {
+thud_result thud_world_get_slot_counts(const thud_world *w, int *out_bodies, int *out_shapes) {
     if (!w) {
         return THUD_ERROR_NULL;
     }
-    if (bodies) {
-        *bodies = w->bodies.count;
+    if (out_bodies) {
+        *out_bodies = w->bodies.count;
     }
-    if (shapes) {
-        *shapes = w->shapes.count;
+    if (out_shapes) {
+        *out_shapes = w->shapes.count;
     }
     return THUD_OK;
 }

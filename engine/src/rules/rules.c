@@ -156,8 +156,8 @@ thud_result thud_world_use_rules(thud_world *w) {
     return make_rules(w) ? THUD_OK : td_refuse(w, THUD_ERROR_MEMORY, "use rules: out of memory");
 }
 
-thud_result thud_world_get_rule(const thud_world *w, uint32_t first, uint32_t second, thud_rule *out,
-                            bool *is_set, bool *reversed) {
+thud_result thud_world_get_rule(const thud_world *w, uint32_t first, uint32_t second,
+                                thud_rule *out, bool *out_is_set, bool *out_reversed) {
     if (!w) {
         return THUD_ERROR_NULL;
     }
@@ -174,11 +174,11 @@ thud_result thud_world_get_rule(const thud_world *w, uint32_t first, uint32_t se
     if (out) {
         *out = rule.rule;
     }
-    if (is_set) {
-        *is_set = rule.is_set;
+    if (out_is_set) {
+        *out_is_set = rule.is_set;
     }
-    if (reversed) {
-        *reversed = rule.is_set && rule.reversed;
+    if (out_reversed) {
+        *out_reversed = rule.is_set && rule.reversed;
     }
     return THUD_OK;
 }

@@ -310,7 +310,7 @@ thud_result thud_rollback_settle(thud_rollback *r) {
     return result;
 }
 
-thud_result thud_rollback_advance(thud_rollback *r, bool *made) {
+thud_result thud_rollback_advance(thud_rollback *r, bool *out_made) {
     thud_result result = thud_rollback_settle(r);
     if (result != THUD_OK) {
         return result;
@@ -327,13 +327,13 @@ thud_result thud_rollback_advance(thud_rollback *r, bool *made) {
             r->players[i].is_known[(r->steps + r->options.depth) % input_count(r)] = false;
         }
     }
-    if (made) {
-        *made = !waits;
+    if (out_made) {
+        *out_made = !waits;
     }
     return THUD_OK;
 }
 
-thud_result thud_rollback_get_state(thud_rollback *r, int64_t step, uint64_t *hash, void *state) {
+thud_result thud_rollback_get_state(thud_rollback *r, int64_t step, uint64_t *out_hash, void *out_state) {
     thud_result result = thud_rollback_settle(r);
     if (result != THUD_OK) {
         return result;
@@ -343,11 +343,11 @@ thud_result thud_rollback_get_state(thud_rollback *r, int64_t step, uint64_t *ha
         return td_refuse(r->world, THUD_ERROR_INVALID, "rollback: that step is not kept");
     }
     const saved_step *m = now ? NULL : saved_step_of(r, step);
-    if (hash) {
-        *hash = now ? thud_hash_of(r->world) : m->hash;
+    if (out_hash) {
+        *out_hash = now ? thud_hash_of(r->world) : m->hash;
     }
-    if (state && r->options.state) {
-        memcpy(state, now ? r->options.state : m->image + m->bytes, r->options.state_bytes);
+    if (out_state && r->options.state) {
+        memcpy(out_state, now ? r->options.state : m->image + m->bytes, r->options.state_bytes);
     }
     return THUD_OK;
 }

@@ -19,7 +19,8 @@ const char *td_quality_error(const thud_quality *q, td_reason *why) {
         td_float_in(why, "quality: overlap_limit", q->overlap_limit, 0.0f, __builtin_inff()) &&
         td_in(why, "quality: island_limit", q->island_limit, 1.0, THUD_ISLAND_LIMIT_MAX) &&
         td_in(why, "quality: island_work", (double)q->island_work, 0.0, (double)INT64_MAX) &&
-        td_in(why, "quality: island_slow_steps", q->island_slow_steps, 0.0, THUD_ISLAND_SLOW_STEPS_MAX);
+        td_in(why, "quality: island_slow_steps", q->island_slow_steps, 0.0,
+              THUD_ISLAND_SLOW_STEPS_MAX);
     return in ? NULL : why->text;
 }
 

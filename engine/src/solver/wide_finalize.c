@@ -217,7 +217,8 @@ void TD_WIDE(td_finalize_bodies)(thud_world *w) {
     f8 zero = f8_all(0.0f), far = f8_all((float)(0x1p50 / w->to_fixed));
     f8 gx = f8_all(w->def.gravity.x), gy = f8_all(w->def.gravity.y);
     d4 kinetic = {0}, gained = {0};
-    float linear = w->def.maximum_speed * w->unit, max_speed[3] = {linear, linear, THUD_ANGULAR_SPEED_MAX};
+    float linear = w->def.maximum_speed * w->unit,
+          max_speed[3] = {linear, linear, THUD_ANGULAR_SPEED_MAX};
     int count = w->body_of.count;
     for (td_awake_slot first = {0}; first.at < count; first.at += TD_LANES) {
         int at = first.at;

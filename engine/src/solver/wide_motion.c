@@ -23,9 +23,9 @@ TD_INLINE f8 damping_of(const td_motion_context *c, int i) {
     return (f8){l0, l0, a0, 1.0f, l1, l1, a1, 1.0f};
 }
 
-/* Clamps velocities to max_speed and THUD_ANGULAR_SPEED_MAX. All passes use the same bound: otherwise the
- * difference would look like an impulse of the last substep and be added again. The order of
- * operands keeps not-a-number, which finalize.c looks for. */
+/* Clamps velocities to max_speed and THUD_ANGULAR_SPEED_MAX. All passes use the same bound:
+ * otherwise the difference would look like an impulse of the last substep and be added again. The
+ * order of operands keeps not-a-number, which finalize.c looks for. */
 TD_INLINE f8 clamp_velocity(const td_motion_context *c, f8 v) {
     float s = c->max_speed, t = THUD_ANGULAR_SPEED_MAX, m = 3.0e38f;
     f8 max = {s, s, t, m, s, s, t, m};

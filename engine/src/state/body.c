@@ -263,8 +263,8 @@ thud_result thud_body_get_state(const thud_world *w, thud_body_id id, thud_body_
     return THUD_OK;
 }
 
-thud_result thud_body_get_shapes(const thud_world *w, thud_body_id id, thud_shape_id *out, int capacity,
-                             int *count) {
+thud_result thud_body_get_shapes(const thud_world *w, thud_body_id id, thud_shape_id *out,
+                                 int capacity, int *out_count) {
     td_body_index index;
     int n = 0;
     thud_result result = td_find_body(w, id, &index);
@@ -283,8 +283,8 @@ thud_result thud_body_get_shapes(const thud_world *w, thud_body_id id, thud_shap
         }
         n++;
     }
-    if (count) {
-        *count = n;
+    if (out_count) {
+        *out_count = n;
     }
     return THUD_OK;
 }

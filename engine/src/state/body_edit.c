@@ -146,8 +146,9 @@ static thud_result apply_or_defer(thud_world *w, td_body_index index, td_deferre
 
 /* Refuses a body that is not dynamic. */
 static thud_result check_dynamic(const thud_world *w, td_body_index index, const char *message) {
-    return td_body_at(w, index)->kind == THUD_BODY_DYNAMIC ? THUD_OK
-                                                      : td_refuse(w, THUD_ERROR_INVALID, message);
+    return td_body_at(w, index)->kind == THUD_BODY_DYNAMIC
+               ? THUD_OK
+               : td_refuse(w, THUD_ERROR_INVALID, message);
 }
 
 thud_result thud_body_set_transform(thud_world *w, thud_body_id id, thud_pos position,

@@ -195,8 +195,8 @@ static bool apply_changes(thud_world *w, td_body_index index) {
     }
     body->changes = 0;
     bool rests = body->awake.at < 0;
-    if ((changes & TD_CHANGE_ENTER) && !(changes & TD_CHANGE_LEAVE) && body->kind != THUD_BODY_STATIC &&
-        !(body->flags & TD_BODY_DISABLED)) {
+    if ((changes & TD_CHANGE_ENTER) && !(changes & TD_CHANGE_LEAVE) &&
+        body->kind != THUD_BODY_STATIC && !(body->flags & TD_BODY_DISABLED)) {
         td_awake_add(w, index);
         rests = false;
     }

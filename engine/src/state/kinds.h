@@ -10,7 +10,7 @@
 
 /* ROW(shape kind, function that plugs it in, pair kind). Snapshots recognise by the pair kind,
  * which a world only has with that shape kind, that the kind is plugged in. */
-#define TD_ALL_KINDS(ROW)                                   \
+#define TD_ALL_KINDS(ROW)                                         \
     ROW(THUD_SHAPE_CIRCLE, td_kind_circle, TD_PAIR_CIRCLE_CIRCLE) \
     ROW(THUD_SHAPE_AABB, td_kind_aabb, TD_PAIR_AABB_AABB)         \
     ROW(THUD_SHAPE_OBB, td_kind_obb, TD_PAIR_BOX_BOX)             \

@@ -298,7 +298,8 @@ thud_result thud_shape_create_terrain(thud_world *w, thud_body_id id, const thud
     td_terrain_record *record = td_terrain_record_at(w, index);
     *record = made;
     return finish_create(w, body, def,
-                         (td_shape){.kind = THUD_SHAPE_TERRAIN, .terrain = index, .angle_c = 1.0f}, out);
+                         (td_shape){.kind = THUD_SHAPE_TERRAIN, .terrain = index, .angle_c = 1.0f},
+                         out);
 }
 
 thud_result thud_shape_get_terrain(const thud_world *w, thud_shape_id id, thud_terrain *out) {

@@ -8,7 +8,8 @@
 
 /* Whether a shape of a body of that kind may have this radius or half extent (caller's unit). */
 static inline bool td_shape_size_valid(const thud_world *w, int body_kind, float size) {
-    float s = size / w->unit, max = body_kind == THUD_BODY_STATIC ? THUD_STATIC_SIZE_MAX : THUD_SIZE_MAX;
+    float s = size / w->unit,
+          max = body_kind == THUD_BODY_STATIC ? THUD_STATIC_SIZE_MAX : THUD_SIZE_MAX;
     return s >= THUD_SIZE_MIN && s <= max;
 }
 
@@ -42,8 +43,8 @@ void td_shape_expect(thud_world *w, int shape, float dx, float dy);
 
 /* Bounds of a shape that is placed relative to `origin`, extended by `slack` (caller's unit) on
  * each side. */
-td_bounds td_placed_bounds(const thud_world *w, const thud_geometry *placed,
-                           td_position origin, double slack);
+td_bounds td_placed_bounds(const thud_world *w, const thud_geometry *placed, td_position origin,
+                           double slack);
 
 /* Half of the shape's least thickness; and all of it. */
 TD_INLINE_SMALL float td_half_thickness(const td_shape *shape) {
@@ -65,8 +66,8 @@ void td_shape_mark_moved(thud_world *w, int shape);
 /* A shape in its place, relative to `origin`; of a terrain only the place of its origin is set. */
 thud_geometry td_shape_instance(const thud_world *w, int shape, td_position origin);
 /* The same, with the place of another proxy of the shape. */
-thud_geometry td_shape_instance_of(const thud_world *w, int shape,
-                                         const td_shape_proxy *proxy, td_position origin);
+thud_geometry td_shape_instance_of(const thud_world *w, int shape, const td_shape_proxy *proxy,
+                                   td_position origin);
 
 /* A shape that moves within a step, for sweeps of continuous collision detection. */
 typedef struct td_swept {

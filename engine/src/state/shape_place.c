@@ -170,16 +170,16 @@ void td_body_place_shapes(thud_world *w, td_body_index body) {
     }
 }
 
-thud_geometry td_shape_instance_of(const thud_world *w, int index,
-                                         const td_shape_proxy *proxy, td_position origin) {
+thud_geometry td_shape_instance_of(const thud_world *w, int index, const td_shape_proxy *proxy,
+                                   td_position origin) {
     const td_shape *shape = td_shape_at(w, index);
     return (thud_geometry){.kind = (thud_shape_kind)shape->kind,
-                                 .x = (double)(proxy->center.x - origin.x) / w->to_fixed,
-                                 .y = (double)(proxy->center.y - origin.y) / w->to_fixed,
-                                 .c = (double)proxy->c,
-                                 .s = (double)proxy->s,
-                                 .hx = (double)shape->half_x,
-                                 .hy = (double)shape->half_y};
+                           .x = (double)(proxy->center.x - origin.x) / w->to_fixed,
+                           .y = (double)(proxy->center.y - origin.y) / w->to_fixed,
+                           .c = (double)proxy->c,
+                           .s = (double)proxy->s,
+                           .hx = (double)shape->half_x,
+                           .hy = (double)shape->half_y};
 }
 
 thud_geometry td_shape_instance(const thud_world *w, int index, td_position origin) {

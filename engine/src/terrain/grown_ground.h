@@ -41,8 +41,7 @@ typedef struct td_piece {
 } td_piece;
 
 /* The grown ground for a shape moved by `offset`. */
-td_grown td_grown_by(const thud_terrain *terrain, const thud_geometry *shape,
-                     thud_pos offset);
+td_grown td_grown_by(const thud_terrain *terrain, const thud_geometry *shape, thud_pos offset);
 /* The same with left and right exchanged. */
 td_grown td_grown_mirrored(const td_grown *grown);
 

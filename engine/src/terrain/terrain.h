@@ -55,7 +55,7 @@ td_segment td_terrain_segment(const thud_terrain *terrain, int segment, double x
 /* terrain_closest.c: does what thud_terrain_closest does, for a shape that is moved by `offset` and
  * known to be valid; it may be a circle of radius 0. The points of *out are relative to the moved
  * centre. */
-void td_terrain_closest(const thud_terrain *terrain, const thud_geometry *shape,
-                        thud_pos offset, thud_closest *out);
+void td_terrain_closest(const thud_terrain *terrain, const thud_geometry *shape, thud_pos offset,
+                        thud_closest *out);
 
 #endif

@@ -17,10 +17,10 @@ static bool overlap_at(const void *pair, double time) {
     return thud_terrain_overlap(m->terrain, &shape);
 }
 
-thud_result thud_terrain_time_of_collision(const thud_terrain *terrain,
-                                           const thud_geometry *shape, thud_motion motion,
-                                           double tolerance, bool *collided, double *time) {
-    if (!terrain || !shape || !collided || !time) {
+thud_result thud_terrain_time_of_collision(const thud_terrain *terrain, const thud_geometry *shape,
+                                           thud_motion motion, double tolerance, bool *out_collided,
+                                           double *out_time) {
+    if (!terrain || !shape || !out_collided || !out_time) {
         return THUD_ERROR_NULL;
     }
     thud_result readable = td_terrain_readable(terrain);
@@ -29,6 +29,6 @@ thud_result thud_terrain_time_of_collision(const thud_terrain *terrain,
         return readable != THUD_OK ? readable : THUD_ERROR_INVALID;
     }
     landing m = {terrain, shape, motion};
-    *collided = td_bisect(overlap_at, &m, tolerance, time);
+    *out_collided = td_bisect(overlap_at, &m, tolerance, out_time);
     return THUD_OK;
 }

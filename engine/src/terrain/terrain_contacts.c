@@ -41,7 +41,7 @@ static void keep_further(search *k, const thud_closest *c) {
 /* The candidates of a box's corners, each with the nearest place of the ground. */
 static void try_corners(search *k) {
     thud_geometry box = *k->shape,
-                        point = {.kind = THUD_SHAPE_CIRCLE, .x = box.x, .y = box.y, .c = 1.0};
+                  point = {.kind = THUD_SHAPE_CIRCLE, .x = box.x, .y = box.y, .c = 1.0};
     box.x = box.y = 0.0;
     for (int i = 0; i < 4; i++) {
         thud_pos corner;
@@ -80,7 +80,7 @@ static void try_ridge(search *k, int i) {
     }
     thud_pos v = vertex_of(k, i);
     thud_geometry shape = *k->shape,
-                        point = {.kind = THUD_SHAPE_CIRCLE, .x = v.x, .y = v.y, .c = 1.0};
+                  point = {.kind = THUD_SHAPE_CIRCLE, .x = v.x, .y = v.y, .c = 1.0};
     thud_closest c;
     shape.x = shape.y = 0.0;
     td_closest(&point, &shape, &c);

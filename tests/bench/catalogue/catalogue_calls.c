@@ -13,9 +13,12 @@ static const struct {
     const char *name;
     thud_shape_kind a, b;
 } PAIRS[PAIR_COUNT] = {
-    {"circle, circle", THUD_SHAPE_CIRCLE, THUD_SHAPE_CIRCLE}, {"circle, AABB", THUD_SHAPE_CIRCLE, THUD_SHAPE_AABB},
-    {"circle, OBB", THUD_SHAPE_CIRCLE, THUD_SHAPE_OBB},       {"AABB, AABB", THUD_SHAPE_AABB, THUD_SHAPE_AABB},
-    {"AABB, OBB", THUD_SHAPE_AABB, THUD_SHAPE_OBB},           {"OBB, OBB", THUD_SHAPE_OBB, THUD_SHAPE_OBB},
+    {"circle, circle", THUD_SHAPE_CIRCLE, THUD_SHAPE_CIRCLE},
+    {"circle, AABB", THUD_SHAPE_CIRCLE, THUD_SHAPE_AABB},
+    {"circle, OBB", THUD_SHAPE_CIRCLE, THUD_SHAPE_OBB},
+    {"AABB, AABB", THUD_SHAPE_AABB, THUD_SHAPE_AABB},
+    {"AABB, OBB", THUD_SHAPE_AABB, THUD_SHAPE_OBB},
+    {"OBB, OBB", THUD_SHAPE_OBB, THUD_SHAPE_OBB},
 };
 
 static const thud_motion STILL = {0, 0, 0};
@@ -85,7 +88,7 @@ static double time_of_collision(const void *inputs, int count) {
         bool collided = false;
         double time = 0;
         thud_geometry_time_of_collision(&p->a[i], STILL, &p->far_b[i], p->motion[i], p->tolerance,
-                                      &collided, &time);
+                                        &collided, &time);
         answers += time;
     }
     return answers;
@@ -122,7 +125,10 @@ static double minkowski_cast(const void *inputs, int count) {
     FOR_EACH_CALL(inputs, count) {
         bool hit = false;
         double fraction = 0, nx, ny;
-        thud_minkowski_cast(&p->sum[i], (thud_segment){p->far_b[i].x, p->far_b[i].y, p->motion[i].dx, p->motion[i].dy}, &hit, &fraction, &nx, &ny);
+        thud_minkowski_cast(&p->sum[i],
+                            (thud_segment){p->far_b[i].x, p->far_b[i].y, p->motion[i].dx,
+                                           p->motion[i].dy},
+                            &hit, &fraction, &nx, &ny);
         answers += fraction;
     }
     return answers;

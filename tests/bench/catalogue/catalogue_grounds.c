@@ -97,7 +97,10 @@ static double box_contacts(const void *inputs, int count) {
 static double ray(const void *inputs, int count) {
     FOR_EACH_PLACE(inputs, count) {
         double fraction = 0, nx, ny;
-        answers += thud_terrain_cast_ray(&g->terrain, (thud_segment){g->circles[i].x - 5, g->circles[i].y + 9, 10, -10}, &fraction, &nx, &ny);
+        answers +=
+            thud_terrain_cast_ray(&g->terrain,
+                                  (thud_segment){g->circles[i].x - 5, g->circles[i].y + 9, 10, -10},
+                                  &fraction, &nx, &ny);
         answers += fraction;
     }
     return answers;

@@ -40,7 +40,8 @@ static double ray(const void *inputs, int count) {
     FOR_EACH_QUESTION(inputs, count) {
         bool hit = false;
         thud_ray_hit first;
-        thud_world_cast_ray(q->world, &(thud_ray){q->from[i], q->way[i].x, q->way[i].y, NULL}, &hit, &first);
+        thud_world_cast_ray(q->world, &(thud_ray){q->from[i], q->way[i].x, q->way[i].y, NULL}, &hit,
+                            &first);
         answers += hit;
     }
     return answers;
@@ -49,7 +50,8 @@ static double ray(const void *inputs, int count) {
 static double ray_all(const void *inputs, int count) {
     FOR_EACH_QUESTION(inputs, count) {
         int hits = 0;
-        thud_world_cast_ray_all(q->world, &(thud_ray){q->from[i], q->way[i].x, q->way[i].y, NULL}, NULL, 0, &hits);
+        thud_world_cast_ray_all(q->world, &(thud_ray){q->from[i], q->way[i].x, q->way[i].y, NULL},
+                                NULL, 0, &hits);
         answers += hits;
     }
     return answers;
@@ -59,7 +61,10 @@ static double circle_cast(const void *inputs, int count) {
     FOR_EACH_QUESTION(inputs, count) {
         bool hit = false;
         thud_ray_hit first;
-        thud_world_cast_shape(q->world, &(thud_shape_cast){q->from[i], thud_circle_at(0, 0, 0.25), q->way[i].x, q->way[i].y, NULL}, &hit, &first);
+        thud_world_cast_shape(q->world,
+                              &(thud_shape_cast){q->from[i], thud_circle_at(0, 0, 0.25),
+                                                 q->way[i].x, q->way[i].y, NULL},
+                              &hit, &first);
         answers += hit;
     }
     return answers;
@@ -69,7 +74,10 @@ static double box_cast(const void *inputs, int count) {
     FOR_EACH_QUESTION(inputs, count) {
         bool hit = false;
         thud_ray_hit first;
-        thud_world_cast_shape(q->world, &(thud_shape_cast){q->from[i], thud_obb_at(0, 0, 0.25, 0.25, 0.5), q->way[i].x, q->way[i].y, NULL}, &hit, &first);
+        thud_world_cast_shape(q->world,
+                              &(thud_shape_cast){q->from[i], thud_obb_at(0, 0, 0.25, 0.25, 0.5),
+                                                 q->way[i].x, q->way[i].y, NULL},
+                              &hit, &first);
         answers += hit;
     }
     return answers;
@@ -93,7 +101,8 @@ static bool count_one(thud_shape_id shape, void *context) {
 
 static double overlap_circle(const void *inputs, int count) {
     FOR_EACH_QUESTION(inputs, count) {
-        thud_world_overlap_shape(q->world, q->from[i], thud_circle_at(0, 0, 2), NULL, count_one, &answers);
+        thud_world_overlap_shape(q->world, q->from[i], thud_circle_at(0, 0, 2), NULL, count_one,
+                                 &answers);
     }
     return answers;
 }

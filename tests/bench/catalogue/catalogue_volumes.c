@@ -12,7 +12,9 @@ enum { KINDS = 3, POINTS = 100 };
 static const struct {
     const char *name;
     thud_shape_kind kind;
-} VOLUMES[KINDS] = {{"circle", THUD_SHAPE_CIRCLE}, {"AABB", THUD_SHAPE_AABB}, {"OBB", THUD_SHAPE_OBB}};
+} VOLUMES[KINDS] = {{"circle", THUD_SHAPE_CIRCLE},
+                    {"AABB", THUD_SHAPE_AABB},
+                    {"OBB", THUD_SHAPE_OBB}};
 
 /* OBBs, the shapes for which fitting a volume takes longest. */
 typedef struct contents {

@@ -48,13 +48,13 @@ static double distance_along_axes(const thud_geometry *a, const thud_geometry *b
     return most;
 }
 
-static void count_near(const thud_geometry *a, const thud_geometry *b, double margin,
-                       levels *sum) {
+static void count_near(const thud_geometry *a, const thud_geometry *b, double margin, levels *sum) {
     /* Upper bound of the distance of centres for pairs within the margin along each axis; others
      * are skipped. */
     double reach = hypot(a->hx, a->hy) + hypot(b->hx, b->hy) + 2 * margin;
     thud_closest closest;
-    if (hypot(b->x - a->x, b->y - a->y) >= reach || thud_geometry_closest(a, b, &closest) != THUD_OK)
+    if (hypot(b->x - a->x, b->y - a->y) >= reach ||
+        thud_geometry_closest(a, b, &closest) != THUD_OK)
         return;
     bool boxes = a->kind != THUD_SHAPE_CIRCLE && b->kind != THUD_SHAPE_CIRCLE;
     sum->sieved += (boxes ? distance_along_axes(a, b) : closest.distance) < margin;

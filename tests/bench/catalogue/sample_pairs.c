@@ -40,8 +40,9 @@ void sample_pairs_make(thud_shape_kind kind_a, thud_shape_kind kind_b, sample_pa
          * sizes. */
         thud_geometry end = b;
         place(&end, 0.3 * scene_random_range(&random, 0, 1), &random);
-        out->motion[i] = (thud_motion){end.x - b.x, end.y - b.y,
-                                       kind_b == THUD_SHAPE_OBB ? scene_random_range(&random, -1, 1) : 0};
+        out->motion[i] =
+            (thud_motion){end.x - b.x, end.y - b.y,
+                          kind_b == THUD_SHAPE_OBB ? scene_random_range(&random, -1, 1) : 0};
         thud_minkowski_sum(&a, &b, &out->sum[i]);
     }
 }

@@ -175,11 +175,11 @@ static void sample_pairs_are_apart_and_meet_on_their_way_whatever_their_kinds(vo
                 overlapping += thud_geometry_overlap(&p.a[i], &p.b[i]);
                 assert_false(thud_geometry_overlap(&p.a[i], &p.far_b[i]));
                 assert_int_equal(thud_geometry_time_of_impact(&p.a[i], still, &p.far_b[i],
-                                                            p.motion[i], 0, &hit, &impact),
+                                                              p.motion[i], 0, &hit, &impact),
                                  THUD_OK);
                 assert_int_equal(thud_geometry_time_of_collision(&p.a[i], still, &p.far_b[i],
-                                                               p.motion[i], p.tolerance, &collided,
-                                                               &collision),
+                                                                 p.motion[i], p.tolerance,
+                                                                 &collided, &collision),
                                  THUD_OK);
                 assert_true(hit && collided && impact > 0 && impact < 1);
             }

@@ -48,7 +48,8 @@ static inline thud_world *world_with_slope(double slope) {
     thud_shape_def def = thud_default_shape_def();
     const thud_pos points[] = {{-20, 0}, {0, 0}, {8, 8 * slope}, {30, 8 * slope}};
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 4};
-    OK(thud_shape_create_terrain(world, add_body(world, THUD_BODY_STATIC, 0, 0, 0), &def, &line, NULL));
+    OK(thud_shape_create_terrain(world, add_body(world, THUD_BODY_STATIC, 0, 0, 0), &def, &line,
+                                 NULL));
     return world;
 }
 

@@ -1,13 +1,16 @@
-/* test_buoyancy.c: thud_body_apply_buoyancy (thud_fields.h) and thud_geometry_area_below, the area and
- * centroid of the part of a shape below a line. */
+/* test_buoyancy.c: thud_body_apply_buoyancy (thud_fields.h) and thud_geometry_area_below, the area
+ * and centroid of the part of a shape below a line. */
 #include "engine_support.h"
 
 #include <thud/thud_fields.h>
 
 /* thud_geometry_area_below with the arguments of a water def. */
-static thud_result below(const thud_geometry *shape, thud_pos point, thud_vec2 normal,
-                         double *area, thud_pos *centroid) {
-    return thud_geometry_area_below(shape, (thud_half_plane){point.x, point.y, (double)normal.x, (double)normal.y}, area, &centroid->x, &centroid->y);
+static thud_result below(const thud_geometry *shape, thud_pos point, thud_vec2 normal, double *area,
+                         thud_pos *centroid) {
+    return thud_geometry_area_below(shape,
+                                    (thud_half_plane){point.x, point.y, (double)normal.x,
+                                                      (double)normal.y},
+                                    area, &centroid->x, &centroid->y);
 }
 
 static const double pi = 3.14159265358979323846;
@@ -112,8 +115,12 @@ static void wrong_lines_are_refused(void **state) {
     assert_int_equal(below(&disc, (thud_pos){2e15, 0}, up, &area, &centroid), THUD_ERROR_INVALID);
     assert_int_equal(below(NULL, here, up, &area, &centroid), THUD_ERROR_NULL);
     assert_int_equal(below(&disc, here, up, NULL, &centroid), THUD_ERROR_NULL);
-    assert_int_equal(thud_geometry_area_below(&disc, (thud_half_plane){0, 0, 0, 1}, &area, NULL, &area), THUD_ERROR_NULL);
-    assert_int_equal(thud_geometry_area_below(&disc, (thud_half_plane){0, 0, 0, 1}, &area, &area, NULL), THUD_ERROR_NULL);
+    assert_int_equal(thud_geometry_area_below(&disc, (thud_half_plane){0, 0, 0, 1}, &area, NULL,
+                                              &area),
+                     THUD_ERROR_NULL);
+    assert_int_equal(thud_geometry_area_below(&disc, (thud_half_plane){0, 0, 0, 1}, &area, &area,
+                                              NULL),
+                     THUD_ERROR_NULL);
     assert_true(area == 7 && centroid.x == 7 && centroid.y == 7);
 }
 
@@ -220,8 +227,8 @@ static void what_bobs_never_gains_energy(void **state) {
         float hy = i % 2 ? 0.3f : 0;
         thud_body_id body = add_floating(world, 0.2, 0.2, 1, hy, 0.5f);
         thud_geometry shape = {.kind = i % 2 ? THUD_SHAPE_OBB : THUD_SHAPE_CIRCLE,
-                                     .hx = 1,
-                                     .hy = (double)hy};
+                               .hx = 1,
+                               .hy = (double)hy};
         double most[6] = {0};
         for (int k = 0; k < 3600; k++) {
             float_for(world, body, &water, 1);

@@ -157,7 +157,8 @@ static void the_job_system_is_asked_once_for_many_and_never_inside_a_callback(vo
     assert_true(outside[10].shape.index1 == r.shape[1].index1);
     assert_int_equal(outside[0].shape.index1, 0);
     assert_true(outside[0].fraction == 1 && outside[0].point.x == 0 && outside[0].point.y == -3);
-    OK(thud_world_cast_ray_each(r.world, &(thud_ray){(thud_pos){0, 0}, 10, 0, NULL}, ask_many, r.world));
+    OK(thud_world_cast_ray_each(r.world, &(thud_ray){(thud_pos){0, 0}, 10, 0, NULL}, ask_many,
+                                r.world));
     assert_int_equal(calls, 1);
     OK(thud_world_cast_rays(r.world, NULL, 0, NULL));
     thud_world_destroy(r.world);
@@ -185,13 +186,16 @@ static void long_ways_and_crowds_are_told_as_in_a_list(void **state) {
     for (int k = 0; k < 2; k++) {
         thud_ray_hit all[TOLD], first;
         int count = 0;
-        OK(thud_world_cast_ray_all(world, &(thud_ray){ways[k].origin, ways[k].dx, ways[k].dy, NULL}, all, TOLD, &count));
+        OK(thud_world_cast_ray_all(world, &(thud_ray){ways[k].origin, ways[k].dx, ways[k].dy, NULL},
+                                   all, TOLD, &count));
         assert_true(count > 1);
         OK(thud_world_cast_rays(world, &ways[k], 1, &first));
         assert_true(first.fraction == all[0].fraction);
         assert_int_equal(first.shape.index1, all[0].shape.index1);
         story s = {.answers = {1, 1, 1, 1, 1, 1, THUD_CAST_END}};
-        OK(thud_world_cast_ray_each(world, &(thud_ray){ways[k].origin, ways[k].dx, ways[k].dy, NULL}, listener, &s));
+        OK(thud_world_cast_ray_each(world,
+                                    &(thud_ray){ways[k].origin, ways[k].dx, ways[k].dy, NULL},
+                                    listener, &s));
         for (int i = 0; i < s.count; i++) {
             assert_true(s.met[i] == round(all[i].point.x + 0.4));
         }
@@ -295,7 +299,8 @@ static void shapes_made_inside_a_callback_have_no_place_yet(void **state) {
     (void)state;
     row r;
     make_row(&r, (thud_job_system){0});
-    OK(thud_world_cast_ray_each(r.world, &(thud_ray){(thud_pos){0, 0}, 10, 0, NULL}, make_and_ask, &r));
+    OK(thud_world_cast_ray_each(r.world, &(thud_ray){(thud_pos){0, 0}, 10, 0, NULL}, make_and_ask,
+                                &r));
     thud_world_destroy(r.world);
 }
 

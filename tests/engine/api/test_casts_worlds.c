@@ -221,16 +221,22 @@ static void check_each(const crowd *c, const query *q, uint64_t *answers) {
     thud_ray_hit all[SHAPES], found[SHAPES];
     listener heard = {.seed = answers};
     int count = ask_all(c, q, all), listed = -1;
-    OK(thud_world_cast_ray_all(c->world, &(thud_ray){q->at, q->dx, q->dy, &q->filter}, found, SHAPES, &listed));
+    OK(thud_world_cast_ray_all(c->world, &(thud_ray){q->at, q->dx, q->dy, &q->filter}, found,
+                               SHAPES, &listed));
     assert_int_equal(listed, count);
     for (int i = 0; i < count; i++) {
         assert_true(same_hit(&found[i], &all[i]));
     }
-    OK(thud_world_cast_ray_each(c->world, &(thud_ray){q->at, q->dx, q->dy, &q->filter}, hear, &heard));
+    OK(thud_world_cast_ray_each(c->world, &(thud_ray){q->at, q->dx, q->dy, &q->filter}, hear,
+                                &heard));
     check_told(&heard, all, count);
-    OK(thud_world_cast_shape_all(c->world, &(thud_shape_cast){q->at, q->shape, q->dx, q->dy, &q->filter}, all, SHAPES, &count));
+    OK(thud_world_cast_shape_all(c->world,
+                                 &(thud_shape_cast){q->at, q->shape, q->dx, q->dy, &q->filter}, all,
+                                 SHAPES, &count));
     heard.count = 0;
-    OK(thud_world_cast_shape_each(c->world, &(thud_shape_cast){q->at, q->shape, q->dx, q->dy, &q->filter}, hear, &heard));
+    OK(thud_world_cast_shape_each(c->world,
+                                  &(thud_shape_cast){q->at, q->shape, q->dx, q->dy, &q->filter},
+                                  hear, &heard));
     check_told(&heard, all, count);
 }
 
@@ -264,7 +270,8 @@ static bool note(thud_shape_id shape, void *context) {
 static void check_filters(const crowd *c, const query *q) {
     listener swept = {.count = 0}, over = {.count = 0};
     thud_geometry disc = {.kind = THUD_SHAPE_CIRCLE, .c = 1, .hx = q->shape.hx};
-    OK(thud_world_cast_shape_each(c->world, &(thud_shape_cast){q->at, disc, 0, 0, &q->filter}, hear, &swept));
+    OK(thud_world_cast_shape_each(c->world, &(thud_shape_cast){q->at, disc, 0, 0, &q->filter}, hear,
+                                  &swept));
     OK(thud_world_overlap_shape(c->world, q->at, disc, &q->filter, note, &over));
     bool wanted_any = false, found = false;
     double least = 20;
@@ -320,7 +327,9 @@ static void check_one(const crowd *c, const query *q, const thud_ray_hit *got, b
     if (ray) {
         OK(thud_world_cast_ray(c->world, &(thud_ray){q->at, q->dx, q->dy, &q->filter}, NULL, &one));
     } else {
-        OK(thud_world_cast_shape(c->world, &(thud_shape_cast){q->at, q->shape, q->dx, q->dy, &q->filter}, NULL, &one));
+        OK(thud_world_cast_shape(c->world,
+                                 &(thud_shape_cast){q->at, q->shape, q->dx, q->dy, &q->filter},
+                                 NULL, &one));
     }
     assert_true(same_hit(&one, got));
 }

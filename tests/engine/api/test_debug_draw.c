@@ -19,8 +19,8 @@ static void on_circle(thud_vec2 center, float radius, float c, float s, thud_sty
     k->greatest = fmaxf(k->greatest, center.x + radius);
 }
 
-static void on_box(thud_vec2 center, thud_vec2 half, float c, float s, thud_style style,
-                   int island, void *context) {
+static void on_box(thud_vec2 center, thud_vec2 half, float c, float s, thud_style style, int island,
+                   void *context) {
     (void)center, (void)half, (void)c, (void)s, (void)island;
     ((seen *)context)->boxes[style]++;
 }

@@ -268,7 +268,8 @@ static void joints_follow_the_kind(void **state) {
         steps(s.world, 1);
         assert_int_equal(thud_body_set_kind(s.world, s.box, THUD_BODY_STATIC), THUD_ERROR_INVALID);
         OK(thud_body_set_kind(s.world, s.box, THUD_BODY_KINEMATIC));
-        assert_int_equal(thud_body_set_kind(s.world, hung, THUD_BODY_KINEMATIC), THUD_ERROR_INVALID);
+        assert_int_equal(thud_body_set_kind(s.world, hung, THUD_BODY_KINEMATIC),
+                         THUD_ERROR_INVALID);
         steps(s.world, 20);
         assert_true(fabs(get(&s, hung).position.y - get(&s, s.box).position.y - 4.5) < 0.1);
         OK(thud_body_set_kind(s.world, s.box, THUD_BODY_DYNAMIC));

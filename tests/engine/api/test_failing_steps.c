@@ -84,7 +84,8 @@ static void epilogue_all(thud_world *world, const thud_contact *contacts, int co
 
 /* Joins the last two bodies. Some are far apart, so that the joint pulls hard. */
 static void tie(side *s, uint64_t *seed) {
-    const thud_joint_kind kinds[] = {THUD_JOINT_HINGE, THUD_JOINT_DISTANCE, THUD_JOINT_WELD, THUD_JOINT_WHEEL};
+    const thud_joint_kind kinds[] = {THUD_JOINT_HINGE, THUD_JOINT_DISTANCE, THUD_JOINT_WELD,
+                                     THUD_JOINT_WHEEL};
     thud_joint_def def = thud_default_joint_def(kinds[(int)random_in(seed, 0, 4)]);
     def.body_a = s->count > 1 ? s->body[s->count - 2] : def.body_a;
     def.body_b = s->body[s->count - 1];
@@ -163,8 +164,8 @@ static void make(side *s, const setting *set, thud_allocator allocator) {
         }
         thud_terrain hills = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 30};
         thud_shape_def plain = thud_default_shape_def();
-        OK(thud_shape_create_terrain(s->world, add_body(s->world, THUD_BODY_STATIC, 0, 0, 0), &plain,
-                                     &hills, &s->line));
+        OK(thud_shape_create_terrain(s->world, add_body(s->world, THUD_BODY_STATIC, 0, 0, 0),
+                                     &plain, &hills, &s->line));
     }
     for (int i = 0; i < 12; i++) {
         add(s, set, &seed);

@@ -203,9 +203,14 @@ static void ask(deeds *d, int step) {
     volatile double up = 0.1 * step;
     thud_ray_hit ray = {0};
     thud_closest_hit closest = {0};
-    IN_MODE(thud_world_cast_ray(d->world, &(thud_ray){(thud_pos){-15.3, 0.9}, 29.7, up, NULL}, &hit, &ray));
+    IN_MODE(thud_world_cast_ray(d->world, &(thud_ray){(thud_pos){-15.3, 0.9}, 29.7, up, NULL}, &hit,
+                                &ray));
     see(d, &ray.fraction, sizeof ray.fraction);
-    IN_MODE(thud_world_cast_shape(d->world, &(thud_shape_cast){(thud_pos){-9.7, 8}, thud_obb_at(0, 0, 0.3, 0.7, 0.3), 7.1, -9.3, NULL}, &hit, &ray));
+    IN_MODE(
+        thud_world_cast_shape(d->world,
+                              &(thud_shape_cast){(thud_pos){-9.7, 8},
+                                                 thud_obb_at(0, 0, 0.3, 0.7, 0.3), 7.1, -9.3, NULL},
+                              &hit, &ray));
     see(d, &ray.fraction, sizeof ray.fraction);
     IN_MODE(thud_world_closest(d->world, (thud_pos){1.3, 7.7}, 30, NULL, &hit, &closest));
     see(d, &closest.distance, sizeof closest.distance);

@@ -204,7 +204,8 @@ static void points_go_there_and_back(void **state) {
     assert_true(v.x == -FLT_MAX);
     assert_int_equal(thud_body_get_local_point(world, box, (thud_pos){INFINITY, 0}, &back),
                      THUD_ERROR_INVALID);
-    assert_int_equal(thud_body_get_world_point(world, box, (thud_vec2){0, 0}, NULL), THUD_ERROR_NULL);
+    assert_int_equal(thud_body_get_world_point(world, box, (thud_vec2){0, 0}, NULL),
+                     THUD_ERROR_NULL);
     thud_world_destroy(world);
 }
 
@@ -227,8 +228,8 @@ static void too_much_is_refused_and_changes_nothing(void **state) {
     thud_world_destroy(world);
 }
 
-/* Functions that read a single value return what thud_body_get_state and the other reads of all values
- * do. */
+/* Functions that read a single value return what thud_body_get_state and the other reads of all
+ * values do. */
 static void single_values_are_those_of_the_whole(void **state) {
     (void)state;
     thud_world_def def = weightless();

@@ -113,8 +113,8 @@ static void callbacks_read_the_step_under_way(void **state) {
 
 /* ---- sensors ---- */
 
-/* thud_shape_get_sensor_overlaps lists the shapes in the order of their slots, while bodies sleep as well;
- * destroyed and disabled ones are left out at once. */
+/* thud_shape_get_sensor_overlaps lists the shapes in the order of their slots, while bodies sleep
+ * as well; destroyed and disabled ones are left out at once. */
 static void sensor_lists_by_slot_what_it_overlaps_now(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -203,8 +203,8 @@ static bool side_is(thud_pair_side side, thud_body_id body, uint64_t body_data,
            side.shape_data == shape_data;
 }
 
-/* thud_world_get_pair tells the bodies and user data of an event's shapes; for a shape that was destroyed
- * it tells nothing, also where its slot is used again. */
+/* thud_world_get_pair tells the bodies and user data of an event's shapes; for a shape that was
+ * destroyed it tells nothing, also where its slot is used again. */
 static void pair_tells_whose_shapes_met_and_what_is_gone(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());

@@ -1,5 +1,6 @@
-/* test_lists_moved.c: which bodies thud_world_get_moved_bodies lists as moved: after steps and edits,
- * asleep and quarantined, where a slot is reused, with too small arrays, and after a restore. */
+/* test_lists_moved.c: which bodies thud_world_get_moved_bodies lists as moved: after steps and
+ * edits, asleep and quarantined, where a slot is reused, with too small arrays, and after a
+ * restore. */
 #include "lists_support.h"
 #include "resolution_support.h"
 #include "snapshot_support.h"

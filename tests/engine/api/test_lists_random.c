@@ -1,6 +1,7 @@
 /* test_lists_random.c: random worlds whose bodies and shapes are created, destroyed, moved, put to
  * sleep, disabled and restored. After every edit and step each list equals a reference that the
- * test keeps: from what it created and destroyed, from thud_body_get_state, and from sensor events. */
+ * test keeps: from what it created and destroyed, from thud_body_get_state, and from sensor events.
+ */
 #include "every_choice.h"
 #include "lists_support.h"
 #include "snapshot_support.h"

@@ -219,7 +219,8 @@ static void scripted_walk_ends_at_the_same_bits_on_every_machine(void **state) {
     thud_shape_def def = thud_default_shape_def();
     const thud_pos points[] = {{-10, 0}, {2, 0.5}, {5, 3}, {9, 2}, {30, 4}};
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 5};
-    OK(thud_shape_create_terrain(world, add_body(world, THUD_BODY_STATIC, 0, 0, 0), &def, &line, NULL));
+    OK(thud_shape_create_terrain(world, add_body(world, THUD_BODY_STATIC, 0, 0, 0), &def, &line,
+                                 NULL));
     add_shape(world, add_body(world, THUD_BODY_STATIC, 12, 3, 0.3), 1, 0.5f, false, NULL);
     add_shape(world, add_body(world, THUD_BODY_STATIC, 17, 4, 0), 1, 0, false, NULL);
     thud_mover mover = circle_mover(0, 2);

@@ -68,7 +68,8 @@ static thud_world *make_way(bool sensors) {
     thud_shape_def def = thud_default_shape_def();
     const thud_pos points[] = {{-20, 0}, {4, 0}, {8, 2}, {12, 2}, {16, 0}, {40, 0}};
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = 6};
-    OK(thud_shape_create_terrain(world, add_body(world, THUD_BODY_STATIC, 0, 0, 0), &def, &line, NULL));
+    OK(thud_shape_create_terrain(world, add_body(world, THUD_BODY_STATIC, 0, 0, 0), &def, &line,
+                                 NULL));
     for (int i = 0; i < 3; i++) {
         add_shape(world, add_body(world, THUD_BODY_STATIC, 2 + 0.5 * i, 0.1 + 0.1 * i, 0), 0.25f,
                   0.1f + 0.1f * (float)i, true, NULL);

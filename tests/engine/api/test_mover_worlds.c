@@ -37,7 +37,8 @@ static void add_ground(thud_world *world, source *r) {
         x += draw(r, 0.2, 4);
     }
     thud_shape_def def = thud_default_shape_def();
-    OK(thud_shape_create_terrain(world, add_body(world, THUD_BODY_STATIC, 0, -6, 0), &def, &line, NULL));
+    OK(thud_shape_create_terrain(world, add_body(world, THUD_BODY_STATIC, 0, -6, 0), &def, &line,
+                                 NULL));
 }
 
 static thud_world *make_random_world(source *r) {
@@ -46,7 +47,8 @@ static thud_world *make_random_world(source *r) {
     for (int i = 0; i < SOLIDS; i++) {
         thud_geometry shape = draw_shape(r);
         double angle = shape.kind == THUD_SHAPE_OBB ? draw(r, -3, 3) : 0;
-        thud_body_id body = add_body(world, THUD_BODY_STATIC, draw(r, -20, 20), draw(r, -5, 20), angle);
+        thud_body_id body =
+            add_body(world, THUD_BODY_STATIC, draw(r, -20, 20), draw(r, -5, 20), angle);
         add_shape(world, body, (float)fmax(2 * shape.hx, 0.02), (float)(2 * shape.hy),
                   shape.kind == THUD_SHAPE_AABB, NULL);
     }

@@ -147,7 +147,8 @@ static bool meets(const worlds *w, int i, const query *q, double by, double *fra
         x -= w->placed[i].x;
         y -= w->placed[i].y;
         if (q->pointlike) {
-            return thud_terrain_cast_ray(&w->terrain[i], (thud_segment){x, y - by, q->dx, q->dy}, fraction, NULL, NULL);
+            return thud_terrain_cast_ray(&w->terrain[i], (thud_segment){x, y - by, q->dx, q->dy},
+                                         fraction, NULL, NULL);
         }
         thud_geometry moving = grown(&q->shape, by);
         moving.x = x;
@@ -158,12 +159,13 @@ static bool meets(const worlds *w, int i, const query *q, double by, double *fra
     }
     thud_geometry still = grown(&w->placed[i], by), moving = q->shape;
     if (q->pointlike) {
-        return thud_geometry_cast_ray(&still, (thud_segment){x, y, q->dx, q->dy}, fraction, NULL, NULL);
+        return thud_geometry_cast_ray(&still, (thud_segment){x, y, q->dx, q->dy}, fraction, NULL,
+                                      NULL);
     }
     moving.x = x;
     moving.y = y;
-    OK(thud_geometry_time_of_impact(&moving, (thud_motion){q->dx, q->dy, 0}, &still, (thud_motion){0},
-                                  0, &hit, fraction));
+    OK(thud_geometry_time_of_impact(&moving, (thud_motion){q->dx, q->dy, 0}, &still,
+                                    (thud_motion){0}, 0, &hit, fraction));
     return hit;
 }
 
@@ -211,9 +213,12 @@ static int cast_all(const worlds *w, int b, const query *q, thud_ray_hit *hits, 
     int count = -1;
     thud_pos at = {w->origin.x + q->x, w->origin.y + q->y};
     if (q->pointlike) {
-        OK(thud_world_cast_ray_all(w->world[b], &(thud_ray){at, q->dx, q->dy, &q->filter}, hits, capacity, &count));
+        OK(thud_world_cast_ray_all(w->world[b], &(thud_ray){at, q->dx, q->dy, &q->filter}, hits,
+                                   capacity, &count));
     } else {
-        OK(thud_world_cast_shape_all(w->world[b], &(thud_shape_cast){at, q->shape, q->dx, q->dy, &q->filter}, hits, capacity, &count));
+        OK(thud_world_cast_shape_all(w->world[b],
+                                     &(thud_shape_cast){at, q->shape, q->dx, q->dy, &q->filter},
+                                     hits, capacity, &count));
     }
     return count;
 }
@@ -224,7 +229,9 @@ static bool cast_first(const worlds *w, int b, const query *q, thud_ray_hit *hit
     if (q->pointlike) {
         OK(thud_world_cast_ray(w->world[b], &(thud_ray){at, q->dx, q->dy, &q->filter}, &any, hit));
     } else {
-        OK(thud_world_cast_shape(w->world[b], &(thud_shape_cast){at, q->shape, q->dx, q->dy, &q->filter}, &any, hit));
+        OK(thud_world_cast_shape(w->world[b],
+                                 &(thud_shape_cast){at, q->shape, q->dx, q->dy, &q->filter}, &any,
+                                 hit));
     }
     return any;
 }

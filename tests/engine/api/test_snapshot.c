@@ -7,6 +7,7 @@
 
 #include <thud/thud_joint.h>
 #include <thud/thud_rules.h>
+#include <thud/thud_testing.h>
 
 /* Steps before and after a snapshot; greatest size of a scene. */
 enum { BEFORE = 60, AFTER = 70, SIZE_MOST = 200 };
@@ -147,7 +148,7 @@ static void every_setting_restored_goes_the_same_way(void **state) {
             thud_world_def def = thud_default_world_def_of(qualities[i]);
             def.detection = detections[(i + n) % 4];
             def.broadphase = broadphases[i];
-            def.baseline_simd = i == 1;
+            thud_world_def_set_baseline_simd(&def, i == 1);
             thud_listeners listeners = {.prologue = i == 2 ? veto : NULL,
                                         .epilogue = i == 3 || n == 2 ? push : NULL};
             restored_anywhere(scenes_find(names[n]), &def, &listeners, 40, 30, names[n]);

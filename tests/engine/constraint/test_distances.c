@@ -8,6 +8,8 @@
 #include "pool.h"
 #include "snapshot_support.h"
 
+#include <thud/thud_testing.h>
+
 static thud_joint_def rod_of(thud_body_id a, thud_body_id b, thud_vec2 at_a, thud_vec2 at_b,
                              float length) {
     thud_joint_def def = between(THUD_JOINT_DISTANCE, a, b, at_a, at_b);
@@ -149,7 +151,8 @@ static thud_world *net(thud_world_def def) {
     for (int y = 0; y < UP; y++) {
         for (int x = 0; x < ACROSS; x++) {
             bool hangs = y == 0 && (x == 0 || x == ACROSS - 1);
-            knots[y][x] = add_body(world, hangs ? THUD_BODY_STATIC : THUD_BODY_DYNAMIC, x, 8 - y, 0);
+            knots[y][x] =
+                add_body(world, hangs ? THUD_BODY_STATIC : THUD_BODY_DYNAMIC, x, 8 - y, 0);
             add_shape(world, knots[y][x], 0.3f, 0, false, NULL);
             if (x > 0) {
                 tie(world, knots[y][x], knots[y][x - 1], middle, middle, 1);
@@ -179,7 +182,7 @@ static void net_ends_in_the_same_bits_with_any_workers_and_width(void **state) {
     for (int i = 0; i < QUALITIES; i++) {
         thud_world_def def = def_of(qualities[i]);
         uint64_t alone = net_after(def, 90);
-        def.baseline_simd = true;
+        thud_world_def_set_baseline_simd(&def, true);
         assert_true(net_after(def, 90) == alone);
         for (int workers = 2; workers <= 4; workers += 2) {
             pool *p = pool_create(workers);
@@ -412,7 +415,8 @@ static void floor_bears_what_is_reeled_in(void **state) {
         for (int k = 0; k < 300; k++) {
             length = fmaxf(length - speed / 60, 1);
             joint.drive[THUD_DIRECTION_ALONG].upper = length;
-            OK(rope ? thud_joint_set_drive(world, id, THUD_DIRECTION_ALONG, &joint.drive[THUD_DIRECTION_ALONG])
+            OK(rope ? thud_joint_set_drive(world, id, THUD_DIRECTION_ALONG,
+                                           &joint.drive[THUD_DIRECTION_ALONG])
                     : thud_joint_set_length(world, id, length));
             run(world, 1);
             height = state_of(world, load).position.y;

@@ -48,8 +48,8 @@ static void gears_turn_together_over_many_turns(void **state) {
             near_to(a.angular_velocity, shared, 1e-2 * shared);
             near_to(b.angular_velocity, -shared / ratio, 1e-2 * shared / fabs(ratio));
             near_to(joint_of(t.world, t.gear).angle_gap, 0, 2e-3);
-            near_to(thud_step_error_of(t.world).joint_angle_max, joint_of(t.world, t.gear).angle_gap,
-                    1e-9);
+            near_to(thud_step_error_of(t.world).joint_angle_max,
+                    joint_of(t.world, t.gear).angle_gap, 1e-9);
             thud_world_destroy(t.world);
         }
     }
@@ -139,7 +139,8 @@ static void gears_of_what_they_cannot_tie_are_refused(void **state) {
     (void)state;
     train t = make_train(&thud_quality_default, 1);
     thud_body_id box = add_box(t.world, 0, 3, 0.5f, 0.5f);
-    thud_joint_id weld = make(t.world, between(THUD_JOINT_WELD, t.wall, box, (thud_vec2){0, 3}, middle));
+    thud_joint_id weld =
+        make(t.world, between(THUD_JOINT_WELD, t.wall, box, (thud_vec2){0, 3}, middle));
     thud_joint_id loose =
         make(t.world, between(THUD_JOINT_HINGE, t.wheel[0], box, (thud_vec2){0, 3}, middle));
     thud_joint_def def = thud_default_joint_def(THUD_JOINT_GEAR);

@@ -21,7 +21,8 @@ static double rests_at(const thud_quality *quality, bool swapped, const float *t
     spring.length = 2;
     spring.drive[THUD_DIRECTION_ALONG].frequency = 5;
     spring.drive[THUD_DIRECTION_ALONG].damping = 1;
-    spring.drive[THUD_DIRECTION_ALONG].target = target ? *target : spring.drive[THUD_DIRECTION_ALONG].target;
+    spring.drive[THUD_DIRECTION_ALONG].target =
+        target ? *target : spring.drive[THUD_DIRECTION_ALONG].target;
     thud_joint_id id = make(world, spring);
     if (later > 0) {
         run(world, 10);
@@ -30,7 +31,8 @@ static double rests_at(const thud_quality *quality, bool swapped, const float *t
     /* Setting the drive that was read changes nothing. */
     thud_joint_def copy;
     OK(thud_joint_get_def(world, id, &copy));
-    assert_true(copy.drive[THUD_DIRECTION_ALONG].target == spring.drive[THUD_DIRECTION_ALONG].target);
+    assert_true(copy.drive[THUD_DIRECTION_ALONG].target ==
+                spring.drive[THUD_DIRECTION_ALONG].target);
     OK(thud_joint_set_drive(world, id, THUD_DIRECTION_ALONG, &copy.drive[THUD_DIRECTION_ALONG]));
     run(world, 120);
     double at = joint_of(world, id).value[THUD_DIRECTION_ALONG];
@@ -92,7 +94,8 @@ static void limits_and_targets_reach_pi(void **state) {
     thud_joint_id hinge = make(world, def);
     thud_drive more = def.drive[THUD_DIRECTION_TURN];
     more.upper = nextafterf(pi, 4);
-    assert_int_equal(thud_joint_set_drive(world, hinge, THUD_DIRECTION_TURN, &more), THUD_ERROR_INVALID);
+    assert_int_equal(thud_joint_set_drive(world, hinge, THUD_DIRECTION_TURN, &more),
+                     THUD_ERROR_INVALID);
     thud_world_destroy(world);
 }
 
@@ -109,18 +112,19 @@ static void limit_spring_and_motor_are_told_apart(void **state) {
         thud_body_id hook = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
         thud_body_id ball = add_body(world, THUD_BODY_DYNAMIC, 0, 0, 0);
         add_shape(world, ball, 0.5f, 0.5f, false, NULL); /* mass: 1 kg */
-        thud_joint_def def =
-            between(THUD_JOINT_SLIDER, swapped ? ball : hook, swapped ? hook : ball, middle, middle);
+        thud_joint_def def = between(THUD_JOINT_SLIDER, swapped ? ball : hook,
+                                     swapped ? hook : ball, middle, middle);
         def.frame_a.angle = def.frame_b.angle = PI / 2;
         double up = swapped ? -1 : 1; /* seen from the ball, the hook rises as the ball falls */
-        def.drive[THUD_DIRECTION_ALONG] = (thud_drive){.limited = true,
-                                             .lower = swapped ? -1 : 0,
-                                             .upper = swapped ? 0 : 1,
-                                             .frequency = (float)frequency,
-                                             .damping = 1,
-                                             .target = (float)(up * 0.5 * G / (omega * omega)),
-                                             .spring_force = 1e6f,
-                                             .motor_force = (float)(0.25 * G)};
+        def.drive[THUD_DIRECTION_ALONG] =
+            (thud_drive){.limited = true,
+                         .lower = swapped ? -1 : 0,
+                         .upper = swapped ? 0 : 1,
+                         .frequency = (float)frequency,
+                         .damping = 1,
+                         .target = (float)(up * 0.5 * G / (omega * omega)),
+                         .spring_force = 1e6f,
+                         .motor_force = (float)(0.25 * G)};
         thud_joint_id slider = make(world, def);
         run(world, 60);
         thud_joint_state s = joint_of(world, slider);
@@ -247,7 +251,8 @@ static pulled begin_pull(pull how, double angle) {
     def.quality = how.quality;
     def.detection = how.detection;
     pulled p = {.world = make_world(def), .how = how};
-    thud_body_id post = add_body(p.world, how.kinematic ? THUD_BODY_KINEMATIC : THUD_BODY_STATIC, 0, 0, 0);
+    thud_body_id post =
+        add_body(p.world, how.kinematic ? THUD_BODY_KINEMATIC : THUD_BODY_STATIC, 0, 0, 0);
     thud_shape_def smooth = thud_default_shape_def();
     smooth.friction = 0;
     p.box = add_body(p.world, THUD_BODY_DYNAMIC, 0, 0, 0); /* mass: 1 kg */
@@ -393,7 +398,8 @@ static void motor_of_both_directions_is_friction(void **state) {
             thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
             thud_body_id box = add_box(world, 0, 0, 0.5f, 0.5f); /* mass: 1 kg */
             thud_joint_def rub = between(THUD_JOINT_TARGET, ground, box, middle, middle);
-            rub.drive[THUD_DIRECTION_ALONG].motor_force = rub.drive[THUD_DIRECTION_ACROSS].motor_force = 10;
+            rub.drive[THUD_DIRECTION_ALONG].motor_force =
+                rub.drive[THUD_DIRECTION_ACROSS].motor_force = 10;
             make(world, rub);
             run(world, 60);
             thud_body_state s = state_of(world, box);

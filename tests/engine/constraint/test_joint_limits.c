@@ -42,8 +42,8 @@ static void slider_stops_at_a_limit_that_it_reaches_within_a_step(void **state) 
         thud_world *world = limits_world(i, 0);
         thud_body_id rail = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
         thud_body_id box = add_box(world, 0, 0, 0.25f, 0.25f);
-        thud_joint_id slider =
-            limited(world, between(THUD_JOINT_SLIDER, rail, box, middle, middle), THUD_DIRECTION_ALONG, 1);
+        thud_joint_id slider = limited(world, between(THUD_JOINT_SLIDER, rail, box, middle, middle),
+                                       THUD_DIRECTION_ALONG, 1);
         OK(thud_body_set_velocity(world, box, (thud_vec2){i % 2 ? 100 : -100, 0}, 0));
         assert_true(beyond(world, slider, THUD_DIRECTION_ALONG, 1, 30) < 1e-5);
         thud_world_destroy(world);
@@ -56,8 +56,8 @@ static void hinge_stops_at_its_limit(void **state) {
         thud_world *world = limits_world(i, 0);
         thud_body_id hook = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
         thud_body_id bar = add_box(world, 0, 0, 0.5f, 0.1f);
-        thud_joint_id hinge =
-            limited(world, between(THUD_JOINT_HINGE, hook, bar, middle, middle), THUD_DIRECTION_TURN, 0.1f);
+        thud_joint_id hinge = limited(world, between(THUD_JOINT_HINGE, hook, bar, middle, middle),
+                                      THUD_DIRECTION_TURN, 0.1f);
         OK(thud_body_set_velocity(world, bar, middle, 10));
         assert_true(beyond(world, hinge, THUD_DIRECTION_TURN, 0.1, 30) < 1e-5);
         thud_world_destroy(world);

@@ -14,7 +14,8 @@ static void hinged_bar_swings_as_its_formula_says(void **state) {
     for (int i = 0; i < QUALITIES; i++) {
         thud_world *world = world_at(qualities[i]);
         thud_body_id hook = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
-        thud_body_id bar = add_body(world, THUD_BODY_DYNAMIC, 0.5 * sin(0.05), -0.5 * cos(0.05), 0.05);
+        thud_body_id bar =
+            add_body(world, THUD_BODY_DYNAMIC, 0.5 * sin(0.05), -0.5 * cos(0.05), 0.05);
         add_shape(world, bar, 0.1f, 0.5f, false, NULL);
         thud_joint_id hinge =
             make(world, between(THUD_JOINT_HINGE, hook, bar, middle, (thud_vec2){0, 0.5f}));
@@ -71,8 +72,8 @@ static void chain_with_a_weight_swings_without_stretching(void **state) {
         for (int k = 0; k < 30; k++) {
             thud_body_id next = add_body(world, THUD_BODY_DYNAMIC, 0.25 + 0.5 * k, 0, 0);
             add_shape(world, next, 0.25f, 0.0625f, false, k == 29 ? &heavy : NULL);
-            hinge[k] = make(world, between(THUD_JOINT_HINGE, last, next, (thud_vec2){k ? 0.25f : 0, 0},
-                                           (thud_vec2){-0.25f, 0}));
+            hinge[k] = make(world, between(THUD_JOINT_HINGE, last, next,
+                                           (thud_vec2){k ? 0.25f : 0, 0}, (thud_vec2){-0.25f, 0}));
             last = next;
         }
         thud_measure before = thud_measure_of(world);
@@ -115,8 +116,8 @@ static void hung_chain_hangs_still(void **state) {
         for (int k = 0; k < LINKS; k++) {
             thud_body_id next = add_body(world, THUD_BODY_DYNAMIC, 0, -0.25 - 0.5 * k, 0);
             add_shape(world, next, 0.0625f, 0.25f, false, NULL);
-            hinge[k] = make(world, between(THUD_JOINT_HINGE, last, next, (thud_vec2){0, k ? -0.25f : 0},
-                                           (thud_vec2){0, 0.25f}));
+            hinge[k] = make(world, between(THUD_JOINT_HINGE, last, next,
+                                           (thud_vec2){0, k ? -0.25f : 0}, (thud_vec2){0, 0.25f}));
             last = next;
         }
         run(world, 300);
@@ -174,7 +175,8 @@ static void hinge_stops_at_its_limits_and_turns_by_its_motor(void **state) {
             near_to(sign * joint_of(world, hinge).torque, 0.2 * G * 0.5 * cos(1), 0.05);
             def.drive[THUD_DIRECTION_TURN].motor_speed = sign * 0.5f;
             def.drive[THUD_DIRECTION_TURN].motor_force = 10;
-            OK(thud_joint_set_drive(world, hinge, THUD_DIRECTION_TURN, &def.drive[THUD_DIRECTION_TURN]));
+            OK(thud_joint_set_drive(world, hinge, THUD_DIRECTION_TURN,
+                                    &def.drive[THUD_DIRECTION_TURN]));
             run(world, 60);
             near_to(state_of(world, bar).angle, -0.5, 0.03);
             near_to(state_of(world, bar).angular_velocity, 0.5, 0.02);
@@ -288,7 +290,8 @@ static void cart_sags_on_its_springs_and_drives(void **state) {
         for (int k = 0; k < 2; k++) {
             float x = k ? 0.8f : -0.8f;
             thud_body_id wheel = add_ball(world, (double)x, 0.7, 0.3f);
-            thud_joint_def def = between(THUD_JOINT_WHEEL, cart, wheel, (thud_vec2){x, -0.5f}, middle);
+            thud_joint_def def =
+                between(THUD_JOINT_WHEEL, cart, wheel, (thud_vec2){x, -0.5f}, middle);
             def.frame_a.angle = def.frame_b.angle = PI / 2;
             def.drive[THUD_DIRECTION_ALONG].frequency = 4;
             joint[k] = make(world, def);

@@ -24,8 +24,8 @@ static void add_bridge(thud_world *world, float ratio, thud_body_id *boxes) {
                             (thud_vec2){-0.5f, 0}));
         if (box < BOXES && i == (int)((box + 0.5) * PLANKS / BOXES)) {
             double up = 0.125 + 0.25 + 0.02;
-            boxes[box] =
-                add_body(world, THUD_BODY_DYNAMIC, x + 0.5 * c - up * s, y + 0.5 * s + up * c, angle);
+            boxes[box] = add_body(world, THUD_BODY_DYNAMIC, x + 0.5 * c - up * s,
+                                  y + 0.5 * s + up * c, angle);
             add_shape(world, boxes[box++], 0.25f, 0.25f, false, &heavy);
         }
         x += c;

@@ -7,6 +7,8 @@
 
 #include "state/world.h"
 
+#include <thud/thud_testing.h>
+
 static const thud_vec2 middle = {0, 0};
 
 /* ---- collisions and edits ---- */
@@ -46,7 +48,8 @@ static void joint_lets_go_while_it_is_disabled(void **state) {
     thud_world *world = world_at(&thud_quality_default);
     thud_body_id hook = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
     thud_body_id ball = add_ball(world, 0, -1, 0.1f);
-    thud_joint_id hinge = make(world, between(THUD_JOINT_HINGE, hook, ball, middle, (thud_vec2){0, 1}));
+    thud_joint_id hinge =
+        make(world, between(THUD_JOINT_HINGE, hook, ball, middle, (thud_vec2){0, 1}));
     run(world, 30);
     near_to(state_of(world, ball).position.y, -1, 1e-3);
     OK(thud_joint_set_enabled(world, hinge, false));
@@ -86,7 +89,9 @@ static void joints_follow_every_edit_awake_and_asleep(void **state) {
     for (int i = 0; i < 10; i++) {
         int which = i / 2;
         bool asleep = i % 2;
-        thud_joint_kind kind = which == 0 ? THUD_JOINT_DISTANCE : which == 3 ? THUD_JOINT_SLIDER : THUD_JOINT_HINGE;
+        thud_joint_kind kind = which == 0   ? THUD_JOINT_DISTANCE
+                               : which == 3 ? THUD_JOINT_SLIDER
+                                            : THUD_JOINT_HINGE;
         thud_world_def def = def_of(&thud_quality_default);
         def.sleeping = asleep;
         thud_world *world = make_world(def);
@@ -165,7 +170,7 @@ static void random_linkages_stay_finite_and_restore_to_the_same_bits(void **stat
         def.detection = detections[i / QUALITIES];
         uint64_t seed = 0x9e3779b97f4a7c15u + (uint64_t)i;
         thud_world *world = linkage(def, seed);
-        def.baseline_simd = true;
+        thud_world_def_set_baseline_simd(&def, true);
         thud_world *twin = linkage(def, seed);
         for (int k = 0; k < 90; k++) {
             run(world, 1);
@@ -188,9 +193,11 @@ static void random_linkages_stay_finite_and_restore_to_the_same_bits(void **stat
 static void def_of_a_joint_is_read_as_it_was_set(void **state) {
     (void)state;
     thud_world *world = world_at(&thud_quality_default);
-    thud_body_id wall = add_body(world, THUD_BODY_STATIC, 0, 0, 0), box = add_box(world, 1, 0, 1, 1);
+    thud_body_id wall = add_body(world, THUD_BODY_STATIC, 0, 0, 0),
+                 box = add_box(world, 1, 0, 1, 1);
     for (int i = 0; i < 2; i++) {
-        thud_joint_def def = between(THUD_JOINT_SLIDER, i ? box : wall, i ? wall : box, middle, middle);
+        thud_joint_def def =
+            between(THUD_JOINT_SLIDER, i ? box : wall, i ? wall : box, middle, middle);
         def.frame_a = (thud_joint_frame){{0.25f, 0.5f}, 0.75};
         def.frame_b.position = (thud_vec2){-0.5f, 1};
         def.drive[THUD_DIRECTION_ALONG] = (thud_drive){true, -1, 2, 3, 0.5f, 0.25f, 4, 5, 6};
@@ -231,7 +238,8 @@ static void load_is_finite_after_a_time_step_next_to_nothing(void **state) {
     thud_world *world = world_at(&thud_quality_default);
     thud_body_id hook = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
     thud_body_id ball = add_ball(world, 0, -1, 0.1f);
-    thud_joint_id hinge = make(world, between(THUD_JOINT_HINGE, hook, ball, middle, (thud_vec2){0, 1}));
+    thud_joint_id hinge =
+        make(world, between(THUD_JOINT_HINGE, hook, ball, middle, (thud_vec2){0, 1}));
     run(world, 10);
     OK(thud_world_set_time_step(world, 5e-324));
     run(world, 1);
@@ -244,7 +252,8 @@ static void load_is_finite_after_a_time_step_next_to_nothing(void **state) {
 static void joints_made_after_going_back_have_the_handles_of_the_first_time(void **state) {
     (void)state;
     thud_world *world = world_at(&thud_quality_default);
-    thud_body_id wall = add_body(world, THUD_BODY_STATIC, 0, 0, 0), box = add_box(world, 1, 0, 1, 1);
+    thud_body_id wall = add_body(world, THUD_BODY_STATIC, 0, 0, 0),
+                 box = add_box(world, 1, 0, 1, 1);
     OK(thud_world_use_joints(world));
     saved then = save(world);
     thud_joint_def def = between(THUD_JOINT_HINGE, wall, box, middle, middle);
@@ -261,7 +270,8 @@ static void joints_made_after_going_back_have_the_handles_of_the_first_time(void
 static void wrong_joints_are_refused(void **state) {
     (void)state;
     thud_world *world = world_at(&thud_quality_default);
-    thud_body_id wall = add_body(world, THUD_BODY_STATIC, 0, 0, 0), box = add_box(world, 1, 0, 1, 1);
+    thud_body_id wall = add_body(world, THUD_BODY_STATIC, 0, 0, 0),
+                 box = add_box(world, 1, 0, 1, 1);
     thud_joint_def good = between(THUD_JOINT_HINGE, wall, box, middle, middle), wrong[9];
     for (int i = 0; i < 9; i++) {
         wrong[i] = good;
@@ -283,7 +293,8 @@ static void wrong_joints_are_refused(void **state) {
     thud_joint_id hinge = make(world, good);
     assert_int_equal(thud_joint_set_drive(world, hinge, THUD_DIRECTION_ALONG, &good.drive[0]),
                      THUD_ERROR_INVALID);
-    assert_int_equal(thud_joint_set_drive(world, hinge, THUD_DIRECTION_TURN, NULL), THUD_ERROR_NULL);
+    assert_int_equal(thud_joint_set_drive(world, hinge, THUD_DIRECTION_TURN, NULL),
+                     THUD_ERROR_NULL);
     assert_int_equal(thud_joint_set_length(world, hinge, 1), THUD_ERROR_INVALID);
     assert_int_equal(thud_joint_get_state(world, hinge, NULL), THUD_ERROR_NULL);
     thud_world_destroy(world);
@@ -313,8 +324,8 @@ static void loop_with_more_locks_than_it_needs_is_not_strained(void **state) {
             thud_vec2 half = {(float)(length / 2), 0};
             pins[2 * i] =
                 make(world, between(THUD_JOINT_HINGE, node, bar, middle, (thud_vec2){-half.x, 0}));
-            pins[2 * i + 1] =
-                make(world, between(THUD_JOINT_HINGE, wall, bar, (thud_vec2){(float)x, (float)y}, half));
+            pins[2 * i + 1] = make(world, between(THUD_JOINT_HINGE, wall, bar,
+                                                  (thud_vec2){(float)x, (float)y}, half));
         }
         for (int step = 0; step < 60; step++) {
             run(world, 1);

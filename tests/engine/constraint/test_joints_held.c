@@ -155,8 +155,8 @@ static void body_is_counted_once_however_often_it_is_held(void **state) {
         thud_world *world = make_world(def);
         add_shape(world, add_body(world, THUD_BODY_STATIC, 10, 0, 0), 0.1f, 5, true, NULL);
         thud_body_id late = add_ball(world, 8.1, 0, 0.2f), soon = add_ball(world, 8.9, 1, 0.2f);
-        make(world,
-             between(THUD_JOINT_HINGE, late, soon, (thud_vec2){0.4f, 0.5f}, (thud_vec2){-0.4f, -0.5f}));
+        make(world, between(THUD_JOINT_HINGE, late, soon, (thud_vec2){0.4f, 0.5f},
+                            (thud_vec2){-0.4f, -0.5f}));
         OK(thud_body_set_velocity(world, late, (thud_vec2){120, 0}, 0));
         OK(thud_body_set_velocity(world, soon, (thud_vec2){120, 0}, 0));
         run(world, 1);
@@ -195,8 +195,8 @@ static void body_that_is_no_number_leaves_the_others_that_are_held(void **state)
         for (int n = 0; n < 2 * LINKS; n++) {
             int r = n / LINKS, k = n % LINKS;
             if (k > 0) {
-                make(world, between(THUD_JOINT_HINGE, row[r][k - 1], row[r][k], (thud_vec2){-0.25f, 0},
-                                    (thud_vec2){0.25f, 0}));
+                make(world, between(THUD_JOINT_HINGE, row[r][k - 1], row[r][k],
+                                    (thud_vec2){-0.25f, 0}, (thud_vec2){0.25f, 0}));
             }
         }
         thud_body_id doomed = i / QUALITIES / 3 == 2 ? loner : row[0][LINKS - 1];
@@ -231,8 +231,8 @@ static thud_world *swinging(const thud_quality *quality, const thud_detection *d
         bool spring = i == BARS - 1;
         bar[i] = add_box(world, i + 0.5, 0, 0.5f, 0.05f);
         thud_joint_def joint =
-            between(spring ? THUD_JOINT_DISTANCE : THUD_JOINT_HINGE, last, bar[i], (thud_vec2){i ? 0.5f : 0, 0},
-                    (thud_vec2){spring ? -0.4f : -0.5f, 0});
+            between(spring ? THUD_JOINT_DISTANCE : THUD_JOINT_HINGE, last, bar[i],
+                    (thud_vec2){i ? 0.5f : 0, 0}, (thud_vec2){spring ? -0.4f : -0.5f, 0});
         if (spring) {
             joint.drive[THUD_DIRECTION_ALONG].frequency = 1;
             joint.drive[THUD_DIRECTION_ALONG].target = 0.1f;
@@ -279,8 +279,8 @@ static void motor_stalls_at_a_wall_and_its_hinge_stays_closed(void **state) {
         thud_world *world = make_world(def);
         thud_body_id arm = add_box(world, 1, 3, 1, 0.1f);
         add_shape(world, add_body(world, THUD_BODY_STATIC, 1.5, 3.6, 0), 0.2f, 0.2f, true, NULL);
-        thud_joint_def hinge = between(THUD_JOINT_HINGE, add_body(world, THUD_BODY_STATIC, 0, 3, 0), arm,
-                                       middle, (thud_vec2){-1, 0});
+        thud_joint_def hinge = between(THUD_JOINT_HINGE, add_body(world, THUD_BODY_STATIC, 0, 3, 0),
+                                       arm, middle, (thud_vec2){-1, 0});
         hinge.drive[THUD_DIRECTION_TURN].motor_speed = 10;
         hinge.drive[THUD_DIRECTION_TURN].motor_force = THUD_JOINT_FORCE_MAX;
         thud_joint_id id = make(world, hinge);

@@ -14,8 +14,8 @@ static thud_body_id add_swing(thud_world *world, thud_body_id ground, double x) 
         OK(thud_body_set_velocity(world, bar, (thud_vec2){1.5f, 0}, -3));
         make(world, between(THUD_JOINT_HINGE, ground, bar, (thud_vec2){(float)(x + side), 0},
                             (thud_vec2){0, -0.5f}));
-        make(world,
-             between(THUD_JOINT_HINGE, bar, block, (thud_vec2){0, 0.5f}, (thud_vec2){(float)side, 0}));
+        make(world, between(THUD_JOINT_HINGE, bar, block, (thud_vec2){0, 0.5f},
+                            (thud_vec2){(float)side, 0}));
     }
     OK(thud_body_set_velocity(world, block, (thud_vec2){3, 0}, 0));
     return block;
@@ -86,7 +86,8 @@ static void what_cannot_turn_is_not_turned(void **state) {
         thud_shape_def heavy = thud_default_shape_def();
         heavy.density = 100;
         add_shape(world, block, 2, 2, true, &heavy);
-        thud_joint_def rod = between(THUD_JOINT_DISTANCE, block, ball, (thud_vec2){2, -1.5f}, middle);
+        thud_joint_def rod =
+            between(THUD_JOINT_DISTANCE, block, ball, (thud_vec2){2, -1.5f}, middle);
         rod.length = 3;
         make(world, rod);
         thud_joint_def pull = between(THUD_JOINT_TARGET, hand, ball, middle, middle);

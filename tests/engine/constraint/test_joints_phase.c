@@ -88,7 +88,8 @@ static measured spring(const thud_quality *quality, int substeps, double frequen
     thud_world *world = world_with(quality, substeps, 0);
     thud_body_id wall = add_body(world, THUD_BODY_STATIC, 0, 0, 0),
                  ball = add_ball(world, 0.25, 0, 0.1f);
-    thud_joint_def def = between(THUD_JOINT_SLIDER, wall, ball, (thud_vec2){0, 0}, (thud_vec2){0, 0});
+    thud_joint_def def =
+        between(THUD_JOINT_SLIDER, wall, ball, (thud_vec2){0, 0}, (thud_vec2){0, 0});
     def.drive[THUD_DIRECTION_ALONG].frequency = (float)frequency;
     def.drive[THUD_DIRECTION_ALONG].damping = 0;
     make(world, def);
@@ -102,8 +103,7 @@ static measured spring(const thud_quality *quality, int substeps, double frequen
         turned += part < 0 ? part + 2 * PI : part;
         before = now;
         m.energy = (x * x + v * v) / (0.25 * 0.25);
-        m.soft +=
-            thud_stats_of(world).direct_islands == 0 || thud_stats_of(world).soft_islands > 0;
+        m.soft += thud_stats_of(world).direct_islands == 0 || thud_stats_of(world).soft_islands > 0;
     }
     m.frequency = turned / (SECONDS * omega);
     thud_world_destroy(world);

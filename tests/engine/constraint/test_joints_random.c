@@ -34,7 +34,8 @@ typedef struct mechanism {
 static void add_one(mechanism *m, double height, double ratio) {
     int i = m->bodies++;
     thud_shape_def def = thud_default_shape_def();
-    thud_body_kind kind = i == 0 && next_number(&m->seed) < 0.5 ? THUD_BODY_STATIC : THUD_BODY_DYNAMIC;
+    thud_body_kind kind =
+        i == 0 && next_number(&m->seed) < 0.5 ? THUD_BODY_STATIC : THUD_BODY_DYNAMIC;
     m->place[i] = (thud_pos){between_two(&m->seed, -m->size, m->size), 0};
     m->place[i].y = height + between_two(&m->seed, -m->size, m->size);
     m->angle[i] = next_number(&m->seed) < 0.5 ? 0 : between_two(&m->seed, -3, 3);
@@ -58,7 +59,8 @@ static thud_joint_frame frame_at(const mechanism *m, int i, double x, double y, 
 
 /* Joins two bodies with a random kind of joint, so that it is closed. */
 static void tie(mechanism *m, int a, int b, double height) {
-    static const thud_joint_kind kinds[] = {THUD_JOINT_HINGE, THUD_JOINT_WELD, THUD_JOINT_SLIDER, THUD_JOINT_DISTANCE};
+    static const thud_joint_kind kinds[] = {THUD_JOINT_HINGE, THUD_JOINT_WELD, THUD_JOINT_SLIDER,
+                                            THUD_JOINT_DISTANCE};
     thud_joint_def def = thud_default_joint_def(kinds[(int)between_two(&m->seed, 0, 4)]);
     bool middle = next_number(&m->seed) < 0.5;
     double x = between_two(&m->seed, -m->size, m->size),

@@ -33,7 +33,8 @@ static void tie(chain *c, tie_kind kind, thud_body_id a, thud_body_id b, double 
     thud_joint_def def =
         between(kinds[kind], a, b, (thud_vec2){(float)arm_a, 0}, (thud_vec2){(float)-arm_b, 0});
     for (int k = 0; k < THUD_DIRECTION_COUNT; k++) {
-        if (kind == SOFT_WELD || k == (kind == SPRING ? THUD_DIRECTION_ALONG : THUD_DIRECTION_TURN)) {
+        if (kind == SOFT_WELD ||
+            k == (kind == SPRING ? THUD_DIRECTION_ALONG : THUD_DIRECTION_TURN)) {
             def.drive[k].frequency = (float)in_octaves(&c->seed, 1, THUD_JOINT_FREQUENCY_MAX);
             def.drive[k].damping = (float)some_damping(c);
         }
@@ -68,8 +69,8 @@ static chain hang(int seed, tie_kind kind, const thud_quality *quality,
     for (int i = 0; i < BOXES; i++) {
         double half = in_octaves(&c.seed, kind == SPRING ? arm : 0.05, 0.5);
         along += gap + arm;
-        thud_body_id box =
-            add_body(c.world, THUD_BODY_DYNAMIC, along * cos(slope), height + along * sin(slope), slope);
+        thud_body_id box = add_body(c.world, THUD_BODY_DYNAMIC, along * cos(slope),
+                                    height + along * sin(slope), slope);
         add_shape(c.world, box, (float)half, (float)(half * between_two(&c.seed, 0.3, 1)), false,
                   &shape);
         tie(&c, kind, above, box, i ? arm : 0, arm);

@@ -197,7 +197,8 @@ static inline void edit_inside(chaos *c, int one_in) {
     if (!c->quiet && pick(c, one_in) == 0) {
         c->edits_inside++;
         edit(c);
-        OK(thud_world_cast_ray(c->world, &(thud_ray){(thud_pos){-9, 0.5}, 18, 0, NULL}, &hit, NULL));
+        OK(thud_world_cast_ray(c->world, &(thud_ray){(thud_pos){-9, 0.5}, 18, 0, NULL}, &hit,
+                               NULL));
     }
 }
 
@@ -227,7 +228,8 @@ static inline bool look(thud_shape_id shape, void *context) {
 static inline void query(chaos *c) {
     bool hit;
     OK(thud_world_cast_ray(c->world, &(thud_ray){(thud_pos){-9, 1}, 18, 0, NULL}, &hit, NULL));
-    OK(thud_world_overlap_shape(c->world, (thud_pos){0, 1}, thud_circle_at(0, 0, 3), NULL, look, c));
+    OK(thud_world_overlap_shape(c->world, (thud_pos){0, 1}, thud_circle_at(0, 0, 3), NULL, look,
+                                c));
 }
 
 /* Steps the world and books its events. */

@@ -62,7 +62,8 @@ static void hit_of_bodies_faster_than_floats_add_up_tells_a_finite_speed(void **
         def.detection = swept ? &thud_detection_swept : &thud_detection_overlap;
         thud_world *world = make_world(def);
         for (int side = -1; side <= 1; side += 2) {
-            thud_body_id ball = add_body(world, THUD_BODY_DYNAMIC, side * (swept ? 0.6 : 0.49), 0, 0);
+            thud_body_id ball =
+                add_body(world, THUD_BODY_DYNAMIC, side * (swept ? 0.6 : 0.49), 0, 0);
             add_shape(world, ball, 0.5f, 0, false, NULL);
             OK(thud_body_set_velocity(world, ball, (thud_vec2){-3e38f * (float)side, 0}, 0));
         }

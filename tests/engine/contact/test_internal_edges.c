@@ -261,8 +261,8 @@ static void corner_at_the_start_of_a_steep_line_is_met(void **state) {
         add_shape(world, box, 0.06f, 0.27f, false, &def);
         run(world, 150);
         thud_body_state s = state_of(world, box);
-        thud_geometry b = {THUD_SHAPE_OBB,     s.position.x, s.position.y, cos(s.angle),
-                                 sin(s.angle), 0.06,         0.27};
+        thud_geometry b = {THUD_SHAPE_OBB, s.position.x, s.position.y, cos(s.angle),
+                           sin(s.angle),   0.06,         0.27};
         thud_geometry upper = {THUD_SHAPE_AABB, -1, -0.1, 1, 0, 1, 0.1};
         thud_geometry lower = {THUD_SHAPE_AABB, 2, -1.2, 1, 0, 5, 0.97};
         thud_closest c;
@@ -288,7 +288,8 @@ static void rolling_over_a_hill_of_turned_tiles_follows_it(void **state) {
     for (int i = -8; i < 8; i++) {
         double a = i < 0 ? slope : -slope, mid = (i + 0.5) * length;
         double x = mid * cos(a), y = -fabs(mid) * sin(slope);
-        thud_body_id tile = add_body(world, THUD_BODY_STATIC, x + 0.5 * sin(a), y - 0.5 * cos(a), a);
+        thud_body_id tile =
+            add_body(world, THUD_BODY_STATIC, x + 0.5 * sin(a), y - 0.5 * cos(a), a);
         add_shape(world, tile, (float)(length / 2), 0.5f, false, &def);
     }
     thud_body_id ball = add_body(world, THUD_BODY_DYNAMIC, -10, 0, 0);

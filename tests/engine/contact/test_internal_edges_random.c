@@ -54,8 +54,7 @@ static void turn_to(thud_geometry *shape, double *angle, double to) {
 }
 
 /* Moves the shape to (u, v) in the frame's coordinates. */
-static void move_in_frame(thud_geometry *shape, const thud_geometry *frame, double u,
-                          double v) {
+static void move_in_frame(thud_geometry *shape, const thud_geometry *frame, double u, double v) {
     shape->x = frame->x + frame->c * u - frame->s * v;
     shape->y = frame->y + frame->s * u + frame->c * v;
 }
@@ -66,9 +65,9 @@ static void add_related_box(source *r, heap *h) {
     const thud_geometry *frame = &h->shapes[of];
     thud_geometry *box = &h->shapes[i];
     *box = (thud_geometry){.kind = draw_below(r, 2) ? THUD_SHAPE_AABB : THUD_SHAPE_OBB,
-                                 .c = 1.0,
-                                 .hx = draw_size(r, 0.05, 3),
-                                 .hy = draw_size(r, 0.05, 3)};
+                           .c = 1.0,
+                           .hx = draw_size(r, 0.05, 3),
+                           .hy = draw_size(r, 0.05, 3)};
     if (draw_below(r, 3) == 0) {
         box->hx = frame->hx;
         box->hy = frame->hy;
@@ -146,9 +145,7 @@ static void add_faller(source *r, heap *h) {
     static const thud_shape_kind kinds[] = {THUD_SHAPE_CIRCLE, THUD_SHAPE_AABB, THUD_SHAPE_OBB};
     const thud_geometry *over = &h->shapes[draw_below(r, h->count)];
     thud_geometry *b = &h->body;
-    *b = (thud_geometry){.kind = kinds[draw_below(r, 3)],
-                               .c = 1.0,
-                               .hx = draw_size(r, 0.05, 1)};
+    *b = (thud_geometry){.kind = kinds[draw_below(r, 3)], .c = 1.0, .hx = draw_size(r, 0.05, 1)};
     b->hy = b->kind == THUD_SHAPE_CIRCLE ? 0 : draw_size(r, 0.05, 1);
     h->body_angle = b->kind == THUD_SHAPE_OBB && draw_below(r, 2) ? draw(r, -3, 3) : 0;
     set_angle(b, h->body_angle);
@@ -166,9 +163,9 @@ static heap draw_heap(source *r) {
     heap h = {.count = 1, .scale = scales[draw_below(r, 4)]};
     double angle = draw_below(r, 3) ? 0.0 : draw_below(r, 2) ? draw(r, -0.6, 0.6) : TD_PI / 2;
     h.shapes[0] = (thud_geometry){.kind = THUD_SHAPE_AABB,
-                                        .c = 1.0,
-                                        .hx = draw_size(r, 0.5, 20),
-                                        .hy = draw_size(r, 0.2, 5)};
+                                  .c = 1.0,
+                                  .hx = draw_size(r, 0.5, 20),
+                                  .hy = draw_size(r, 0.2, 5)};
     turn_to(&h.shapes[0], &h.angles[0], angle);
     int boxes = 2 + draw_below(r, STATICS - 2);
     while (h.count < boxes) {
@@ -176,8 +173,11 @@ static heap draw_heap(source *r) {
     }
     if (draw_below(r, 4) == 0) {
         const thud_geometry *box = &h.shapes[draw_below(r, boxes)];
-        h.shapes[h.count++] = (thud_geometry){
-            .kind = THUD_SHAPE_CIRCLE, .c = 1.0, .hx = 0.5, .x = box->x, .y = box->y + box->hy - 0.5};
+        h.shapes[h.count++] = (thud_geometry){.kind = THUD_SHAPE_CIRCLE,
+                                              .c = 1.0,
+                                              .hx = 0.5,
+                                              .x = box->x,
+                                              .y = box->y + box->hy - 0.5};
     }
     if (draw_below(r, 4) == 0) {
         add_line(r, &h);
@@ -199,8 +199,8 @@ static thud_body_id add_placed(thud_world *world, const heap *h, const thud_geom
                                double angle, bool moves) {
     thud_shape_def def = thud_default_shape_def();
     def.friction = h->friction;
-    thud_body_id body = add_body(world, moves ? THUD_BODY_DYNAMIC : THUD_BODY_STATIC, p->x * h->scale,
-                                 p->y * h->scale, angle);
+    thud_body_id body = add_body(world, moves ? THUD_BODY_DYNAMIC : THUD_BODY_STATIC,
+                                 p->x * h->scale, p->y * h->scale, angle);
     add_shape(world, body, (float)(p->hx * h->scale), (float)(p->hy * h->scale),
               p->kind == THUD_SHAPE_AABB, &def);
     return body;

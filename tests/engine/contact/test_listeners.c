@@ -4,6 +4,8 @@
 #include "hostile_memory.h"
 #include "listeners_support.h"
 
+#include <thud/thud_testing.h>
+
 enum { DETECTIONS = 4, STEPS = 150 };
 
 static thud_world_def def_with(int detection) {
@@ -23,7 +25,7 @@ static void both_forms_hear_and_do_the_same(void **state) {
         for (int form = 0; form < FORMS; form++) {
             ear *e = &ears[form];
             thud_world_def def = def_with(d);
-            def.baseline_simd = form == 3; /* blocks of eight lanes at once, or in two halves */
+            thud_world_def_set_baseline_simd(&def, form == 3); /* blocks of eight lanes at once, or in two halves */
             thud_world *world = make_scene(def, bodies);
             thud_listeners listeners = of_form(form, e);
             *e = (ear){0};
@@ -286,7 +288,8 @@ static void refused_listeners_leave_those_that_there_are(void **state) {
     run(world, 2);
     assert_int_equal(asked, 2);
     assert_int_equal(messages, 2);
-    OK(thud_world_overlap_shape(world, (thud_pos){0, 0.5}, thud_circle_at(0, 0, 1), NULL, overlap_tries, world));
+    OK(thud_world_overlap_shape(world, (thud_pos){0, 0.5}, thud_circle_at(0, 0, 1), NULL,
+                                overlap_tries, world));
     assert_int_equal(messages, 4);
     thud_listeners both = {.prologue = ask, .prologue_all = ask_all};
     assert_int_equal(thud_world_set_listeners(world, &both), THUD_ERROR_INVALID);

@@ -84,8 +84,8 @@ static void turned_boxes_agree_with_the_closest_features(void **state) {
             float hx = (float)random_in(&seed, 0.2, 1), hy = (float)random_in(&seed, 0.2, 1);
             add_shape(world, id, hx, hy, false, NULL);
             thud_body_state s = state_of(world, id);
-            p[k] = (thud_geometry){THUD_SHAPE_OBB,     s.position.x, s.position.y, cos(s.angle),
-                                         sin(s.angle), (double)hx,   (double)hy};
+            p[k] = (thud_geometry){THUD_SHAPE_OBB, s.position.x, s.position.y, cos(s.angle),
+                                   sin(s.angle),   (double)hx,   (double)hy};
         }
         thud_closest closest;
         OK(thud_geometry_closest(&p[0], &p[1], &closest));

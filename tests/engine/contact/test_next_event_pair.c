@@ -1,6 +1,6 @@
-/* test_next_event_pair.c: thud_world_next_event_pair, which lists the pairs of two categories that met in a
- * step: each pair once, whatever the order of shapes in the events, and only bodies that still
- * exist. */
+/* test_next_event_pair.c: thud_world_next_event_pair, which lists the pairs of two categories that
+ * met in a step: each pair once, whatever the order of shapes in the events, and only bodies that
+ * still exist. */
 #include "engine_support.h"
 
 #include <thud/thud_lists.h>

@@ -56,7 +56,8 @@ static void planks_hold_what_falls_fast(void **unused) {
         thud_rule rule = rule_of_kind(THUD_RULE_ONE_WAY);
         OK(thud_world_set_rule(w, PLANK, PLAYER, &rule));
         add(w, THUD_BODY_STATIC, PLANK, 2, 0, 2, 3, 0.3f);
-        thud_body_id player = add(w, THUD_BODY_DYNAMIC, PLAYER, i / DETECTIONS % 3, 0, 5, 0.4f, 0.4f);
+        thud_body_id player =
+            add(w, THUD_BODY_DYNAMIC, PLAYER, i / DETECTIONS % 3, 0, 5, 0.4f, 0.4f);
         throw_up(w, player, 0, -3.0f * (float)(i / (DETECTIONS * 3)));
         steps(w, 200);
         assert_true(fabs(get(w, player).position.y - 2.7) < 0.03);

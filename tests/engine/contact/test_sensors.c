@@ -422,8 +422,8 @@ static void body_that_is_held_twice_in_a_step_passes_what_it_did_when_it_did(voi
             body.detection = swept && side ? &thud_detection_swept : NULL;
             OK(thud_body_create(world, &body, &ball[side]));
             add_shape(world, ball[side], 0.1f, 0, false, &plain);
-            add_shape(world, add_body(world, THUD_BODY_STATIC, stop[side] + 0.6, y, 0), 0.5f, 1, true,
-                      &plain);
+            add_shape(world, add_body(world, THUD_BODY_STATIC, stop[side] + 0.6, y, 0), 0.5f, 1,
+                      true, &plain);
             for (int x = 1; x < 9; x++) {
                 thud_body_id at = add_body(world, THUD_BODY_STATIC, x == 1 ? 1 : x + 0.5, y, 0);
                 add_shape(world, at, 0.05f, 1, true, &gate);

@@ -53,12 +53,12 @@ static void look_at(const chaos *c, thud_shape_id id, seen_shape *out) {
                         .filter = shape.filter,
                         .is_line = shape.kind == THUD_SHAPE_TERRAIN};
     out->placed = (thud_geometry){.kind = shape.kind,
-                                        .x = body.position.x + cs * x - sn * y,
-                                        .y = body.position.y + sn * x + cs * y,
-                                        .c = shape.kind == THUD_SHAPE_OBB ? cs : 1.0,
-                                        .s = shape.kind == THUD_SHAPE_OBB ? sn : 0.0,
-                                        .hx = (double)shape.half_extents.x,
-                                        .hy = (double)shape.half_extents.y};
+                                  .x = body.position.x + cs * x - sn * y,
+                                  .y = body.position.y + sn * x + cs * y,
+                                  .c = shape.kind == THUD_SHAPE_OBB ? cs : 1.0,
+                                  .s = shape.kind == THUD_SHAPE_OBB ? sn : 0.0,
+                                  .hx = (double)shape.half_extents.x,
+                                  .hy = (double)shape.half_extents.y};
     if (out->is_line) {
         OK(thud_shape_get_terrain(c->world, id, &out->line));
     }

@@ -58,7 +58,8 @@ static void add_line(thud_world *world, const slide *s, double from, int length)
     }
     thud_shape_def def = surface_of(s);
     thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = points, .count = length + 1};
-    OK(thud_shape_create_terrain(world, add_body(world, THUD_BODY_STATIC, 0, 0, 0), &def, &line, NULL));
+    OK(thud_shape_create_terrain(world, add_body(world, THUD_BODY_STATIC, 0, 0, 0), &def, &line,
+                                 NULL));
 }
 
 /* Adds pieces of length 1, or one piece of the whole length. */

@@ -114,7 +114,8 @@ static void bar_that_spins_past_a_bisected_ball_is_counted(void **state) {
         thud_world_def def = weightless();
         def.detection = &thud_detection_bisect;
         thud_world *world = make_world(def);
-        thud_body_id bar = add_body(world, i % 2 ? THUD_BODY_KINEMATIC : THUD_BODY_DYNAMIC, 0, 0, 0.05 * i);
+        thud_body_id bar =
+            add_body(world, i % 2 ? THUD_BODY_KINEMATIC : THUD_BODY_DYNAMIC, 0, 0, 0.05 * i);
         add_shape(world, bar, 1, 0.1f, false, NULL);
         OK(thud_body_set_velocity(world, bar, (thud_vec2){0, 0}, i < 20 ? 30 : 3));
         thud_body_id ball = add_body(world, THUD_BODY_DYNAMIC, 0.8, 0.02 * i - 0.4, 0);

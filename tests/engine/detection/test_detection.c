@@ -104,16 +104,17 @@ static double deepest(const thud_world *world, const thud_body_id *ids, int coun
         OK(thud_shape_get_state(world, shape, &s));
         bool obb = s.kind == THUD_SHAPE_OBB;
         placed[i] = (thud_geometry){s.kind,
-                                          b.position.x,
-                                          b.position.y,
-                                          obb ? cos(b.angle) : 1.0,
-                                          obb ? sin(b.angle) : 0.0,
-                                          (double)s.half_extents.x,
-                                          (double)s.half_extents.y};
+                                    b.position.x,
+                                    b.position.y,
+                                    obb ? cos(b.angle) : 1.0,
+                                    obb ? sin(b.angle) : 0.0,
+                                    (double)s.half_extents.x,
+                                    (double)s.half_extents.y};
         for (int k = 0; k < i; k++) {
             thud_closest c;
             OK(thud_geometry_closest(&placed[k], &placed[i], &c));
-            bool both_static = b.kind == THUD_BODY_STATIC && state_of(world, ids[k]).kind == THUD_BODY_STATIC;
+            bool both_static =
+                b.kind == THUD_BODY_STATIC && state_of(world, ids[k]).kind == THUD_BODY_STATIC;
             depth = both_static ? depth : fmax(depth, -c.distance);
         }
     }
@@ -135,7 +136,8 @@ static double deepest_in_a_room(const thud_detection *detection, double speed, t
     }
     for (int i = WALLS; i < BODIES + WALLS; i++) {
         int k = i - WALLS;
-        ids[i] = add_body(world, THUD_BODY_DYNAMIC, -8.75 + 2.5 * (k % 8), -8.75 + 2.5 * (k / 8), 0);
+        ids[i] =
+            add_body(world, THUD_BODY_DYNAMIC, -8.75 + 2.5 * (k % 8), -8.75 + 2.5 * (k / 8), 0);
         thud_shape_def elastic;
         make_elastic(&elastic);
         add_shape(world, ids[i], 0.3f, k % 3 ? 0.2f : 0, k % 3 == 1, &elastic);
@@ -232,8 +234,8 @@ static void bisected_body_is_taken_back_to_its_collision(void **state) {
     thud_world_destroy(world);
 }
 
-/* thud_world_get_bisection_limit is the thickness of the thinnest shape divided by the time step, and
- * statistics count bodies that move faster. */
+/* thud_world_get_bisection_limit is the thickness of the thinnest shape divided by the time step,
+ * and statistics count bodies that move faster. */
 static void bisection_limit_is_the_thinnest_shape_a_step_and_who_breaks_it_is_counted(
     void **state) {
     (void)state;

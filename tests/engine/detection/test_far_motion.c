@@ -69,8 +69,8 @@ static heap make_heap(uint64_t *seed, int number) {
                   &shape);
         if (joined && i && one_in(seed, 3) && body.kind == THUD_BODY_DYNAMIC) {
             make(h.world,
-                 between(one_in(seed, 2) ? THUD_JOINT_HINGE : THUD_JOINT_WELD, h.body[i - 1], h.body[i],
-                         (thud_vec2){(float)h.size, 0}, (thud_vec2){-(float)h.size, 0}));
+                 between(one_in(seed, 2) ? THUD_JOINT_HINGE : THUD_JOINT_WELD, h.body[i - 1],
+                         h.body[i], (thud_vec2){(float)h.size, 0}, (thud_vec2){-(float)h.size, 0}));
         }
     }
     return h;
@@ -141,8 +141,8 @@ static flight fly(const thud_detection *detection, const thud_broadphase *broadp
     add_shape(world, ball, 0.5f, 0, false, NULL);
     for (int i = 0; i < 9; i++) {
         double along = i < 8 ? 1e5 * (i + 1) : distance, beside = i < 8 ? 3e4 : 0;
-        thud_body_id other = add_body(world, i < 8 ? THUD_BODY_STATIC : kind, c * along - s * beside,
-                                      s * along + c * beside, 0);
+        thud_body_id other = add_body(world, i < 8 ? THUD_BODY_STATIC : kind,
+                                      c * along - s * beside, s * along + c * beside, 0);
         add_shape(world, other, 50, 0, false, NULL);
     }
     thud_vec2 velocity = {(float)(9.9e5 * c), (float)(9.9e5 * s)};

@@ -7,6 +7,8 @@
 
 #include "geometry_random.h"
 
+#include <thud/thud_testing.h>
+
 #include <inttypes.h>
 
 enum { BODIES = 14, STEPS = 40 };
@@ -130,7 +132,7 @@ static void make_room(room *m, uint64_t seed, bool plain_simd) {
     m->swept = !bisects;
     m->random = (source){seed ^ 0x5555};
     def.detection = bisects ? &thud_detection_bisect : &thud_detection_swept;
-    def.baseline_simd = plain_simd;
+    thud_world_def_set_baseline_simd(&def, plain_simd);
     def.allocator = hostile_memory();
     m->world = make_world(def);
     set_listeners(m->world, prologue, epilogue, m);

@@ -12,9 +12,12 @@
 
 enum { PAIR_KINDS = 6 };
 
-static const thud_shape_kind pair_kinds[PAIR_KINDS][2] = {
-    {THUD_SHAPE_CIRCLE, THUD_SHAPE_CIRCLE}, {THUD_SHAPE_CIRCLE, THUD_SHAPE_AABB}, {THUD_SHAPE_CIRCLE, THUD_SHAPE_OBB},
-    {THUD_SHAPE_AABB, THUD_SHAPE_AABB},     {THUD_SHAPE_AABB, THUD_SHAPE_OBB},    {THUD_SHAPE_OBB, THUD_SHAPE_OBB}};
+static const thud_shape_kind pair_kinds[PAIR_KINDS][2] = {{THUD_SHAPE_CIRCLE, THUD_SHAPE_CIRCLE},
+                                                          {THUD_SHAPE_CIRCLE, THUD_SHAPE_AABB},
+                                                          {THUD_SHAPE_CIRCLE, THUD_SHAPE_OBB},
+                                                          {THUD_SHAPE_AABB, THUD_SHAPE_AABB},
+                                                          {THUD_SHAPE_AABB, THUD_SHAPE_OBB},
+                                                          {THUD_SHAPE_OBB, THUD_SHAPE_OBB}};
 
 typedef enum pair_family {
     ANYHOW,
@@ -59,7 +62,8 @@ static inline void bring_to_touch(pair *p) {
 static inline void place_parallel(source *r, pair *p) {
     const double gaps[] = {0.0, 0.01, -0.01, draw(r, -1.0, 1.0)};
     const double turns[] = {0.0, 0.0, 1e-12, 1e-9, 1e-6, 1e-3};
-    double angle = p->a.kind == THUD_SHAPE_OBB && p->b.kind == THUD_SHAPE_OBB ? draw(r, -4.0, 4.0) : 0.0;
+    double angle =
+        p->a.kind == THUD_SHAPE_OBB && p->b.kind == THUD_SHAPE_OBB ? draw(r, -4.0, 4.0) : 0.0;
     double turned = angle + turns[draw_below(r, 6)], gap = gaps[draw_below(r, 4)];
     set_angle(&p->a, angle);
     set_angle(&p->b, turned);

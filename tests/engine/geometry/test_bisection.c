@@ -18,8 +18,8 @@ static const thud_motion still = {0.0, 0.0, 0.0};
 /* Time at which the ball collides with the wall. */
 static double collision(thud_motion motion, double tolerance, bool *collided) {
     double time;
-    assert_int_equal(thud_geometry_time_of_collision(&ball, motion, &wall, still, tolerance, collided,
-                                                   &time),
+    assert_int_equal(thud_geometry_time_of_collision(&ball, motion, &wall, still, tolerance,
+                                                     collided, &time),
                      THUD_OK);
     return time;
 }
@@ -65,7 +65,7 @@ static void bisection_of_shapes_that_overlap_at_the_start_is_no_collision(void *
     bool collided = true;
     double time = 0.0;
     assert_int_equal(thud_geometry_time_of_collision(&ball, still, &ball, still, 0.1, &collided,
-                                                   &time),
+                                                     &time),
                      THUD_OK);
     assert_false(collided);
     assert_true(time == 1.0);
@@ -97,20 +97,20 @@ static void bisection_refuses_bad_input_and_leaves_the_answers(void **state) {
     const double tolerances[] = {0.0, -1.0, 2.0, (double)NAN};
     for (int i = 0; i < 4; i++) {
         assert_int_equal(thud_geometry_time_of_collision(&ball, still, &wall, still, tolerances[i],
-                                                       &collided, &time),
+                                                         &collided, &time),
                          THUD_ERROR_INVALID);
         assert_int_equal(thud_terrain_time_of_collision(&floor, &ball, still, tolerances[i],
                                                         &collided, &time),
                          THUD_ERROR_INVALID);
     }
     assert_int_equal(thud_geometry_time_of_collision(&bad, still, &wall, still, 0.1, &collided,
-                                                   &time),
+                                                     &time),
                      THUD_ERROR_INVALID);
     assert_int_equal(thud_geometry_time_of_collision(&ball, wild, &wall, still, 0.1, &collided,
-                                                   &time),
+                                                     &time),
                      THUD_ERROR_INVALID);
     assert_int_equal(thud_geometry_time_of_collision(&ball, still, NULL, still, 0.1, &collided,
-                                                   &time),
+                                                     &time),
                      THUD_ERROR_NULL);
     assert_int_equal(thud_geometry_time_of_collision(&ball, still, &wall, still, 0.1, NULL, &time),
                      THUD_ERROR_NULL);

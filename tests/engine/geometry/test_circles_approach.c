@@ -25,7 +25,8 @@ typedef struct passing {
 /* A random case: slow and fast, head-on, grazing, in parallel, at relative rest, tiny, or far from
  * the origin. */
 static passing draw_passing(source *r, int i) {
-    passing p = {draw_shape_of(r, THUD_SHAPE_CIRCLE), draw_shape_of(r, THUD_SHAPE_CIRCLE), .slack = 0.0};
+    passing p = {draw_shape_of(r, THUD_SHAPE_CIRCLE), draw_shape_of(r, THUD_SHAPE_CIRCLE),
+                 .slack = 0.0};
     double speed = exp(draw(r, -3.0, 8.0));
     p.b.x += draw(r, -4.0, 4.0);
     p.motion_a = (thud_motion){draw(r, -1.0, 1.0), draw(r, -1.0, 1.0), draw(r, -9.0, 9.0)};

@@ -169,7 +169,7 @@ static void approach_of_circles_that_miss_is_where_they_are_abreast(void **state
     thud_geometry a = circle(0, 0, 1), b = circle(-6, 3, 1);
     thud_approach out;
     assert_int_equal(thud_geometry_approach(&a, (thud_motion){-2, 0, 0}, &b, (thud_motion){6, 0, 0},
-                                           &out),
+                                            &out),
                      THUD_OK);
     assert_false(out.hit);
     assert_true(out.time == 1.0);

@@ -262,7 +262,7 @@ static void fast_shapes_never_pass_a_needle(void **state) {
         bool hit;
         double time;
         assert_int_equal(thud_geometry_time_of_impact(&shape, m, &wall, (thud_motion){0}, 0.0, &hit,
-                                                    &time),
+                                                      &time),
                          THUD_OK);
         assert_true(hit);
         assert_true(time <= back);

@@ -160,7 +160,8 @@ static void check_cast(source *r, const trial *t) {
         dy *= 2.0;
     }
     bool hit, inside;
-    OK(thud_minkowski_cast(&t->sum, (thud_segment){from.x, from.y, dx, dy}, &hit, &fraction, &nx, &ny));
+    OK(thud_minkowski_cast(&t->sum, (thud_segment){from.x, from.y, dx, dy}, &hit, &fraction, &nx,
+                           &ny));
     OK(thud_minkowski_contains(&t->sum, from.x, from.y, &inside));
     casts++;
     hits += hit;
@@ -196,9 +197,10 @@ static void check_advancement(source *r, const trial *t) {
     thud_motion m = {draw(r, -4.0, 4.0), draw(r, -4.0, 4.0), 1e-15}, still = {0};
     bool hit, hit_by_steps;
     double fraction, time, nx, ny;
-    OK(thud_minkowski_cast(&t->sum, (thud_segment){t->x, t->y, m.dx, m.dy}, &hit, &fraction, &nx, &ny));
+    OK(thud_minkowski_cast(&t->sum, (thud_segment){t->x, t->y, m.dx, m.dy}, &hit, &fraction, &nx,
+                           &ny));
     assert_int_equal(thud_geometry_time_of_impact(&t->p.a, still, &t->p.b, m, 0.0, &hit_by_steps,
-                                                &time),
+                                                  &time),
                      THUD_OK);
     if (hit) {
         assert_true(hit_by_steps && time <= fraction + 1e-9);

@@ -50,7 +50,8 @@ static void sum_of_square_and_diamond_by_hand_is_an_octagon(void **state) {
 
 static void sum_of_circles_is_a_point_with_both_radii(void **state) {
     (void)state;
-    thud_geometry a = {.kind = THUD_SHAPE_CIRCLE, .hx = 2.0}, b = {.kind = THUD_SHAPE_CIRCLE, .hx = 0.5};
+    thud_geometry a = {.kind = THUD_SHAPE_CIRCLE, .hx = 2.0},
+                  b = {.kind = THUD_SHAPE_CIRCLE, .hx = 0.5};
     thud_minkowski m;
     memset(&m, 0xff, sizeof m);
     OK(thud_minkowski_sum(&a, &b, &m));
@@ -89,7 +90,8 @@ static void ray_from_afar_does_not_pass_a_needle_thinner_than_its_rounding(void 
     thud_geometry a = box(1.0, 1e-12);
     double f, nx, ny;
     for (int i = 1; i < 1000; i++) {
-        assert_true(thud_geometry_cast_ray(&a, (thud_segment){0.0, 1e7 / i, 0.0, -1e7}, &f, &nx, &ny));
+        assert_true(
+            thud_geometry_cast_ray(&a, (thud_segment){0.0, 1e7 / i, 0.0, -1e7}, &f, &nx, &ny));
         NEAR(f, 1.0 / i);
     }
 }
@@ -153,7 +155,8 @@ static void sum_of_needles_near_parallel_loses_no_face(void **state) {
         assert_int_equal(m.count, 8);
         /* Casts straight down onto it, everywhere along its upper side, all hit. */
         for (double x = -1.99; x < 2.0; x += 0.0398) {
-            OK(thud_minkowski_cast(&m, (thud_segment){x * cos(angle), 5.0, 0.0, -10.0}, &hit, &f, &nx, &ny));
+            OK(thud_minkowski_cast(&m, (thud_segment){x * cos(angle), 5.0, 0.0, -10.0}, &hit, &f,
+                                   &nx, &ny));
             assert_true(hit);
         }
     }

@@ -21,7 +21,7 @@ static void check_collision(const moving *m, double tolerance) {
     double slack = BOUND * (moving_rounding(m) + place_rounding(&m->p)), time;
     bool collided;
     assert_int_equal(thud_geometry_time_of_collision(&m->p.a, m->a, &m->p.b, m->b, tolerance,
-                                                   &collided, &time),
+                                                     &collided, &time),
                      THUD_OK);
     real before = moving_distance(m, 0.0L), after = moving_distance(m, 1.0L);
     if (fabsl(before) > slack && fabsl(after) > slack) {

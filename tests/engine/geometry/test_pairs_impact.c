@@ -34,7 +34,7 @@ static void check_translating(const moving *m) {
     real early = enters(&h, h.radius + m->target + slack, way);
     real late = enters(&h, h.radius + m->target - slack, way);
     assert_int_equal(thud_geometry_time_of_impact(&m->p.a, m->a, &m->p.b, m->b, m->target, &hit,
-                                                &time),
+                                                  &time),
                      THUD_OK);
     CHECK_PAIR(&m->p, hit || time == 1.0);
     real found = hit ? (real)time : NEVER;
@@ -71,13 +71,13 @@ static void impact_of_flush_boxes_with_a_target_is_never_missed(void **state) {
             b.x = 0.1 * k * c - 1.54 * s;
             b.y = 0.1 * k * s + 1.54 * c;
             assert_int_equal(thud_geometry_time_of_impact(&a, (thud_motion){0}, &b, up, 0.05, &hit,
-                                                        &time),
+                                                          &time),
                              THUD_OK);
             assert_true(hit && time == 0.0);
             b.x = 0.1 * k * c - 2.0 * s;
             b.y = 0.1 * k * s + 2.0 * c;
-            assert_int_equal(thud_geometry_time_of_impact(&a, (thud_motion){0}, &b, down, 0.05, &hit,
-                                                        &time),
+            assert_int_equal(thud_geometry_time_of_impact(&a, (thud_motion){0}, &b, down, 0.05,
+                                                          &hit, &time),
                              THUD_OK);
             assert_true(hit && fabs(time - 0.45) < 1e-14);
         }
@@ -117,7 +117,7 @@ static void check_turning(const moving *m) {
     double slack = 1.1e-10 * size + BOUND * moving_rounding(m), time;
     bool hit;
     assert_int_equal(thud_geometry_time_of_impact(&m->p.a, m->a, &m->p.b, m->b, m->target, &hit,
-                                                &time),
+                                                  &time),
                      THUD_OK);
     CHECK_PAIR(&m->p, time >= 0.0 && time <= 1.0 && (hit || time == 1.0));
     CHECK_PAIR(&m->p, apart_until(m, m->target - slack, time));

@@ -33,7 +33,8 @@ static thud_closest closest(thud_geometry a, thud_geometry b) {
 static double impact(thud_geometry a, thud_motion ma, thud_geometry b, double target) {
     bool hit;
     double time;
-    assert_int_equal(thud_geometry_time_of_impact(&a, ma, &b, (thud_motion){0}, target, &hit, &time),
+    assert_int_equal(thud_geometry_time_of_impact(&a, ma, &b, (thud_motion){0}, target, &hit,
+                                                  &time),
                      THUD_OK);
     assert_true(hit || time == 1.0);
     return hit ? time : 2.0;
@@ -99,7 +100,7 @@ static void placed_check_refuses_what_no_shape_can_be(void **state) {
         assert_false(thud_geometry_overlap(&bad[i], &good));
         assert_false(thud_geometry_cast_ray(&bad[i], (thud_segment){-9, 2, 20, 0}, &f, &nx, &ny));
         assert_int_equal(thud_geometry_time_of_impact(&good, (thud_motion){0}, &bad[i],
-                                                    (thud_motion){0}, 0.0, &hit, &time),
+                                                      (thud_motion){0}, 0.0, &hit, &time),
                          THUD_ERROR_INVALID);
     }
 }
@@ -135,7 +136,8 @@ static void impact_refuses_motion_and_target_out_of_range(void **state) {
                          THUD_ERROR_INVALID);
     }
     for (int i = 0; i < 3; i++) {
-        assert_int_equal(thud_geometry_time_of_impact(&a, still, &b, still, targets[i], &hit, &time),
+        assert_int_equal(thud_geometry_time_of_impact(&a, still, &b, still, targets[i], &hit,
+                                                      &time),
                          THUD_ERROR_INVALID);
     }
 }
@@ -143,8 +145,7 @@ static void impact_refuses_motion_and_target_out_of_range(void **state) {
 static void overlap_of_touching_shapes_is_true(void **state) {
     (void)state;
     thud_geometry unit = circle(0, 0, 1), side = circle(2, 0, 1), above = box(0, 2, 1, 1);
-    thud_geometry square = box(0, 0, 1, 1), corner = box(2, 2, 1, 1),
-                        apart = box(2.001, 0, 1, 1);
+    thud_geometry square = box(0, 0, 1, 1), corner = box(2, 2, 1, 1), apart = box(2.001, 0, 1, 1);
     assert_true(thud_geometry_overlap(&unit, &side));
     assert_true(thud_geometry_overlap(&unit, &above));
     assert_true(thud_geometry_overlap(&square, &corner));
@@ -221,10 +222,13 @@ static void ray_that_starts_inside_or_has_no_length_hits_nothing(void **state) {
     thud_geometry shapes[] = {circle(0, 0, 1), box(0, 0, 1, 1), turned(0, 0, 1, 1, 0.3)};
     double f, nx, ny;
     for (int i = 0; i < 3; i++) {
-        assert_false(thud_geometry_cast_ray(&shapes[i], (thud_segment){0.1, 0.2, 9, 9}, &f, &nx, &ny));
+        assert_false(
+            thud_geometry_cast_ray(&shapes[i], (thud_segment){0.1, 0.2, 9, 9}, &f, &nx, &ny));
         assert_false(thud_geometry_cast_ray(&shapes[i], (thud_segment){4, 0, 0, 0}, &f, &nx, &ny));
-        assert_false(thud_geometry_cast_ray(&shapes[i], (thud_segment){NAN, 0, 1, 0}, &f, &nx, &ny));
-        assert_false(thud_geometry_cast_ray(&shapes[i], (thud_segment){4, 0, -INFINITY, 0}, &f, &nx, &ny));
+        assert_false(
+            thud_geometry_cast_ray(&shapes[i], (thud_segment){NAN, 0, 1, 0}, &f, &nx, &ny));
+        assert_false(
+            thud_geometry_cast_ray(&shapes[i], (thud_segment){4, 0, -INFINITY, 0}, &f, &nx, &ny));
     }
 }
 

@@ -29,7 +29,11 @@ static const thud_geometry bad_shapes[] = {
     {.kind = THUD_SHAPE_AABB, .c = 1.0, .hx = 1.0, .hy = -1.0},
     {.kind = THUD_SHAPE_AABB, .c = 1.0, .hx = NAN, .hy = 1.0},
     {.kind = THUD_SHAPE_AABB, .c = 1.0, .hx = 1.0, .hy = INFINITY},
-    {.kind = THUD_SHAPE_AABB, .c = 0.6, .s = 0.8, .hx = 1.0, .hy = 1.0}, /* rotated, as an AABB is not */
+    {.kind = THUD_SHAPE_AABB,
+     .c = 0.6,
+     .s = 0.8,
+     .hx = 1.0,
+     .hy = 1.0}, /* rotated, as an AABB is not */
     {.kind = THUD_SHAPE_AABB, .x = INFINITY, .c = 1.0, .hx = 1.0, .hy = 1.0},
     {.kind = THUD_SHAPE_OBB, .c = 1.0, .hx = 0.0, .hy = 1.0},
     {.kind = THUD_SHAPE_OBB, .c = 1.0, .hx = 1.0, .hy = NAN},
@@ -118,7 +122,8 @@ static void functions_of_shapes_refuse_null_pointers(void **state) {
     REFUSES(THUD_ERROR_NULL, thud_geometry_contacts(NULL, a, 0.0, &out.contacts));
     REFUSES(THUD_ERROR_NULL, thud_geometry_contacts(a, NULL, 0.0, &out.contacts));
     REFUSES(THUD_ERROR_NULL, thud_geometry_contacts(a, a, 0.0, NULL));
-    REFUSES(NO, thud_geometry_cast_ray(NULL, (thud_segment){-9.0, 5.0, 99.0, 0.0}, &out.time, &out.nx, &out.ny));
+    REFUSES(NO, thud_geometry_cast_ray(NULL, (thud_segment){-9.0, 5.0, 99.0, 0.0}, &out.time,
+                                       &out.nx, &out.ny));
     REFUSES(THUD_ERROR_NULL, thud_geometry_time_of_impact(NULL, m, a, m, 0.0, &out.hit, &out.time));
     REFUSES(THUD_ERROR_NULL, thud_geometry_time_of_impact(a, m, NULL, m, 0.0, &out.hit, &out.time));
     REFUSES(THUD_ERROR_NULL, thud_geometry_time_of_impact(a, m, a, m, 0.0, NULL, &out.time));
@@ -144,7 +149,8 @@ static void functions_of_terrain_refuse_null_pointers(void **state) {
     REFUSES(THUD_ERROR_NULL, thud_terrain_check(NULL));
     REFUSES(THUD_ERROR_NULL, thud_terrain_sample_at(NULL, 1.0, &out.sample));
     REFUSES(THUD_ERROR_NULL, thud_terrain_sample_at(t, 1.0, NULL));
-    REFUSES(NO, thud_terrain_cast_ray(NULL, (thud_segment){1.0, 9.0, 0.0, -99.0}, &out.time, &out.nx, &out.ny));
+    REFUSES(NO, thud_terrain_cast_ray(NULL, (thud_segment){1.0, 9.0, 0.0, -99.0}, &out.time,
+                                      &out.nx, &out.ny));
     REFUSES(NO, thud_terrain_overlap(NULL, a));
     REFUSES(NO, thud_terrain_overlap(t, NULL));
     REFUSES(THUD_ERROR_NULL, thud_terrain_closest(NULL, a, &out.closest));
@@ -171,7 +177,8 @@ static void functions_of_shapes_refuse_impossible_shapes(void **state) {
         const thud_geometry *bad = &bad_shapes[i];
         const thud_geometry *pair[2][2] = {{bad, a}, {a, bad}};
         REFUSES(THUD_ERROR_INVALID, thud_geometry_check(bad));
-        REFUSES(NO, thud_geometry_cast_ray(bad, (thud_segment){-9.0, 5.0, 99.0, 0.0}, &out.time, &out.nx, &out.ny));
+        REFUSES(NO, thud_geometry_cast_ray(bad, (thud_segment){-9.0, 5.0, 99.0, 0.0}, &out.time,
+                                           &out.nx, &out.ny));
         for (int k = 0; k < 2; k++) {
             const thud_geometry *one = pair[k][0], *two = pair[k][1];
             REFUSES(NO, thud_geometry_overlap(one, two));
@@ -206,7 +213,8 @@ static void refuse_ground(const thud_terrain *t, thud_result code) {
     int first = 5, last = 9;
     REFUSES(code, thud_terrain_check(t));
     REFUSES(code, thud_terrain_sample_at(t, 1.0, &out.sample));
-    REFUSES(NO, thud_terrain_cast_ray(t, (thud_segment){1.0, 9.0, 0.0, -99.0}, &out.time, &out.nx, &out.ny));
+    REFUSES(NO, thud_terrain_cast_ray(t, (thud_segment){1.0, 9.0, 0.0, -99.0}, &out.time, &out.nx,
+                                      &out.ny));
     REFUSES(NO, thud_terrain_overlap(t, &ball));
     REFUSES(code, thud_terrain_closest(t, &ball, &out.closest));
     REFUSES(code, thud_terrain_contacts(t, &ball, 0.0, &out.contacts));
@@ -306,8 +314,12 @@ static void rays_and_lookups_refuse_what_is_no_number(void **state) {
         for (int k = 0; k < 4; k++) {
             double ray[4] = {-9.0, 5.0, 99.0, 0.0};
             ray[k] = bad[i];
-            REFUSES(NO, thud_geometry_cast_ray(&ball, (thud_segment){ray[0], ray[1], ray[2], ray[3]}, f, nx, ny));
-            REFUSES(NO, thud_terrain_cast_ray(&ground, (thud_segment){ray[0], ray[1], ray[2], ray[3]}, f, nx, ny));
+            REFUSES(NO,
+                    thud_geometry_cast_ray(&ball, (thud_segment){ray[0], ray[1], ray[2], ray[3]}, f,
+                                           nx, ny));
+            REFUSES(NO,
+                    thud_terrain_cast_ray(&ground, (thud_segment){ray[0], ray[1], ray[2], ray[3]},
+                                          f, nx, ny));
         }
         REFUSES(THUD_ERROR_INVALID, thud_terrain_sample_at(&ground, bad[i], &out.sample));
     }

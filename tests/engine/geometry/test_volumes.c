@@ -128,7 +128,8 @@ static void containment_of_every_pair_agrees_with_sampled_outlines(void **state)
 static void check_around_shape(source *r, const pair *p) {
     (void)r;
     const thud_geometry *a = &p->a;
-    thud_volume circle = around_shape(THUD_SHAPE_CIRCLE, a), upright = around_shape(THUD_SHAPE_AABB, a);
+    thud_volume circle = around_shape(THUD_SHAPE_CIRCLE, a),
+                upright = around_shape(THUD_SHAPE_AABB, a);
     thud_volume oriented = around_shape(THUD_SHAPE_OBB, a);
     double eps = rounding(a), width = 0.0, height = 0.0, far = 0.0;
     assert_true(contains(&circle, a) && contains(&upright, a) && contains(&oriented, a));

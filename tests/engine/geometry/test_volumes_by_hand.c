@@ -29,7 +29,8 @@ static void aabb_around_turning_bar_is_widest_on_the_way(void **state) {
      * middle and not at an end of the motion. */
     thud_geometry bar = turned(2.0, 1e-9, -0.78539816339744831);
     thud_volume v;
-    OK(thud_volume_around_motion(THUD_SHAPE_AABB, &bar, (thud_motion){0.0, 0.0, 1.5707963267948966}, &v));
+    OK(thud_volume_around_motion(THUD_SHAPE_AABB, &bar, (thud_motion){0.0, 0.0, 1.5707963267948966},
+                                 &v));
     assert_true(fabs(v.hx - 2.0) < 1e-8);
     assert_true(fabs(v.hy - sqrt(2.0)) < 1e-8);
 }

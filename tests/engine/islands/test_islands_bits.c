@@ -6,6 +6,8 @@
 #include "hostile_memory.h"
 #include "pool.h"
 
+#include <thud/thud_testing.h>
+
 /* ---- the same bits ---- */
 
 /* A column, a heavy box on a light one, and falling rubble: islands of all sizes. */
@@ -60,7 +62,7 @@ static void islands_are_the_same_without_avx2(void **state) {
     for (int q = 1; q < QUALITIES; q++) {
         thud_world_def def = def_of(qualities[q]);
         uint64_t wide = hash_of_yard(def);
-        def.baseline_simd = true;
+        thud_world_def_set_baseline_simd(&def, true);
         assert_true(hash_of_yard(def) == wide);
     }
 }

@@ -7,6 +7,8 @@
 
 #include "geometry_random.h"
 
+#include <thud/thud_testing.h>
+
 #include <inttypes.h>
 
 /* Bodies of a room at most, and steps of each room. */
@@ -66,7 +68,7 @@ static void make_room(room *m, uint64_t seed, int quality, bool plain_simd) {
     double unevenness = exp(draw(&r, 0, log(1e4)));
     *m = (room){.quality = quality, .random = {seed ^ 0x5555}, .edits = draw_below(&r, 3) == 0};
     def.quality = qualities[quality];
-    def.baseline_simd = plain_simd;
+    thud_world_def_set_baseline_simd(&def, plain_simd);
     def.sleeping = draw_below(&r, 2);
     def.gravity = (thud_vec2){0, (float)-GRAVITY};
     def.time_step = draw_below(&r, 2) ? 1.0 / 60 : 1.0 / draw(&r, 30, 240);

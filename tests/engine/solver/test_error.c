@@ -7,6 +7,8 @@
 #include "pool.h"
 #include "scenes.h"
 
+#include <thud/thud_testing.h>
+
 static void error_before_the_first_step_and_without_a_world_is_zero(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -242,7 +244,7 @@ static void report_is_the_same_with_any_workers_and_any_simd(void **state) {
             if (threads[k]) {
                 def.job_system = pool_job_system(threads[k]);
             }
-            def.baseline_simd = k == 4;
+            thud_world_def_set_baseline_simd(&def, k == 4);
             world[k] = world_of(scenes[i].name, scenes[i].size, def);
         }
         bool overlaps = false;

@@ -125,7 +125,9 @@ static void sleepers_and_who_is_switched_off_are_left_alone(void **state) {
 static void fixed_rotation_is_heeded(void **state) {
     (void)state;
     thud_world *world = make_world(weightless());
-    thud_body_options slider = {.kind = THUD_BODY_DYNAMIC, .fixed_rotation = true, .velocity = {0, 3}};
+    thud_body_options slider = {.kind = THUD_BODY_DYNAMIC,
+                                .fixed_rotation = true,
+                                .velocity = {0, 3}};
     thud_body_id body = thud_body_make(world, thud_obb_at(0, 0, 1, 0.5, 0), &slider);
     OK(thud_body_apply_grip(world, body, (thud_vec2){1, 0}, (thud_vec2){0, 1}, 0, 1e6f));
     run(world, 1);

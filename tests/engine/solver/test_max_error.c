@@ -142,8 +142,8 @@ static thud_world *make_column(const column *c, double max_error, thud_body_id *
     for (int i = 0; i < COLUMN; i++) {
         double y = (0.5 + i) * c->scale;
         thud_geometry at = c->kind == THUD_SHAPE_AABB
-                                     ? thud_aabb_at(0, y, (double)half, (double)half)
-                                     : thud_obb_at(0, y, (double)half, (double)half, 0);
+                               ? thud_aabb_at(0, y, (double)half, (double)half)
+                               : thud_obb_at(0, y, (double)half, (double)half, 0);
         boxes[i] = thud_body_make(world, at, &(thud_body_options){.kind = THUD_BODY_DYNAMIC});
         assert_true(boxes[i].index1 > 0);
     }

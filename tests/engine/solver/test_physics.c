@@ -49,8 +49,8 @@ static thud_body_state slide(double slope, float mu, float radius, double second
     thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
     OK(thud_shape_create_terrain(world, ground, &rough, &flat, NULL));
     double angle = atan(slope), up = radius > 0 ? (double)radius : 0.5;
-    thud_body_id body =
-        add_body(world, THUD_BODY_DYNAMIC, -up * sin(angle), up * cos(angle), radius > 0 ? 0 : angle);
+    thud_body_id body = add_body(world, THUD_BODY_DYNAMIC, -up * sin(angle), up * cos(angle),
+                                 radius > 0 ? 0 : angle);
     add_shape(world, body, radius > 0 ? radius : 0.5f, radius > 0 ? 0 : 0.5f, false, &rough);
     run(world, (int)(seconds * 60));
     thud_body_state s = state_of(world, body);

@@ -31,7 +31,8 @@ static void spins_as_it_was_told(const thud_quality *quality, const thud_detecti
     thud_world *world = make_world(def);
     thud_body_id bodies[4];
     for (int i = 0; i < 4; i++) {
-        bodies[i] = add_spinning(world, i < 2 ? THUD_BODY_DYNAMIC : THUD_BODY_KINEMATIC, i & 1, 2 * i, spin);
+        bodies[i] = add_spinning(world, i < 2 ? THUD_BODY_DYNAMIC : THUD_BODY_KINEMATIC, i & 1,
+                                 2 * i, spin);
     }
     double before = 0;
     for (int step = 1; step <= STEPS; step++) {

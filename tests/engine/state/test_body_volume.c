@@ -1,5 +1,5 @@
-/* test_body_volume.c: the bounding volume of a body (thud_body_get_volume) encloses all its shapes at
- * its present pose. */
+/* test_body_volume.c: the bounding volume of a body (thud_body_get_volume) encloses all its shapes
+ * at its present pose. */
 #include "engine_support.h"
 
 static void body_volume_is_around_all_shapes_wherever_the_body_is(void **state) {
@@ -58,13 +58,18 @@ static void body_volume_refuses_bad_input_and_leaves_the_answer(void **state) {
     thud_volume v = {.x = 42};
     thud_pos here = {0, 0}, nowhere = {NAN, 0};
     assert_int_equal(thud_body_get_volume(NULL, ball, THUD_SHAPE_AABB, here, &v), THUD_ERROR_NULL);
-    assert_int_equal(thud_body_get_volume(world, ball, THUD_SHAPE_AABB, here, NULL), THUD_ERROR_NULL);
+    assert_int_equal(thud_body_get_volume(world, ball, THUD_SHAPE_AABB, here, NULL),
+                     THUD_ERROR_NULL);
     assert_int_equal(thud_body_get_volume(world, (thud_body_id){0, 0}, THUD_SHAPE_AABB, here, &v),
                      THUD_ERROR_STALE);
-    assert_int_equal(thud_body_get_volume(world, empty, THUD_SHAPE_AABB, here, &v), THUD_ERROR_INVALID);
-    assert_int_equal(thud_body_get_volume(world, flat, THUD_SHAPE_AABB, here, &v), THUD_ERROR_INVALID);
-    assert_int_equal(thud_body_get_volume(world, ball, THUD_SHAPE_TERRAIN, here, &v), THUD_ERROR_INVALID);
-    assert_int_equal(thud_body_get_volume(world, ball, THUD_SHAPE_AABB, nowhere, &v), THUD_ERROR_INVALID);
+    assert_int_equal(thud_body_get_volume(world, empty, THUD_SHAPE_AABB, here, &v),
+                     THUD_ERROR_INVALID);
+    assert_int_equal(thud_body_get_volume(world, flat, THUD_SHAPE_AABB, here, &v),
+                     THUD_ERROR_INVALID);
+    assert_int_equal(thud_body_get_volume(world, ball, THUD_SHAPE_TERRAIN, here, &v),
+                     THUD_ERROR_INVALID);
+    assert_int_equal(thud_body_get_volume(world, ball, THUD_SHAPE_AABB, nowhere, &v),
+                     THUD_ERROR_INVALID);
     assert_true(v.x == 42);
     thud_world_destroy(world);
 }

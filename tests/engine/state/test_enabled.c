@@ -4,7 +4,10 @@
 
 static bool found(thud_world *world, double x, double y) {
     bool hit;
-    OK(thud_world_cast_shape(world, &(thud_shape_cast){(thud_pos){x, y}, thud_circle_at(0, 0, 0.01), 0, 0, NULL}, &hit, NULL));
+    OK(thud_world_cast_shape(world,
+                             &(thud_shape_cast){(thud_pos){x, y}, thud_circle_at(0, 0, 0.01), 0, 0,
+                                                NULL},
+                             &hit, NULL));
     return hit;
 }
 
@@ -52,7 +55,8 @@ static void disabled_ground_lets_fall_and_wakes_who_slept_on_it(void **state) {
         thud_world *world = make_world(thud_default_world_def());
         thud_terrain flat = {.kind = THUD_TERRAIN_FLAT};
         thud_shape_def def = thud_default_shape_def();
-        thud_body_id floor = line ? add_body(world, THUD_BODY_STATIC, 0, 0, 0) : add_floor(world, NULL);
+        thud_body_id floor =
+            line ? add_body(world, THUD_BODY_STATIC, 0, 0, 0) : add_floor(world, NULL);
         if (line) {
             OK(thud_shape_create_terrain(world, floor, &def, &flat, NULL));
         }

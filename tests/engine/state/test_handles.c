@@ -230,7 +230,8 @@ static void bad_calls_change_nothing(void **state) {
     INVALID(thud_world_advance(world, NAN, 1, NULL, NULL));
     INVALID(thud_world_advance(world, 1, 0, NULL, NULL));
     INVALID(thud_world_cast_ray(world, &(thud_ray){(thud_pos){NAN, 0}, 1, 0, NULL}, NULL, NULL));
-    INVALID(thud_world_cast_ray(world, &(thud_ray){(thud_pos){0, 0}, INFINITY, 0, NULL}, NULL, NULL));
+    INVALID(
+        thud_world_cast_ray(world, &(thud_ray){(thud_pos){0, 0}, INFINITY, 0, NULL}, NULL, NULL));
     assert_int_equal(thud_body_create(world, NULL, NULL), THUD_ERROR_NULL);
     assert_int_equal(thud_shape_create_circle(world, ball, NULL, zero, 1, NULL), THUD_ERROR_NULL);
     assert_int_equal(thud_shape_create_terrain(world, floor, &shape, NULL, NULL), THUD_ERROR_NULL);

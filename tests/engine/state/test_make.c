@@ -149,12 +149,12 @@ static void refused_options_make_nothing(void **state) {
         assert_int_equal(heard, THUD_ERROR_INVALID);
     }
     const thud_geometry shapes[] = {line,
-                                          thud_circle_at(NAN, 0, 1),
-                                          thud_circle_at(1e10, 0, 1),
-                                          thud_circle_at(0, 0, 0),
-                                          thud_aabb_at(0, 0, 1, -1),
-                                          thud_obb_at(0, 0, 1, 1, 1e9),
-                                          {.kind = (thud_shape_kind)9}};
+                                    thud_circle_at(NAN, 0, 1),
+                                    thud_circle_at(1e10, 0, 1),
+                                    thud_circle_at(0, 0, 0),
+                                    thud_aabb_at(0, 0, 1, -1),
+                                    thud_obb_at(0, 0, 1, 1, 1e9),
+                                    {.kind = (thud_shape_kind)9}};
     enum { SHAPES = sizeof shapes / sizeof *shapes };
     for (int i = 0; i < SHAPES; i++) {
         assert_int_equal(thud_body_make(world, shapes[i], NULL).index1, 0);

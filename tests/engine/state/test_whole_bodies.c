@@ -18,7 +18,8 @@ static void placed_shapes_are_what_their_names_say(void **state) {
     double sine, cosine;
     OK(thud_sincos(0.3, &sine, &cosine));
     assert_true(disc.kind == THUD_SHAPE_CIRCLE && disc.x == 1 && disc.y == 2 && disc.hx == 3);
-    assert_true(box.kind == THUD_SHAPE_AABB && box.hx == 3 && box.hy == 4 && box.c == 1 && box.s == 0);
+    assert_true(box.kind == THUD_SHAPE_AABB && box.hx == 3 && box.hy == 4 && box.c == 1 &&
+                box.s == 0);
     assert_true(turned.kind == THUD_SHAPE_OBB && turned.c == cosine && turned.s == sine);
     OK(thud_geometry_check(&disc));
     OK(thud_geometry_check(&box));
@@ -241,7 +242,8 @@ static void defs_that_do_not_start_from_the_defaults_are_refused(void **state) {
     thud_world_def def = thud_default_world_def(), zeroed = {0};
     def.log = zeroed.log = hear;
     thud_world *w = make_world(def), *none = NULL;
-    thud_body_id a = add_body(w, THUD_BODY_STATIC, 0, 0, 0), b = add_body(w, THUD_BODY_DYNAMIC, 2, 0, 0);
+    thud_body_id a = add_body(w, THUD_BODY_STATIC, 0, 0, 0),
+                 b = add_body(w, THUD_BODY_DYNAMIC, 2, 0, 0);
     thud_body_def body = {.gravity_scale = 1, .may_sleep = true};
     thud_shape_def shape = {.density = 1, .filter = {1, 1, 0}};
     thud_joint_def joint = thud_default_joint_def(THUD_JOINT_HINGE);

@@ -78,7 +78,7 @@ static inline real line_height(const thud_terrain *t, const thud_geometry *s, re
 /* Half of the shape's horizontal extent. */
 static inline real half_width(const thud_geometry *s) {
     return s->kind == THUD_SHAPE_CIRCLE ? (real)s->hx
-                                  : fabsl((real)s->c * s->hx) + fabsl((real)s->s * s->hy);
+                                        : fabsl((real)s->c * s->hx) + fabsl((real)s->s * s->hy);
 }
 
 /* The height of the shape's underside relative to its centre, at distance dx from it. */

@@ -62,7 +62,8 @@ static void rays_at_random_ground_agree_with_marching(void **state) {
         for (int k = 0; k < PER_LINE; k++) {
             double ox = draw(&r, -4.0, 4.0), oy = draw(&r, -2.0, 4.0);
             double dx = k % 5 ? draw(&r, -6.0, 6.0) : 0.0, dy = draw(&r, -6.0, 3.0), f, nx, ny;
-            bool hit = thud_terrain_cast_ray(&g.terrain, (thud_segment){ox, oy, dx, dy}, &f, &nx, &ny);
+            bool hit =
+                thud_terrain_cast_ray(&g.terrain, (thud_segment){ox, oy, dx, dy}, &f, &nx, &ny);
             /* The ray goes down through the line between two samples. */
             double first = 2.0, above = oy - height(&g.terrain, ox);
             bool below = above < 0.0;

@@ -100,8 +100,10 @@ static void body_slides_from_one_long_box_to_the_next(void **state) {
     ice.friction = 0;
     for (int q = 0; q < 2; q++) {
         for (int kind = 0; kind < SHAPES; kind++) {
-            thud_world *world = make_ground(thud_default_world_def_of(qualities[q]), HALF, false, &ice);
-            add_shape(world, add_body(world, THUD_BODY_STATIC, 2.0 * HALF, -1, 0), HALF, 1, true, &ice);
+            thud_world *world =
+                make_ground(thud_default_world_def_of(qualities[q]), HALF, false, &ice);
+            add_shape(world, add_body(world, THUD_BODY_STATIC, 2.0 * HALF, -1, 0), HALF, 1, true,
+                      &ice);
             thud_body_id body = add(world, (shape_of_test)kind, HALF - 10, 0.5, &ice);
             OK(thud_body_set_velocity(world, body, (thud_vec2){8, 0}, 0));
             for (int i = 0; i < 180; i++) {
@@ -142,7 +144,8 @@ static void sizes_beyond_the_limits_are_refused(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
     thud_shape_def def = thud_default_shape_def();
-    thud_body_id rests = add_body(world, THUD_BODY_STATIC, 0, 0, 0), moves = add_ball(world, 0, 0, 1);
+    thud_body_id rests = add_body(world, THUD_BODY_STATIC, 0, 0, 0),
+                 moves = add_ball(world, 0, 0, 1);
     thud_vec2 zero = {0, 0}, most = {32000, 32000}, more = {32001, 1}, dynamic = {16385, 1};
     OK(thud_shape_create_aabb(world, rests, &def, zero, most, NULL));
     OK(thud_shape_create_obb(world, rests, &def, zero, most, 1, NULL));

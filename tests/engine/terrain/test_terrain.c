@@ -186,10 +186,12 @@ static void ray_at_a_vertex_does_not_slip_through(void **state) {
     double f, nx, ny;
     for (int i = -50; i <= 50; i++) {
         double x = 6 + i * 0.02;
-        assert_true(thud_terrain_cast_ray(&irregular, (thud_segment){x, 3, 1.2 * (6 - x), -6}, &f, &nx, &ny));
+        assert_true(thud_terrain_cast_ray(&irregular, (thud_segment){x, 3, 1.2 * (6 - x), -6}, &f,
+                                          &nx, &ny));
         NEAR(3 - 6 * f, -2.0);
         x = i * 0.2;
-        assert_true(thud_terrain_cast_ray(&uniform, (thud_segment){x, 4, 1.2 * (2 - x), -1.2}, &f, &nx, &ny));
+        assert_true(thud_terrain_cast_ray(&uniform, (thud_segment){x, 4, 1.2 * (2 - x), -1.2}, &f,
+                                          &nx, &ny));
     }
 }
 

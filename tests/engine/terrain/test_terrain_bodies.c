@@ -169,8 +169,8 @@ static void edit_among_sensors(const thud_broadphase *broadphase) {
     thud_shape_def sensor = thud_default_shape_def();
     sensor.sensor = true;
     for (int i = 0; i < 80; i++) {
-        thud_body_id body =
-            add_body(g.world, THUD_BODY_DYNAMIC, random_in(&seed, -52, 52), random_in(&seed, -3, 2), 0);
+        thud_body_id body = add_body(g.world, THUD_BODY_DYNAMIC, random_in(&seed, -52, 52),
+                                     random_in(&seed, -3, 2), 0);
         add_shape(g.world, body, (float)random_in(&seed, 0.05, 1.5),
                   i % 2 ? (float)random_in(&seed, 0.05, 0.5) : 0, false, &sensor);
     }

@@ -6,7 +6,8 @@
 EXPORT("oriented_height") double oriented_height(int steps) {
     thud_world *world = open_world();
     thud_shape_def shape = thud_default_shape_def();
-    thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0), box = add_body(world, THUD_BODY_DYNAMIC, 3);
+    thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0),
+                 box = add_body(world, THUD_BODY_DYNAMIC, 3);
     thud_terrain line = {.kind = THUD_TERRAIN_FLAT};
     thud_shape_create_terrain(world, ground, &shape, &line, NULL);
     thud_shape_create_obb(world, box, &shape, (thud_vec2){0, 0}, (thud_vec2){0.5f, 0.5f}, 0, NULL);

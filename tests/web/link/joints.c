@@ -72,13 +72,15 @@ static thud_world *make_linkage(void) {
     rope.drive[THUD_DIRECTION_ALONG].upper = 2;
     make(world, rope);
     thud_joint_def slider = tie(THUD_JOINT_SLIDER, links[2], links[3], 5.25f, 8, 0.5);
-    slider.drive[THUD_DIRECTION_ALONG] = (thud_drive){.limited = true, .lower = -0.5f, .upper = 0.25f};
+    slider.drive[THUD_DIRECTION_ALONG] =
+        (thud_drive){.limited = true, .lower = -0.5f, .upper = 0.25f};
     make(world, slider);
     thud_joint_def wheel = tie(THUD_JOINT_WHEEL, links[3], links[4], 7.5f, 8, 1.5);
     wheel.drive[THUD_DIRECTION_ALONG].frequency = 3;
     make(world, wheel);
     thud_joint_def target = tie(THUD_JOINT_TARGET, wall, links[5], 9, 8, 0);
-    target.drive[THUD_DIRECTION_ALONG].frequency = target.drive[THUD_DIRECTION_ACROSS].frequency = 2;
+    target.drive[THUD_DIRECTION_ALONG].frequency = target.drive[THUD_DIRECTION_ACROSS].frequency =
+        2;
     make(world, target);
     make(world, tie(THUD_JOINT_FILTER, links[4], links[5], 0, 0, 0));
     add_train(world, wall);
