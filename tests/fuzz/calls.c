@@ -9,24 +9,24 @@ uint64_t fuzz_calls_made;
 
 /* ---- the caller's floating-point mode ---- */
 
-#if defined(TD_MODE_OWN)
+#if defined(TD_FLOAT_MODE_OWN)
 static void take_mode(const fuzz_session *s) {
 #if defined(__SSE2__)
-    static const td_mode modes[] = {0x1f80u | 0x8040u, 0x1f80u | 0x4000u, 0x1f80u | 0x2000u,
-                                    0x1f80u | 0x6000u | 0x8040u};
+    static const td_float_mode modes[] = {0x1f80u | 0x8040u, 0x1f80u | 0x4000u, 0x1f80u | 0x2000u,
+                                          0x1f80u | 0x6000u | 0x8040u};
 #else
-    static const td_mode modes[] = {1u << 24, 1u << 22, 2u << 22, 3u << 22 | 1u << 24};
+    static const td_float_mode modes[] = {1u << 24, 1u << 22, 2u << 22, 3u << 22 | 1u << 24};
 #endif
     if (s->twin == TWIN_FLOAT_MODE && s->second) {
-        td_mode mode = modes[s->script[0] % 4];
-        TD_MODE_SET(mode);
+        td_float_mode mode = modes[s->script[0] % 4];
+        TD_FLOAT_MODE_SET(mode);
     }
 }
 
 static void leave_mode(const fuzz_session *s) {
     if (s->twin == TWIN_FLOAT_MODE && s->second) {
-        td_mode mode = TD_MODE_OWN;
-        TD_MODE_SET(mode);
+        td_float_mode mode = TD_FLOAT_MODE_OWN;
+        TD_FLOAT_MODE_SET(mode);
     }
 }
 #else

@@ -64,8 +64,8 @@ export const EDIT_CALLS = {
   },
   rule: (s) => s.world.rule(1 << s.below(4), 1 << s.below(4)),
   useRules: (s) => s.world.useRules(),
-  impulses: (s) => s.world.impulses(),
-  impulseView: (s) => s.world.impulseView(),
+  impulses: (s) => s.world.impulseEvents(),
+  impulseEventView: (s) => s.world.impulseEventView(),
   setListeners: (s) => {
     s.after = null; // listeners and the pair filter are not part of a snapshot
     const veto = s.number(0, 3), friction = s.number(0, 2);
@@ -92,20 +92,20 @@ export const EDIT_CALLS = {
     s.world.destroy(number, "body");
   },
   castRayInto: (s) => s.world.castRayInto(s.place(), s.vector(), []),
-  readMotion: (s) => s.world.readMotion(s.body(), []),
+  motionOf: (s) => s.world.motionOf(s.body(), []),
   positionOf: (s) => s.world.positionOf(s.body()),
   rotationOf: (s) => s.world.rotationOf(s.body()),
   velocityOf: (s) => s.world.velocityOf(s.body()),
   userDataOf: (s) => s.world.userDataOf(s.pick([s.body(), s.shape()])),
   bodyOf: (s) => s.world.bodyOf(s.shape()),
-  settings: (s) => s.world.settings(),
+  settings: (s) => s.world.stepSettings(),
   bodies: (s) => s.world.bodies(),
   awakeBodies: (s) => s.world.awakeBodies(),
   shapes: (s) => s.world.shapes(),
   movedBodies: (s) => s.world.movedBodies(),
-  bodyAtSlot: (s) => s.world.bodyAtSlot(s.number(-2, 50)),
-  shapeAtSlot: (s) => s.world.shapeAtSlot(s.number(-2, 50)),
-  overlapsOf: (s) => s.world.overlapsOf(s.shape()),
+  bodyAt: (s) => s.world.bodyAt(s.number(-2, 50)),
+  shapeAt: (s) => s.world.shapeAt(s.number(-2, 50)),
+  sensorOverlapsOf: (s) => s.world.sensorOverlapsOf(s.shape()),
   castRays: (s) => s.world.castRays([...s.place(), ...s.vector(), ...s.place(), ...s.vector()], s.filter()),
   castRayEach: (s) => {
     const [first, second, told] = [s.number(-1, 1), s.number(-1, 1), []];
@@ -122,17 +122,17 @@ export const EDIT_CALLS = {
     }, s.filter());
     return told;
   },
-  castRayAt: (s) => s.world.castRayAt(s.shape(), s.place(), s.vector()),
+  shapeCastRay: (s) => s.world.shapeCastRay(s.shape(), s.place(), s.vector()),
   containsPoint: (s) => s.world.containsPoint(s.shape(), s.place()),
   closestPointOf: (s) => s.world.closestPointOf(s.shape(), s.place()),
   boundsOf: (s) => s.world.boundsOf(s.shape()),
   eventViews: (s) => {
     s.world.eventViews();
   },
-  contactView: (s) => {
-    s.world.contactView(s.body());
+  contactViewOf: (s) => {
+    s.world.contactViewOf(s.body());
   },
-  meetings: (s) => [...s.world.meetings(s.below(16), s.pick([3, 9, s.number(0, 9)]))],
+  meetings: (s) => [...s.world.eventPairs(s.below(16), s.pick([3, 9, s.number(0, 9)]))],
   whatIf: (s) => {
     const hash = s.world.hash();
     const there = s.world.whatIf(() => {

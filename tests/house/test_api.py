@@ -53,7 +53,7 @@ class ApiTest(unittest.TestCase):
                             "thud_shape_set_friction(thud_shape_id shape, thud_world *world")
 
     def test_argument_behind_an_output_is_noticed(self):
-        self.assert_noticed("order", "thud_stats *out);", "thud_stats *out, int at);")
+        self.assert_noticed("order", "unsigned long bytes);", "int at);")
 
     def test_output_of_another_name_is_noticed(self):
         self.assert_noticed("outputs", "int *out_count);", "int *count);")

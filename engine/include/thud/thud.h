@@ -6,13 +6,26 @@
  *
  * Threads: one world may be used by one thread at a time. Different worlds share nothing.
  *
- * Defs: every def must be initialised by its thud_default_... function, which sets the defaults and
- * a cookie. A def without the cookie, for example a zeroed one, is refused. The ranges of all
- * values are in thud_limits.h; thud_math.h says which vector type is used where.
+ * Names: a function is named thud_, its object, and what it does: thud_body_set_velocity. Its
+ * arguments are the object (the world first), inputs, and last the outputs, named out or out_...
+ * A thud_geometry is a shape without a world, and thud_geometry_... are its functions;
+ * thud_shape_... act on the shape of a body, by its handle. An enumerator begins with the name of
+ * its type.
+ *
+ * Reads: thud_X_get_Y(..., out) writes the value and returns a thud_result. For use in expressions
+ * some have an inline twin thud_Y_of(...), which returns the value, or zero where the read is
+ * refused. Lists end with (out, capacity, out_count): at most `capacity` (>= 0) elements are
+ * written, and *out_count is the number of all; `out` may be null where capacity is 0.
+ *
+ * Structs: every def (thud_..._def) must be initialised by its thud_default_... function, which
+ * sets the defaults and a cookie. A def without the cookie, for example a zeroed one, is refused,
+ * and so is a zeroed one of the other structs that have such a function (query filter, rule, mover,
+ * explosion, water). In options (thud_..._options) zero is the default of every field. The ranges
+ * of all values are in thud_limits.h; thud_math.h says which vector type is used where.
  *
  * Errors: every call that can fail returns a thud_result. When a call fails, it has changed
- * nothing, and the log hook has been told the reason. Output pointers may be null where the caller
- * does not need the output, unless the comment says otherwise.
+ * nothing, written no output, and the log hook has been told the reason. Output pointers may be
+ * null where the caller does not need the output, unless the comment says otherwise.
  *
  * Floating-point mode: a world computes, and calls callbacks, in a mode of its own (rounding to
  * nearest, denormals kept), whatever the mode of the calling thread or a thread of the job system

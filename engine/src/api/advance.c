@@ -276,8 +276,9 @@ static thud_result advance(thud_world *w, double elapsed, int max_steps,
 }
 
 thud_result thud_world_advance_with(thud_world *w, double elapsed, int max_steps,
-                                    const thud_step_calls *calls, int *out_steps, double *out_alpha) {
-    TD_IN_OWN_MODE;
+                                    const thud_step_calls *calls, int *out_steps,
+                                    double *out_alpha) {
+    TD_IN_OWN_FLOAT_MODE;
     if (!w) {
         return THUD_ERROR_NULL;
     }

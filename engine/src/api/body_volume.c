@@ -47,7 +47,7 @@ static bool has_volume(const thud_world *w, thud_shape_kind kind, td_body_index 
 
 thud_result thud_body_get_volume(thud_world *w, thud_body_id id, thud_shape_kind kind,
                                  thud_pos origin, thud_volume *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     if (!w || !out) {
         return td_refuse(w, THUD_ERROR_NULL, "body volume: world or out is null");

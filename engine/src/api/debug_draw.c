@@ -98,7 +98,7 @@ static void draw_shapes(const td_drawing *d) {
 }
 
 thud_result thud_world_draw(thud_world *w, const thud_debug_draw *draw) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     if (!w || !draw) {
         return td_refuse(w, THUD_ERROR_NULL, "draw: world or draw is null");
     }

@@ -234,7 +234,7 @@ static void move(td_move *m) {
 
 thud_result thud_mover_move(thud_world *w, thud_mover *mover, thud_vec2 velocity, double dt,
                             thud_mover_report *out_report) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     if (!w || !mover) {
         return td_refuse(w, THUD_ERROR_NULL, "mover: world or mover is null");
     }

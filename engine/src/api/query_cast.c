@@ -116,7 +116,7 @@ static thud_result check_room(const thud_world *w, const thud_ray_hit *out, int 
 
 thud_result thud_world_cast_ray(thud_world *w, const thud_ray *ray, bool *out_hit,
                                 thud_ray_hit *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_path way;
     thud_result result = check_ray(w, ray, &way);
     return result != THUD_OK ? result : cast_first(w, &way, out_hit, out);
@@ -124,7 +124,7 @@ thud_result thud_world_cast_ray(thud_world *w, const thud_ray *ray, bool *out_hi
 
 thud_result thud_world_cast_ray_all(thud_world *w, const thud_ray *ray, thud_ray_hit *out,
                                     int capacity, int *out_count) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_path way;
     thud_result result = check_ray(w, ray, &way);
     result = result != THUD_OK ? result : check_room(w, out, capacity);
@@ -133,7 +133,7 @@ thud_result thud_world_cast_ray_all(thud_world *w, const thud_ray *ray, thud_ray
 
 thud_result thud_world_cast_shape(thud_world *w, const thud_shape_cast *cast, bool *out_hit,
                                   thud_ray_hit *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_path way;
     thud_result result = check_shape(w, cast, &way);
     return result != THUD_OK ? result : cast_first(w, &way, out_hit, out);
@@ -152,7 +152,7 @@ thud_result td_query_cast_sensors(thud_world *w, const thud_shape_cast *cast, th
 
 thud_result thud_world_cast_shape_all(thud_world *w, const thud_shape_cast *cast, thud_ray_hit *out,
                                       int capacity, int *out_count) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_path way;
     thud_result result = check_shape(w, cast, &way);
     result = result != THUD_OK ? result : check_room(w, out, capacity);

@@ -50,7 +50,7 @@ static void keep_nearest(const thud_world *w, td_position at, const thud_query_f
 thud_result thud_world_closest(thud_world *w, thud_pos point, double max_distance,
                                const thud_query_filter *filter, bool *out_found,
                                thud_closest_hit *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     if (!w) {
         return THUD_ERROR_NULL;
     }

@@ -43,7 +43,7 @@ static void report_overlaps(thud_world *w, td_position origin, const thud_geomet
 thud_result thud_world_overlap_shape(thud_world *w, thud_pos center, thud_geometry shape,
                                      const thud_query_filter *filter, thud_overlap_fn *fn,
                                      void *context) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     if (!w || !fn) {
         return td_refuse(w, THUD_ERROR_NULL, "overlap: world or callback is null");
     }
@@ -67,7 +67,7 @@ thud_result thud_world_overlap_shape(thud_world *w, thud_pos center, thud_geomet
 thud_result thud_world_overlap_aabb(thud_world *w, thud_pos lower, thud_pos upper,
                                     const thud_query_filter *filter, thud_overlap_fn *fn,
                                     void *context) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     thud_geometry box =
         thud_aabb_at(0.0, 0.0, 0.5 * (upper.x - lower.x), 0.5 * (upper.y - lower.y));
     thud_pos center = {lower.x + box.hx, lower.y + box.hy};

@@ -35,7 +35,7 @@ thud_result thud_world_get_events(const thud_world *w, thud_events *out) {
  * thud_world.delta. */
 thud_result thud_world_get_poses(thud_world *w, thud_pos origin, double alpha,
                                  const thud_pose **out, int *out_count) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     if (!w || !out || !out_count) {
         return td_refuse(w, THUD_ERROR_NULL, "poses: world or output is null");
     }
@@ -156,7 +156,7 @@ static void measure_penetration(const thud_world *w, thud_measure *m) {
 }
 
 thud_result thud_world_get_measure(const thud_world *w, thud_measure *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     if (!w || !out) {
         return THUD_ERROR_NULL;
     }

@@ -213,7 +213,7 @@ thud_result td_step(thud_world *w) {
 }
 
 thud_result thud_world_step(thud_world *w) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     if (!w) {
         return THUD_ERROR_NULL;
     }

@@ -203,7 +203,7 @@ static thud_result refuse(const thud_world_def *def, thud_result result, const c
 }
 
 thud_result thud_world_create(const thud_world_def *def, thud_world **out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     static const char no_memory[] = "world create: out of memory";
     static atomic_uint made;
     if (!def) {

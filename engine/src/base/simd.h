@@ -94,45 +94,47 @@ TD_INLINE void td_pause(void) {
  * return. wasm has this mode alone. On processors other than those below the caller must have it
  * set. */
 #if defined(__SSE2__)
-typedef unsigned td_mode;
-#define TD_MODE_GET(mode) __asm__ volatile("stmxcsr %0" : "+m"(mode)::"memory")
-#define TD_MODE_SET(mode) __asm__ volatile("ldmxcsr %0" ::"m"(mode) : "memory")
-#define TD_MODE_OWN 0x1f80u
-#define TD_MODE_NOTES 0x3fu /* sticky flags of exceptions that occurred: no part of the mode */
+typedef unsigned td_float_mode;
+#define TD_FLOAT_MODE_GET(mode) __asm__ volatile("stmxcsr %0" : "+m"(mode)::"memory")
+#define TD_FLOAT_MODE_SET(mode) __asm__ volatile("ldmxcsr %0" ::"m"(mode) : "memory")
+#define TD_FLOAT_MODE_OWN 0x1f80u
+#define TD_FLOAT_MODE_FLAGS \
+    0x3fu /* sticky flags of exceptions that occurred: no part of the mode */
 #elif defined(__aarch64__)
-typedef uint64_t td_mode;
-#define TD_MODE_GET(mode) __asm__ volatile("mrs %0, fpcr" : "=r"(mode)::"memory")
-#define TD_MODE_SET(mode) __asm__ volatile("msr fpcr, %0" ::"r"(mode) : "memory")
-#define TD_MODE_OWN 0u
-#define TD_MODE_NOTES 0u
+typedef uint64_t td_float_mode;
+#define TD_FLOAT_MODE_GET(mode) __asm__ volatile("mrs %0, fpcr" : "=r"(mode)::"memory")
+#define TD_FLOAT_MODE_SET(mode) __asm__ volatile("msr fpcr, %0" ::"r"(mode) : "memory")
+#define TD_FLOAT_MODE_OWN 0u
+#define TD_FLOAT_MODE_FLAGS 0u
 #endif
 
-#if defined(TD_MODE_OWN)
+#if defined(TD_FLOAT_MODE_OWN)
 /* Sets the engine's mode, and returns the one before. Writing the register waits for all operations
  * under way, so that it is written only where the mode differs. `mode` is initialised for clang's
  * memory sanitizer, which does not see that the assembly writes it. */
-static inline td_mode td_mode_take(void) {
-    td_mode mode = TD_MODE_OWN, own = TD_MODE_OWN;
-    TD_MODE_GET(mode);
-    if (__builtin_expect((mode & ~(td_mode)TD_MODE_NOTES) != TD_MODE_OWN, 0)) {
-        TD_MODE_SET(own);
+static inline td_float_mode td_float_mode_enter(void) {
+    td_float_mode mode = TD_FLOAT_MODE_OWN, own = TD_FLOAT_MODE_OWN;
+    TD_FLOAT_MODE_GET(mode);
+    if (__builtin_expect((mode & ~(td_float_mode)TD_FLOAT_MODE_FLAGS) != TD_FLOAT_MODE_OWN, 0)) {
+        TD_FLOAT_MODE_SET(own);
     }
     return mode;
 }
 
-/* Restores the mode that td_mode_take returned. */
-static inline void td_mode_give_back(const td_mode *mode) {
-    if (__builtin_expect((*mode & ~(td_mode)TD_MODE_NOTES) != TD_MODE_OWN, 0)) {
-        TD_MODE_SET(*mode);
+/* Restores the mode that td_float_mode_enter returned. */
+static inline void td_float_mode_restore(const td_float_mode *mode) {
+    if (__builtin_expect((*mode & ~(td_float_mode)TD_FLOAT_MODE_FLAGS) != TD_FLOAT_MODE_OWN, 0)) {
+        TD_FLOAT_MODE_SET(*mode);
     }
 }
 
 /* Stands as the first line of a function, which then runs in the engine's mode until it returns. */
-#define TD_IN_OWN_MODE                                                                       \
-    __attribute__((cleanup(td_mode_give_back))) const td_mode callers_mode = td_mode_take(); \
+#define TD_IN_OWN_FLOAT_MODE                                                           \
+    __attribute__((cleanup(td_float_mode_restore))) const td_float_mode callers_mode = \
+        td_float_mode_enter();                                                         \
     (void)callers_mode
 #else
-#define TD_IN_OWN_MODE (void)0
+#define TD_IN_OWN_FLOAT_MODE (void)0
 #endif
 
 /* `yes` in the lanes of the mask, `no` in the others. */

@@ -66,7 +66,7 @@ static thud_query_filter copied(const thud_query_filter *filter) {
 
 thud_result thud_world_cast_ray_each(thud_world *w, const thud_ray *ray, thud_cast_fn *fn,
                                      void *context) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     if (!w || !ray || !fn) {
         return td_refuse(w, THUD_ERROR_NULL, "cast ray: world, ray or callback is null");
     }
@@ -78,7 +78,7 @@ thud_result thud_world_cast_ray_each(thud_world *w, const thud_ray *ray, thud_ca
 
 thud_result thud_world_cast_shape_each(thud_world *w, const thud_shape_cast *cast, thud_cast_fn *fn,
                                        void *context) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     if (!w || !cast || !fn) {
         return td_refuse(w, THUD_ERROR_NULL, "cast: world, cast or callback is null");
     }

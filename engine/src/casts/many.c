@@ -104,7 +104,7 @@ static thud_result check_lists(const batch *b) {
 
 thud_result thud_world_cast_rays(thud_world *w, const thud_ray *rays, int count,
                                  thud_ray_hit *out_hits) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     if (!w) {
         return THUD_ERROR_NULL;
     }
@@ -122,7 +122,7 @@ thud_result thud_world_cast_rays(thud_world *w, const thud_ray *rays, int count,
 
 thud_result thud_world_cast_shapes(thud_world *w, const thud_shape_cast *casts, int count,
                                    thud_ray_hit *out_hits) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     if (!w) {
         return THUD_ERROR_NULL;
     }

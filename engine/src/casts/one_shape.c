@@ -46,7 +46,7 @@ static thud_result measure(thud_world *w, thud_shape_id id, thud_pos point, int 
 
 thud_result thud_shape_cast_ray(thud_world *w, thud_shape_id id, thud_pos origin, double dx,
                                 double dy, bool *out_hit, thud_ray_hit *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     if (!w) {
         return THUD_ERROR_NULL;
     }
@@ -72,7 +72,7 @@ thud_result thud_shape_cast_ray(thud_world *w, thud_shape_id id, thud_pos origin
 
 thud_result thud_shape_contains_point(thud_world *w, thud_shape_id id, thud_pos point,
                                       bool *out_inside) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     int index;
     if (!w || !out_inside) {
         return td_refuse(w, THUD_ERROR_NULL, "shape contains point: world or inside is null");
@@ -87,7 +87,7 @@ thud_result thud_shape_contains_point(thud_world *w, thud_shape_id id, thud_pos 
 
 thud_result thud_shape_closest_point(thud_world *w, thud_shape_id id, thud_pos point,
                                      thud_closest_hit *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     int index;
     if (!w || !out) {
         return td_refuse(w, THUD_ERROR_NULL, "shape's closest point: world or out is null");
@@ -115,7 +115,7 @@ static void line_bounds(const thud_terrain *line, thud_pos *lower, thud_pos *upp
 
 thud_result thud_shape_get_bounds(thud_world *w, thud_shape_id id, thud_pos *out_lower,
                                   thud_pos *out_upper) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     int index;
     if (!w || !out_lower || !out_upper) {
         return td_refuse(w, THUD_ERROR_NULL, "shape bounds: world, lower or upper is null");

@@ -41,7 +41,7 @@ thud_manifold td_manifold_of(const thud_world *w, const td_contact *contact) {
 
 thud_result thud_body_get_contacts(thud_world *w, thud_body_id id, thud_manifold *out, int capacity,
                                    int *out_count) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     int n = 0;
     thud_result result = td_find_body(w, id, &index);

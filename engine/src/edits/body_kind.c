@@ -110,7 +110,7 @@ static void set_kind(thud_world *w, td_body_index index, int kind) {
 }
 
 thud_result thud_body_set_kind(thud_world *w, thud_body_id id, thud_body_kind kind) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = td_edit_body(w, id, &index);
     if (result != THUD_OK) {

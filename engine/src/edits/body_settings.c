@@ -9,7 +9,7 @@
 #include "state/handles.h"
 
 thud_result thud_body_set_damping(thud_world *w, thud_body_id id, float linear, float angular) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = td_edit_body(w, id, &index);
     if (result != THUD_OK) {
@@ -30,7 +30,7 @@ thud_result thud_body_set_damping(thud_world *w, thud_body_id id, float linear, 
 }
 
 thud_result thud_body_set_gravity_scale(thud_world *w, thud_body_id id, float gravity_scale) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = td_edit_body(w, id, &index);
     if (result != THUD_OK) {
@@ -66,7 +66,7 @@ static void update_mass(thud_world *w, td_body_index index) {
 }
 
 thud_result thud_body_set_fixed_rotation(thud_world *w, thud_body_id id, bool fixed) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = td_edit_body(w, id, &index);
     if (result == THUD_OK) {
@@ -126,7 +126,7 @@ static const char *mass_error(const thud_world *w, const td_body *body, const th
 }
 
 thud_result thud_body_set_mass(thud_world *w, thud_body_id id, const thud_mass *mass) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = td_edit_body(w, id, &index);
     td_reason why;

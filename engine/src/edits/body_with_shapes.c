@@ -70,7 +70,7 @@ static thud_result create(thud_world *w, thud_body_id body, const thud_body_shap
 thud_result thud_body_create_with_shapes(thud_world *w, const thud_body_def *def,
                                          const thud_body_shape *shapes, int count,
                                          thud_body_id *out_body, thud_shape_id *out_shape_ids) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     if (!w || !def || (!shapes && count > 0)) {
         return td_refuse(w, THUD_ERROR_NULL,
                          "body create with shapes: world, def or shapes is null");

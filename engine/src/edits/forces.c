@@ -18,7 +18,7 @@ static thud_result find(const thud_world *w, thud_body_id id, td_body_index *ind
 }
 
 thud_result thud_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 force, thud_pos point) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = find(w, id, &index);
     if (result != THUD_OK) {
@@ -71,11 +71,11 @@ static thud_result apply_impulse(thud_world *w, thud_body_id id, double x, doubl
 }
 
 thud_result thud_body_apply_center_impulse(thud_world *w, thud_body_id id, thud_vec2 impulse) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     return apply_impulse(w, id, (double)impulse.x, (double)impulse.y, 0.0);
 }
 
 thud_result thud_body_apply_angular_impulse(thud_world *w, thud_body_id id, float impulse) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     return apply_impulse(w, id, 0.0, 0.0, (double)impulse);
 }

@@ -92,7 +92,7 @@ static thud_result make_lock(thud_world *w, td_body_index index, bool x, bool y)
 }
 
 thud_result thud_body_set_locks(thud_world *w, thud_body_id id, bool x, bool y) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = td_edit_body(w, id, &index);
     if (result != THUD_OK) {

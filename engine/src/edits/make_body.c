@@ -39,7 +39,7 @@ static thud_shape_def shape_def(const thud_body_options *options) {
 }
 
 thud_body_id thud_body_make(thud_world *w, thud_geometry at, const thud_body_options *options) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     thud_body_options usual = {0};
     thud_body_id made = {0, 0};
     options = options ? options : &usual;

@@ -25,7 +25,7 @@ static thud_result find_at(const thud_world *w, thud_body_id id, double x, doubl
 
 thud_result thud_body_get_velocity_at(const thud_world *w, thud_body_id id, thud_pos point,
                                       thud_vec2 *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = find_at(w, id, point.x, point.y, out, &index);
     if (result != THUD_OK) {
@@ -54,7 +54,7 @@ static thud_vec2 rotated(const td_pose *pose, double x, double y, double sign) {
 
 thud_result thud_body_get_world_point(const thud_world *w, thud_body_id id, thud_vec2 point,
                                       thud_pos *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = find_at(w, id, (double)point.x, (double)point.y, out, &index);
     if (result != THUD_OK) {
@@ -70,7 +70,7 @@ thud_result thud_body_get_world_point(const thud_world *w, thud_body_id id, thud
 
 thud_result thud_body_get_local_point(const thud_world *w, thud_body_id id, thud_pos point,
                                       thud_vec2 *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = find_at(w, id, point.x, point.y, out, &index);
     if (result != THUD_OK) {
@@ -85,7 +85,7 @@ thud_result thud_body_get_local_point(const thud_world *w, thud_body_id id, thud
 /* Turns a vector by the body's rotation (sign 1), or by its inverse (-1). */
 static thud_result rotate_vector(const thud_world *w, thud_body_id id, thud_vec2 vector,
                                  double sign, thud_vec2 *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = find(w, id, out, &index);
     if (result != THUD_OK) {

@@ -7,7 +7,7 @@
 #include "state/handles.h"
 
 thud_result thud_body_get_position(const thud_world *w, thud_body_id id, thud_pos *out_position) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result == THUD_OK && out_position) {
@@ -18,7 +18,7 @@ thud_result thud_body_get_position(const thud_world *w, thud_body_id id, thud_po
 
 thud_result thud_body_get_rotation(const thud_world *w, thud_body_id id, double *out_angle,
                                    float *out_cosine, float *out_sine) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
@@ -63,7 +63,8 @@ thud_result thud_body_get_user_data(const thud_world *w, thud_body_id id, uint64
     return result;
 }
 
-thud_result thud_shape_get_user_data(const thud_world *w, thud_shape_id id, uint64_t *out_user_data) {
+thud_result thud_shape_get_user_data(const thud_world *w, thud_shape_id id,
+                                     uint64_t *out_user_data) {
     int index = 0;
     thud_result result = td_find_shape(w, id, &index);
     if (result == THUD_OK && out_user_data) {

@@ -24,7 +24,7 @@ static double damped_time(const thud_world *w, float damping) {
 }
 
 thud_result thud_body_set_target(thud_world *w, thud_body_id id, thud_pos position, double angle) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {

@@ -64,7 +64,7 @@ static void add_shape_forces(const thud_world *w, const td_field_body *a, const 
 }
 
 thud_result thud_body_apply_buoyancy(thud_world *w, thud_body_id id, const thud_water *water) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_field_body a;
     thud_pos up;
     thud_result result = td_field_body_find(w, id, &a);

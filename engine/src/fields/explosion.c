@@ -231,7 +231,7 @@ static thud_result check(const thud_world *w, const thud_explosion *def) {
 }
 
 thud_result thud_world_explode(thud_world *w, const thud_explosion *def, int *out_pushed) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     if (!w || !def) {
         return td_refuse(w, THUD_ERROR_NULL, "explode: world or explosion is null");
     }

@@ -18,7 +18,7 @@ static thud_pos to_world(const td_pose *pose, double x, double y) {
 
 thud_result thud_body_apply_grip(thud_world *w, thud_body_id id, thud_vec2 point, thud_vec2 axis,
                                  float speed, float max_force) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_field_body a;
     thud_result result = td_field_body_find(w, id, &a);
     if (result != THUD_OK) {

@@ -38,7 +38,7 @@ static void add_contact(const thud_world *w, td_body_index body, int edge, rolli
 }
 
 thud_result thud_body_apply_rolling_resistance(thud_world *w, thud_body_id id, float coefficient) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_field_body a;
     thud_result result = td_field_body_find(w, id, &a);
     if (result != THUD_OK) {

@@ -75,7 +75,7 @@ static void add_box_force(const td_field_body *a, const wind *air, const thud_ge
 
 thud_result thud_body_apply_wind(thud_world *w, thud_body_id id, thud_vec2 velocity, float density,
                                  float drag, float lift) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_field_body a;
     thud_result result = td_field_body_find(w, id, &a);
     if (result != THUD_OK) {

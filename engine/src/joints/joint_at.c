@@ -51,38 +51,37 @@ static thud_joint_def def_at(const thud_world *w, thud_joint_kind kind, thud_bod
 }
 
 thud_joint_def thud_hinge_at(const thud_world *w, thud_body_id a, thud_body_id b, thud_pos point) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     return def_at(w, THUD_JOINT_HINGE, a, b, point, point, 0.0);
 }
 
 thud_joint_def thud_weld_at(const thud_world *w, thud_body_id a, thud_body_id b, thud_pos point) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     return def_at(w, THUD_JOINT_WELD, a, b, point, point, 0.0);
 }
 
 thud_joint_def thud_slider_at(const thud_world *w, thud_body_id a, thud_body_id b, thud_pos point,
                               thud_vec2 axis) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     double angle = angle_of((double)axis.x, (double)axis.y);
     return def_at(w, THUD_JOINT_SLIDER, a, b, point, point, angle);
 }
 
 thud_joint_def thud_wheel_at(const thud_world *w, thud_body_id a, thud_body_id b, thud_pos point,
                              thud_vec2 axis) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     double angle = angle_of((double)axis.x, (double)axis.y);
     return def_at(w, THUD_JOINT_WHEEL, a, b, point, point, angle);
 }
 
-thud_joint_def thud_target_at(const thud_world *w, thud_body_id a, thud_body_id b,
-                              thud_pos point) {
-    TD_IN_OWN_MODE;
+thud_joint_def thud_target_at(const thud_world *w, thud_body_id a, thud_body_id b, thud_pos point) {
+    TD_IN_OWN_FLOAT_MODE;
     return def_at(w, THUD_JOINT_TARGET, a, b, point, point, 0.0);
 }
 
 thud_joint_def thud_rod_at(const thud_world *w, thud_body_id a, thud_body_id b, thud_pos from,
                            thud_pos to) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     thud_joint_def def = def_at(w, THUD_JOINT_DISTANCE, a, b, from, to, 0.0);
     double x = to.x - from.x, y = to.y - from.y;
     def.length = (float)__builtin_sqrt(x * x + y * y);
@@ -91,7 +90,7 @@ thud_joint_def thud_rod_at(const thud_world *w, thud_body_id a, thud_body_id b, 
 
 thud_joint_def thud_rope_at(const thud_world *w, thud_body_id a, thud_body_id b, thud_pos from,
                             thud_pos to, float length) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     thud_joint_def def = def_at(w, THUD_JOINT_DISTANCE, a, b, from, to, 0.0);
     def.length = length;
     def.drive[THUD_DIRECTION_ALONG].limited = true;

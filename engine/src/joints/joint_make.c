@@ -126,7 +126,7 @@ static void set_members(const thud_world *w, td_joint *gear, const thud_joint_de
 }
 
 thud_result thud_joint_create(thud_world *w, const thud_joint_def *def, thud_joint_id *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index a, b;
     if (!w || !def) {
         return td_refuse(w, THUD_ERROR_NULL, "joint create: world or def is null");

@@ -35,7 +35,7 @@ bool thud_joint_is_valid(const thud_world *w, thud_joint_id id) {
 }
 
 thud_result thud_joint_get_state(const thud_world *w, thud_joint_id id, thud_joint_state *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     int index = 0;
     thud_result result = td_find_joint(w, id, false, &index);
     if (result != THUD_OK || !out) {

@@ -313,7 +313,7 @@ static void reset_answers(thud_world *w) {
 }
 
 thud_result thud_world_set_listeners(thud_world *w, const thud_listeners *listeners) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     const thud_listeners none = {0}, *calls = listeners ? listeners : &none;
     if (!w) {
         return THUD_ERROR_NULL;

@@ -21,7 +21,7 @@ static bool same(const thud_body_seen *a, const thud_body_seen *b) {
 
 thud_result thud_world_get_moved_bodies(const thud_world *w, thud_body_seen *seen, int slots,
                                         thud_body_id *out, int capacity, int *out_count) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     thud_result result = td_list_check(w, out, capacity, out_count);
     if (result != THUD_OK) {
         return result;

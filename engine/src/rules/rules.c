@@ -128,7 +128,7 @@ static void update_shapes_of(thud_world *w, uint32_t kinds) {
 
 thud_result thud_world_set_rule(thud_world *w, uint32_t first, uint32_t second,
                                 const thud_rule *rule) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     thud_result result = check_unlocked(w);
     if (result != THUD_OK) {
         return result;
@@ -184,7 +184,7 @@ thud_result thud_world_get_rule(const thud_world *w, uint32_t first, uint32_t se
 }
 
 thud_result thud_world_set_filter(thud_world *w, thud_filter_fn *filter, void *context) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     thud_result result = check_unlocked(w);
     if (result != THUD_OK) {
         return result;

@@ -102,7 +102,7 @@ void td_quality_take(thud_world *w, const thud_quality *quality) {
 }
 
 thud_result thud_world_set_quality(thud_world *w, const thud_quality *quality) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     if (!w || !quality) {
         return td_refuse(w, THUD_ERROR_NULL, "set quality: world or quality is null");
     }

@@ -63,7 +63,7 @@ void td_wake_all(thud_world *w) {
 }
 
 thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_id *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     if (!w || !def) {
         return td_refuse(w, THUD_ERROR_NULL, "body create: world or def is null");
     }
@@ -233,7 +233,7 @@ td_position td_body_origin(const thud_world *w, td_body_index index) {
 }
 
 thud_result thud_body_get_state(const thud_world *w, thud_body_id id, thud_body_state *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK || !out) {

@@ -153,7 +153,7 @@ static thud_result check_dynamic(const thud_world *w, td_body_index index, const
 
 thud_result thud_body_set_transform(thud_world *w, thud_body_id id, thud_pos position,
                                     double angle) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
@@ -181,7 +181,7 @@ thud_result thud_body_set_transform(thud_world *w, thud_body_id id, thud_pos pos
 
 thud_result thud_body_set_velocity(thud_world *w, thud_body_id id, thud_vec2 velocity,
                                    float angular_velocity) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
@@ -206,7 +206,7 @@ thud_result thud_body_set_velocity(thud_world *w, thud_body_id id, thud_vec2 vel
 
 thud_result thud_body_apply_impulse(thud_world *w, thud_body_id id, thud_vec2 value,
                                     thud_pos point) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index index;
     thud_result result = td_find_body(w, id, &index);
     if (result != THUD_OK) {
@@ -242,12 +242,12 @@ thud_result td_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 value,
 }
 
 thud_result thud_body_apply_center_force(thud_world *w, thud_body_id id, thud_vec2 force) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     return td_body_apply_force(w, id, force, 0.0f);
 }
 
 thud_result thud_body_apply_torque(thud_world *w, thud_body_id id, float torque) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     return td_body_apply_force(w, id, (thud_vec2){0.0f, 0.0f}, torque);
 }
 

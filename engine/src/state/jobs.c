@@ -68,7 +68,7 @@ typedef struct shared_work {
 
 /* Runs the task in the engine's mode, and restores the thread's. */
 static void run_in_own_float_mode(void *work) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     const shared_work *shared = work;
     shared->run(shared->argument);
 }

@@ -136,7 +136,7 @@ static thud_result finish_create(thud_world *w, td_body_index body_index, const 
 
 thud_result thud_shape_create_circle(thud_world *w, thud_body_id id, const thud_shape_def *def,
                                      thud_vec2 offset, float radius, thud_shape_id *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index body;
     thud_result result = begin_create(w, id, def, &body);
     if (result != THUD_OK) {
@@ -160,7 +160,7 @@ thud_result thud_shape_create_circle(thud_world *w, thud_body_id id, const thud_
 
 thud_result thud_shape_create_aabb(thud_world *w, thud_body_id id, const thud_shape_def *def,
                                    thud_vec2 offset, thud_vec2 half, thud_shape_id *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index body;
     thud_result result = begin_create(w, id, def, &body);
     if (result != THUD_OK) {
@@ -191,7 +191,7 @@ thud_result thud_shape_create_aabb(thud_world *w, thud_body_id id, const thud_sh
 thud_result thud_shape_create_obb(thud_world *w, thud_body_id id, const thud_shape_def *def,
                                   thud_vec2 offset, thud_vec2 half, double angle,
                                   thud_shape_id *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index body;
     thud_result result = begin_create(w, id, def, &body);
     if (result != THUD_OK) {
@@ -265,7 +265,7 @@ static const char *terrain_error(const thud_terrain *t) {
 
 thud_result thud_shape_create_terrain(thud_world *w, thud_body_id id, const thud_shape_def *def,
                                       const thud_terrain *terrain, thud_shape_id *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     td_body_index body;
     thud_result result = begin_create(w, id, def, &body);
     if (result != THUD_OK) {
@@ -337,7 +337,7 @@ bool thud_shape_is_valid(const thud_world *w, thud_shape_id id) {
 }
 
 thud_result thud_shape_get_state(const thud_world *w, thud_shape_id id, thud_shape_state *out) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     int index;
     thud_result result = td_find_shape(w, id, &index);
     if (result == THUD_OK && out) {

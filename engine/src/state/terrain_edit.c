@@ -213,7 +213,7 @@ static thud_result find_terrain(thud_world *w, thud_shape_id id, int *shape) {
 
 thud_result thud_shape_set_heights(thud_world *w, thud_shape_id id, int first,
                                    const double *heights, int count) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     int shape;
     thud_result result = find_terrain(w, id, &shape);
     if (result != THUD_OK) {
@@ -241,7 +241,7 @@ thud_result thud_shape_set_heights(thud_world *w, thud_shape_id id, int first,
 
 thud_result thud_shape_replace_range(thud_world *w, thud_shape_id id, double x0, double x1,
                                      const thud_pos *points, int count) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     int shape;
     thud_result result = find_terrain(w, id, &shape);
     if (result != THUD_OK) {
@@ -270,7 +270,7 @@ thud_result thud_shape_replace_range(thud_world *w, thud_shape_id id, double x0,
 /* Digs or raises with a tool that is given in the world's coordinates (terrain_reshape.h). */
 static thud_result reshape(thud_world *w, thud_shape_id id, td_tool tool, const char *range_error,
                            const char *memory_error) {
-    TD_IN_OWN_MODE;
+    TD_IN_OWN_FLOAT_MODE;
     int shape;
     thud_result result = find_terrain(w, id, &shape);
     if (result != THUD_OK) {

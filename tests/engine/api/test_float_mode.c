@@ -11,19 +11,19 @@
 #include "share.h"
 #include "base/simd.h"
 
-#if !defined(TD_MODE_OWN)
-typedef unsigned td_mode;
-#define TD_MODE_OWN 0u
-#define TD_MODE_NOTES 0u
-#define TD_MODE_GET(mode) ((void)0)
-#define TD_MODE_SET(mode) ((void)0)
+#if !defined(TD_FLOAT_MODE_OWN)
+typedef unsigned td_float_mode;
+#define TD_FLOAT_MODE_OWN 0u
+#define TD_FLOAT_MODE_FLAGS 0u
+#define TD_FLOAT_MODE_GET(mode) ((void)0)
+#define TD_FLOAT_MODE_SET(mode) ((void)0)
 #endif
 
 static const struct {
     const char *name;
-    td_mode mode;
+    td_float_mode mode;
 } MODES[] = {
-    {"the usual one", TD_MODE_OWN},
+    {"the usual one", TD_FLOAT_MODE_OWN},
 #if defined(__SSE2__)
     {"denormals flushed", 0x1f80u | 0x8040u},
     {"rounding down", 0x1f80u | 0x2000u},
@@ -31,24 +31,26 @@ static const struct {
     {"rounding to zero, denormals flushed", 0x1f80u | 0x6000u | 0x8040u},
     {"trapping everything but inexact results", 0x1000u},
 #elif defined(__aarch64__)
-    {"denormals flushed", 1u << 24}, {"rounding up", 1u << 22},
-    {"rounding down", 2u << 22},     {"rounding to zero, denormals flushed", 3u << 22 | 1u << 24},
+    {"denormals flushed", 1u << 24},
+    {"rounding up", 1u << 22},
+    {"rounding down", 2u << 22},
+    {"rounding to zero, denormals flushed", 3u << 22 | 1u << 24},
 #endif
 };
 enum { MODE_COUNT = sizeof MODES / sizeof *MODES };
 
-static void set_mode(td_mode mode) {
+static void set_mode(td_float_mode mode) {
     (void)mode;
-    TD_MODE_SET(mode);
+    TD_FLOAT_MODE_SET(mode);
 }
 
-static td_mode mode_now(void) {
-    td_mode mode = TD_MODE_OWN;
-    TD_MODE_GET(mode);
-    return mode & ~(td_mode)TD_MODE_NOTES;
+static td_float_mode mode_now(void) {
+    td_float_mode mode = TD_FLOAT_MODE_OWN;
+    TD_FLOAT_MODE_GET(mode);
+    return mode & ~(td_float_mode)TD_FLOAT_MODE_FLAGS;
 }
 
-static td_mode callers; /* the mode of the calling thread, in the current run */
+static td_float_mode callers; /* the mode of the calling thread, in the current run */
 
 /* Makes the call in the caller's mode and evaluates everything around it in the usual one, so that
  * arguments do not depend on the mode. */
@@ -56,8 +58,8 @@ static td_mode callers; /* the mode of the calling thread, in the current run */
     do {                                    \
         set_mode(callers);                  \
         thud_result result_ = (call);       \
-        td_mode after_ = mode_now();        \
-        set_mode(TD_MODE_OWN);              \
+        td_float_mode after_ = mode_now();  \
+        set_mode(TD_FLOAT_MODE_OWN);        \
         assert_int_equal(result_, THUD_OK); \
         assert_true(after_ == callers);     \
     } while (0)
@@ -119,7 +121,7 @@ static void workers_in_any_mode_give_the_same_bits(void **state) {
         callers = MODES[m].mode;
         set_mode(callers);
         pool *p = pool_create(3);
-        set_mode(TD_MODE_OWN);
+        set_mode(TD_FLOAT_MODE_OWN);
         assert_non_null(p);
         thud_world_def def = thud_default_world_def();
         def.job_system = pool_job_system(p);
@@ -221,7 +223,7 @@ static void ask(deeds *d, int step) {
     int count;
     const thud_pose *poses = thud_poses_of(d->world, (thud_pos){0.1, 0.3}, 0.3, &count);
     thud_measure measure = thud_measure_of(d->world);
-    set_mode(TD_MODE_OWN);
+    set_mode(TD_FLOAT_MODE_OWN);
     see(d, poses + 1, (size_t)(count - 1) * sizeof *poses);
     see(d, &measure, sizeof measure);
 }
@@ -273,7 +275,7 @@ static bool prologue_notes_mode(thud_world *world, const thud_contact *contact,
     (void)world;
     (void)contact;
     (void)settings;
-    *(bool *)context = mode_now() == TD_MODE_OWN;
+    *(bool *)context = mode_now() == TD_FLOAT_MODE_OWN;
     return true;
 }
 

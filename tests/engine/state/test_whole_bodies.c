@@ -7,6 +7,8 @@
 #include <thud/thud_fields.h>
 #include <thud/thud_joint.h>
 #include <thud/thud_lists.h>
+#include <thud/thud_mover.h>
+#include <thud/thud_rules.h>
 #include <thud/thud_snapshot.h>
 
 /* ---- placed shapes ---- */
@@ -277,6 +279,22 @@ static void defs_that_do_not_start_from_the_defaults_are_refused(void **state) {
     thud_world_destroy(w);
 }
 
+/* The structs without a cookie whose defaults are not zero (thud.h). */
+static void zeroed_filters_rules_and_movers_are_refused(void **state) {
+    (void)state;
+    thud_world *w = make_world(thud_default_world_def());
+    thud_query_filter filter = {0};
+    thud_rule rule = {0};
+    thud_mover mover = {0};
+    thud_ray_hit hit;
+    bool any;
+    thud_ray ray = {.dy = -1, .filter = &filter};
+    assert_int_equal(thud_world_cast_ray(w, &ray, &any, &hit), THUD_ERROR_INVALID);
+    assert_int_equal(thud_world_set_rule(w, 1, 2, &rule), THUD_ERROR_INVALID);
+    assert_int_equal(thud_mover_move(w, &mover, (thud_vec2){0, 0}, 0.1, NULL), THUD_ERROR_INVALID);
+    thud_world_destroy(w);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(placed_shapes_are_what_their_names_say),
@@ -285,6 +303,7 @@ int main(void) {
         cmocka_unit_test(one_wrong_shape_leaves_nothing_behind),
         cmocka_unit_test(bodies_without_memory_are_not_made),
         cmocka_unit_test(defs_that_do_not_start_from_the_defaults_are_refused),
+        cmocka_unit_test(zeroed_filters_rules_and_movers_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

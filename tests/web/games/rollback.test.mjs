@@ -34,7 +34,7 @@ function createPeer(options = {}) {
     inputs.forEach((held, player) => world.applyForce(bodies[player], [15 * held, 0]));
     world.step();
     hero.move([3 * inputs[0], -3], 1 / 60);
-    state.met += [...world.meetings(2, 4)].length;
+    state.met += [...world.eventPairs(2, 4)].length;
   };
   const rollback = new Rollback(world, {
     idle: [IDLE, IDLE],

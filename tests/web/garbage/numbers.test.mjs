@@ -62,12 +62,12 @@ test("reads_by_number_are_those_by_handle", () => {
   const number = numberOf(body);
   world.setVelocity(number, [3, 4], 5);
   world.setUserData(number, 7, "body");
-  assert.deepEqual(world.bodyState(number), world.bodyState(body));
+  assert.deepEqual(world.bodyStateOf(number), world.bodyStateOf(body));
   const [shape] = world.shapesOf(number);
   assert.deepEqual(world.bodyOf(numberOf(shape)), body);
   assert.deepEqual([world.userDataOf(number, "body"), world.isValid(number, "body")], [7, true]);
   const into = new Float64Array(6);
-  world.readMotion(number, into);
+  world.motionOf(number, into);
   const { velocity, angularVelocity } = world.velocityOf(body);
   const angle = world.rotationOf(body).angle;
   assert.deepEqual([...into], [...world.positionOf(body), angle, ...velocity, angularVelocity]);

@@ -29,7 +29,7 @@ function load({ world }) {
 
 /** How often each style occurs in the lines, or the points, of a drawing. */
 function stylesOf(world, options, list = "lines", stride = 5) {
-  const values = world.debugDraw({ ...VIEW, ...options })[list];
+  const values = world.draw({ ...VIEW, ...options })[list];
   const found = {};
   for (let i = stride - 1; i < values.length; i += stride) {
     const name = thud.DRAW_STYLES[values[i]];

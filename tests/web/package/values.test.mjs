@@ -113,9 +113,9 @@ test("bits_that_javascript_makes_are_taken_both_signed_and_unsigned", () => {
   const made = world.createBody();
   for (const bits of [0, 1, 0xffffffff, ~4, 1 << 31, 0x80000000]) {
     const one = world.createCircle(made, { radius: 1, category: bits, mask: bits });
-    assert.equal(world.shapeState(one).category, bits >>> 0);
+    assert.equal(world.shapeStateOf(one).category, bits >>> 0);
     world.setFilter(one, { mask: ~bits });
-    assert.equal(world.shapeState(one).mask, ~bits >>> 0);
+    assert.equal(world.shapeStateOf(one).mask, ~bits >>> 0);
   }
   world.destroy(made);
 });

@@ -65,14 +65,14 @@ test("impulses_above_a_rules_are_told_as_copies_and_as_a_view", () => {
   const { world, ground, player } = yard();
   world.setRule(PLAYER, GROUND, { eventImpulse: 2 });
   steps(world, 30);
-  assert.deepEqual(world.impulses(), []);
-  assert.equal(world.impulseView().length, 0);
+  assert.deepEqual(world.impulseEvents(), []);
+  assert.equal(world.impulseEventView().length, 0);
   world.setVelocity(player.body, [0, -8]);
   world.step();
-  const [event] = world.impulses(), view = world.impulseView();
+  const [event] = world.impulseEvents(), view = world.impulseEventView();
   assert.deepEqual([event.a, event.b], [ground.shape, player.shape]);
   assert.ok(event.impulse > 0.64 * 8 && event.impulse < 0.64 * 9);
-  assert.equal(view.length, world.impulses().length * IMPULSE_ROW.length);
+  assert.equal(view.length, world.impulseEvents().length * IMPULSE_ROW.length);
   assert.equal(view[IMPULSE_ROW.impulse], event.impulse);
   assert.equal(view[IMPULSE_ROW.shapeB], player.shape.index + 1);
   world.close();

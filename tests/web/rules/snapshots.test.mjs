@@ -41,7 +41,7 @@ function rulesOf(world) {
 function walk(world, steps) {
   return Array.from({ length: steps }, () => {
     world.step();
-    return [world.hash(), world.impulses()];
+    return [world.hash(), world.impulseEvents()];
   });
 }
 

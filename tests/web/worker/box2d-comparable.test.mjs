@@ -27,7 +27,7 @@ function beside(options, build, use) {
   });
 }
 
-const bothAt = (world, rival, body) => [world.bodyState(body).position[1], heightOf(rival, body)];
+const bothAt = (world, rival, body) => [world.bodyStateOf(body).position[1], heightOf(rival, body)];
 
 test("whatever_a_world_can_do_is_followed_or_harmless_or_told", () => {
   const world = watched.createWorld();
@@ -99,9 +99,9 @@ test("restitution_friction_and_belts_that_are_changed_while_both_run_act_in_both
     world.setFriction(ground, 0.6);
     world.setSurfaceSpeed(ground, 2);
     step(world, rival, 110);
-    const [thuds, rivals] = [world, rival].map((hands) => hands.bodyState(ball));
+    const [thuds, rivals] = [world, rival].map((hands) => hands.bodyStateOf(ball));
     assert.ok(thuds.position[1] > 1.5 && rivals.position[1] > 1.5, "both bounce");
-    for (const hands of [world, rival]) near(hands.bodyState(box).velocity[0], 2, 0.05);
+    for (const hands of [world, rival]) near(hands.bodyStateOf(box).velocity[0], 2, 0.05);
   });
 });
 
@@ -114,7 +114,7 @@ test("damping_turning_and_weight_that_are_changed_while_both_run_act_in_both", (
     world.setMass(heavy, { mass: 50, inertia: 9, center: [0.1, 0] });
     world.applyImpulse(heavy, [50, 0], [10.1, 0]);
     step(world, rival, 60);
-    const both = (body) => [world, rival].map((hands) => hands.bodyState(body));
+    const both = (body) => [world, rival].map((hands) => hands.bodyStateOf(body));
     for (const { velocity, angularVelocity } of both(damped)) {
       near(velocity[0], 4 * Math.exp(-2), 0.05);
       near(angularVelocity, 4 * Math.exp(-3), 0.05);
@@ -138,7 +138,7 @@ test("body_weighs_in_the_rival_what_it_was_set_to_before", () => {
     return boat;
   };
   withRival({}, build, (world, rival, boat) => {
-    const { mass, inertia, center } = rival.bodyState(boat);
+    const { mass, inertia, center } = rival.bodyStateOf(boat);
     near(mass, 90, 1e-3);
     near(inertia, 40, 1e-3);
     near(center[1], -0.4, 1e-6);
@@ -152,8 +152,8 @@ test("locks_that_come_and_go_while_both_run_hold_in_both", () => {
     world.setVelocity(ball, [1, 0]);
     step(world, rival, 60);
     for (const hands of [world, rival]) {
-      near(hands.bodyState(ball).position[1], 0, 0.02);
-      near(hands.bodyState(ball).position[0], 1, 0.02);
+      near(hands.bodyStateOf(ball).position[1], 0, 0.02);
+      near(hands.bodyStateOf(ball).position[0], 1, 0.02);
     }
     world.setLocks(ball, {});
     step(world, rival, 30);
@@ -169,7 +169,7 @@ test("what_a_scene_tries_and_takes_back_is_not_done_to_the_rival", () => {
       world.setRule(1, 1, { meeting: "ignore" });
       world.step();
     });
-    assert.deepEqual(rival.bodyState(ball).velocity, [0, 0]);
+    assert.deepEqual(rival.bodyStateOf(ball).velocity, [0, 0]);
     assert.deepEqual(rival.misses, []);
   });
 });

@@ -24,7 +24,7 @@ test("crate_that_a_visitor_drops_is_held_by_the_plank_below_and_rides_to_the_rig
   const { world } = session;
   session.do({ kind: "spawn", shape: "box", x: -2, y: 7.5, size: 0.4 });
   for (let i = 0; i < 150; i++) session.makeStep();
-  const { position } = world.bodyState(world.bodies().at(-1));
+  const { position } = world.bodyStateOf(world.bodies().at(-1));
   assert.ok(Math.abs(position[1] - 6.15) < 0.05, `${position}`);
   assert.ok(position[0] > 0, `${position}`);
   session.close();

@@ -79,7 +79,7 @@ export class Engine {
     );
   }
 
-  /** The version of the wasm module, such as "0.1.0"; it may differ from that of the package. */
+  /** The version of the wasm module, such as "0.2.0"; it may differ from that of the package. */
   get version(): string {
     const number = this.exports.api_version();
     return [number / 1e6, (number / 1e3) % 1e3, number % 1e3].map(Math.floor).join(".");

@@ -8,7 +8,7 @@
  */
 import { checkNames } from "./checks/names.js";
 import { Kind, kindOf } from "./plain/handles.js";
-import { flagOf, indexOf, numbersOf, userData, xOf } from "./numbers.js";
+import { flagOf, indexOf, numbersOf, userDataOf, xOf } from "./numbers.js";
 import {
   BODY_KINDS,
   type BodyRef,
@@ -139,7 +139,7 @@ export class WorldEdits extends WorldJoints {
    * @throws {ThudError} "invalid", "stale".
    */
   setUserData(id: BodyRef | ShapeRef, data: number, kind?: "body" | "shape"): void {
-    const number = userData(data) ?? 0;
+    const number = userDataOf(data) ?? 0;
     if (kindOf(id, kind) === Kind.shape) this.on(Kind.shape, "api_shape_set_user_data", id, number);
     else this.on(Kind.body, "api_body_set_user_data", id, number);
   }

@@ -86,13 +86,13 @@ export class WorldFields extends WorldForces {
 
   /**
    * Drives a point of a dynamic body to a speed (length/s) along an axis, through the next step, by
-   * a force of at most `most` (mass times length/s², 0 to 10³⁰). Point and axis are in the body's
+   * a force of at most `maxForce` (mass times length/s², 0 to 10³⁰). Point and axis are in the body's
    * frame; the axis has any length but 0. At speed 0 the force brakes, at another speed it drives.
    * @throws {ThudError} "invalid", "stale"; "locked" inside a callback.
    */
-  applyGrip(body: BodyRef, point: Vec2, axis: Vec2, speed: number, most: number): void {
+  applyGrip(body: BodyRef, point: Vec2, axis: Vec2, speed: number, maxForce: number): void {
     const [x, y, alongX, alongY] = [xOf(point, "point"), point?.[1], xOf(axis, "axis"), axis?.[1]];
-    this.on(Kind.body, "api_body_apply_grip", body, x, y, alongX, alongY, speed, most);
+    this.on(Kind.body, "api_body_apply_grip", body, x, y, alongX, alongY, speed, maxForce);
   }
 
   /**

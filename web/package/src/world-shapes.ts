@@ -153,7 +153,7 @@ export class WorldShapes extends WorldLists {
    * The options of a shape as they are now, and its body.
    * @throws {ThudError} "stale".
    */
-  shapeState(shape: ShapeRef): ShapeState {
+  shapeStateOf(shape: ShapeRef): ShapeState {
     this.on(Kind.shape, "api_shape_get", shape);
     const s = this.engine.slots;
     const kind = SHAPE_KINDS[s[ShapeStateAt.kind]];
@@ -182,7 +182,7 @@ export class WorldShapes extends WorldLists {
    * A copy of the line of a terrain as it is now.
    * @throws {ThudError} "stale"; "invalid" for another kind of shape.
    */
-  terrain(shape: ShapeRef): Terrain {
+  terrainOf(shape: ShapeRef): Terrain {
     this.on(Kind.shape, "api_shape_terrain", shape);
     const { buffer, slots: s } = this.engine;
     const kind = TERRAIN_KINDS[s[TerrainAt.kind]];

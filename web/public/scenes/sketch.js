@@ -35,7 +35,7 @@ export default function ({ createWorld, random, seed, size }) {
     },
 
     paint() {
-      const [x, y] = world.bodyState(ball).position;
+      const [x, y] = world.bodyStateOf(ball).position;
       return {
         marks: [{ kind: "circle", x, y, radius: 0.75, ink: "player" }],
         message: "Knock the boxes off the table.",

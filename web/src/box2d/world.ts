@@ -183,7 +183,7 @@ export class Box2DWorld implements Follower, Twin {
   #balance(entry: Entry): void {
     entry.weight = weigh(this.#common, entry);
     if (entry.kind !== "dynamic") return;
-    const state = this.#source.bodyState(entry.id);
+    const state = this.#source.bodyStateOf(entry.id);
     const { mass, inertia, center } = entry.weight;
     const [x, y] = inFrame(state, state.center);
     const far = Math.hypot(x - center[0], y - center[1]) / this.#common.unit;
@@ -196,7 +196,7 @@ export class Box2DWorld implements Follower, Twin {
   /** Box2D's body; null if the thud body is disabled. Creates a body that has no shapes. */
   #bodyOf(id: BodyId): b2BodyId | null {
     if (!this.isValid(id)) {
-      const state = this.#source.bodyState(id);
+      const state = this.#source.bodyStateOf(id);
       if (!state.enabled) return null;
       this.addBody(id, state);
       this.finishBody(id, state);
@@ -207,7 +207,7 @@ export class Box2DWorld implements Follower, Twin {
 
   /** Gives a kinematic body the pose (see STRAY) and the velocity that it has in thud. */
   #steer({ id }: Entry): void {
-    const { position, angle, velocity, angularVelocity } = this.#source.bodyState(id);
+    const { position, angle, velocity, angularVelocity } = this.#source.bodyStateOf(id);
     const { unit } = this.#common;
     const [x, y, cosine, sine] = this.#places.pose(id.index);
     const strayed =
@@ -311,7 +311,7 @@ export class Box2DWorld implements Follower, Twin {
     return this.#entries.get(body.index)?.id.generation === body.generation;
   }
 
-  bodyState(body: BodyId): Held {
+  bodyStateOf(body: BodyId): Held {
     return this.#held(this.#entry(body));
   }
 
@@ -388,7 +388,7 @@ export class Box2DWorld implements Follower, Twin {
   /** Gives Box2D's body the properties that the thud body has now. */
   changeBody(body: BodyId): void {
     const entry = this.#entry(body);
-    const state = this.#source.bodyState(body);
+    const state = this.#source.bodyStateOf(body);
     entry.kind = state.kind;
     entry.turns = turns(state);
     entry.gravityScale = state.gravityScale;
@@ -401,7 +401,7 @@ export class Box2DWorld implements Follower, Twin {
 
   /** Gives Box2D's shape the properties that the thud shape has now. */
   changeShape(shape: ShapeId): void {
-    const state = this.#source.shapeState(shape);
+    const state = this.#source.shapeStateOf(shape);
     const entry = this.#entries.get(state.body.index);
     const made = entry?.made.get(shape.index);
     // A shape that is not copied yet will be made from its state at that time.
@@ -409,7 +409,7 @@ export class Box2DWorld implements Follower, Twin {
     if (state.kind !== "terrain" && "shape" in made && this.#isSensor(made.shape) === state.sensor) {
       setShape(this.#common, made.shape, state);
     } else {
-      const terrain = state.kind === "terrain" ? this.#source.terrain(shape) : null;
+      const terrain = state.kind === "terrain" ? this.#source.terrainOf(shape) : null;
       this.removeShape(state.body, shape);
       this.addShape(state.body, shape, state, terrain);
     }

@@ -77,7 +77,7 @@ export class Frames {
       now: world.poses(1, x, y).slice(),
       pull:
         pull && world.isValid(pull.body)
-          ? [inWorld(world.bodyState(pull.body), pull.anchor), pull.target]
+          ? [inWorld(world.bodyStateOf(pull.body), pull.anchor), pull.target]
           : null,
       paint: session.paint,
       stats: this.#stats(),
@@ -118,7 +118,7 @@ export class Frames {
    */
   #error(): StepError {
     const { world } = this.session;
-    const error = world.error();
+    const error = world.stepError();
     if (world.stats().awakeBodies < this.#moving)
       error.penetrationMax = world.measure().penetrationMax;
     return error;
@@ -200,7 +200,7 @@ function draw(world: World, look: Look, on: ReadonlySet<OverlayName>): Drawing |
     joints: on.has("joints"),
   };
   if (!Object.values(flags).includes(true)) return undefined;
-  const { shapes, lines, points } = world.debugDraw({
+  const { shapes, lines, points } = world.draw({
     ...flags,
     origin: look.origin,
     lower: look.lower,
@@ -264,7 +264,7 @@ export function readShapes(
 
 function readTerrains(world: World): PlacedTerrain[] {
   return groundLines(world).map(({ body, shape }) => {
-    const [x, y] = world.bodyState(body).position;
-    return { x, y, terrain: world.terrain(shape) };
+    const [x, y] = world.bodyStateOf(body).position;
+    return { x, y, terrain: world.terrainOf(shape) };
   });
 }

@@ -128,7 +128,7 @@ export class Trial {
    */
   get ownReport(): number | null {
     const { world, lengthScale } = this.#session;
-    return this.#measuresBox2D ? null : Math.max(0, world.error().penetrationMax) / lengthScale;
+    return this.#measuresBox2D ? null : Math.max(0, world.stepError().penetrationMax) / lengthScale;
   }
 }
 

@@ -192,7 +192,7 @@ const WORLD_SETTERS: Readonly<Record<string, keyof WorldOptions>> = {
   setSleeping: "sleeping",
 };
 /**
- * The options that these methods set by their second and third argument. World.bodyState does not
+ * The options that these methods set by their second and third argument. World.bodyStateOf does not
  * tell them.
  */
 const BODY_SETTERS: Readonly<Record<string, [keyof BodyOptions, (keyof BodyOptions)?]>> = {
@@ -219,7 +219,7 @@ function pushesOf(
   const pushes = new Map<number, Push>();
   for (const { body, point, normal } of hits) {
     if (pushes.has(body.index) || !world.isValid(body)) continue;
-    const state = world.bodyState(body);
+    const state = world.bodyStateOf(body);
     const rise = normal[0] * up[0] + normal[1] * up[1];
     if (state.kind !== "dynamic" || rise >= Math.cos(maxSlope)) continue;
     const anchor = inFrame(state, point);

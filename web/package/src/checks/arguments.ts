@@ -54,7 +54,7 @@ export const ARGUMENTS: Readonly<Record<string, readonly [method: string, ranges
   api_shape_replace_range: ["replaceRange", { x0: ANY, x1: ANY }],
   api_ground_at: ["groundAt", { x: COORDINATE }],
   api_place_foot: ["placeFoot", { x: COORDINATE, width: POSITIVE }],
-  api_shape_meets_ray: ["castRayAt", { origin: PLACE, translation: WAY }],
+  api_shape_cast_ray: ["shapeCastRay", { origin: PLACE, translation: WAY }],
   api_shape_contains_point: ["containsPoint", { point: PLACE }],
   api_shape_closest_point: ["closestPointOf", { point: PLACE }],
   api_body_set_transform: ["setTransform", { position: PLACE, angle: ANGLE }],

@@ -9,9 +9,9 @@ import { WorldFields } from "../world-fields.js";
 import {
   type ImpulseEvent,
   type Listeners,
-  MEETINGS,
   type PairFilter,
   type Rule,
+  RULE_KINDS,
   type RuleFound,
 } from "./rule-types.js";
 
@@ -29,7 +29,7 @@ export class WorldRules extends WorldFields {
    * each), from the next step on. It replaces the rules that these kinds had; null removes them.
    * @throws {ThudError} "invalid" for a value out of range, or a one-way rule of a kind with
    * itself; "memory"; "locked" inside a callback.
-   * @example world.setRule(PLANK, PLAYER, { meeting: "oneWay" })
+   * @example world.setRule(PLANK, PLAYER, { kind: "oneWay" })
    */
   setRule(first: number, second: number, rule: Rule | null): void {
     const { exports, slots, callbacks } = this.engine;
@@ -49,7 +49,7 @@ export class WorldRules extends WorldFields {
     this.engine.check(exports.api_world_rule(this.address, first, second));
     if (!s[RuleFoundAt.isSet]) return null;
     return {
-      meeting: MEETINGS[s[RuleOptionsAt.meeting]],
+      kind: RULE_KINDS[s[RuleOptionsAt.kind]],
       solidSide: vecAt(s, RuleOptionsAt.solidSide),
       friction: given(s[RuleOptionsAt.friction]),
       restitution: given(s[RuleOptionsAt.restitution]),
@@ -71,9 +71,9 @@ export class WorldRules extends WorldFields {
   /**
    * The contacts of the last step, or of all steps of the last `advance`, whose impulse was larger
    * than their rule's `eventImpulse`. A copy.
-   * @example for (const { a } of world.impulses()) world.destroy(a)
+   * @example for (const { a } of world.impulseEvents()) world.destroy(a)
    */
-  impulses(): ImpulseEvent[] {
+  impulseEvents(): ImpulseEvent[] {
     this.onWorld("api_world_impulses");
     const { buffer, slots } = this.engine;
     return rowsOf(Float64Array, buffer, slots, ListAt.address, ImpulseEventAt.length, readImpulse);
@@ -83,7 +83,7 @@ export class WorldRules extends WorldFields {
    * The same contacts as rows (IMPULSE_ROW): a view into wasm memory, valid until the next call of
    * the engine.
    */
-  impulseView(): Float64Array {
+  impulseEventView(): Float64Array {
     this.onWorld("api_world_impulses");
     const { buffer, slots: s } = this.engine;
     const count = s[ListAt.count] * ImpulseEventAt.length;
