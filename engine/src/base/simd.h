@@ -98,8 +98,7 @@ typedef unsigned td_float_mode;
 #define TD_FLOAT_MODE_GET(mode) __asm__ volatile("stmxcsr %0" : "+m"(mode)::"memory")
 #define TD_FLOAT_MODE_SET(mode) __asm__ volatile("ldmxcsr %0" ::"m"(mode) : "memory")
 #define TD_FLOAT_MODE_OWN 0x1f80u
-#define TD_FLOAT_MODE_FLAGS \
-    0x3fu /* sticky flags of exceptions that occurred: no part of the mode */
+#define TD_FLOAT_MODE_FLAGS 0x3fu /* sticky, of exceptions that occurred: no part of the mode */
 #elif defined(__aarch64__)
 typedef uint64_t td_float_mode;
 #define TD_FLOAT_MODE_GET(mode) __asm__ volatile("mrs %0, fpcr" : "=r"(mode)::"memory")
