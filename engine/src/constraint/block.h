@@ -50,13 +50,13 @@ typedef struct td_point {
 } td_point;
 
 /* The fields of a contact point that few passes need, apart from td_point so that it stays small.
- * Blocks of locks and rods use them for bracing (joints/joint_brace.c): `approach` of point 0 is
- * the number of the lane's ring, that of point 1 says in lane 0 whether all lanes have the same
- * ring; `total` is impulse times speed, before (point 0) and after the impulse (point 1), and at
- * last, in point 0, the share of the impulse that is kept. */
+ * Blocks of locks and rods use them for bracing (joints/joint_brace.c): `normal_velocity` of point
+ * 0 is the number of the lane's ring, that of point 1 says in lane 0 whether all lanes have the
+ * same ring; `total` is impulse times speed, before (point 0) and after the impulse (point 1), and
+ * at last, in point 0, the share of the impulse that is kept. */
 typedef struct td_point_history {
-    f8 approach; /* normal velocity at the start of the step, length/s; negative: closing */
-    f8 total;    /* normal impulse of all substeps; valid where td_solve_context.keep_totals */
+    f8 normal_velocity; /* at the start of the step, length/s; negative: closing */
+    f8 total; /* normal impulse of all substeps; valid where td_solve_context.keep_totals */
 } td_point_history;
 
 /* The fields of friction and restitution that few contacts need. */
@@ -89,7 +89,7 @@ typedef struct td_applied_impulse {
 } td_applied_impulse;
 
 /* The anchors of a joint. They follow from the joint and the bodies' centres of mass alone, and are
- * looked up again where td_block.armed is set (joints/anchors.c). */
+ * looked up again where td_block.anchors_stale is set (joints/anchors.c). */
 typedef struct td_anchor_rows {
     i8 body_a, body_b;     /* td_body_index, of a static side too */
     f8 a_x, a_y, b_x, b_y; /* from the centre of mass to the anchor, in the body's frame */
@@ -169,12 +169,14 @@ typedef struct td_block {
     int32_t used;       /* lanes 0 .. used - 1 are in use */
     uint32_t touching;  /* a bit a lane: it has a point, by the last narrowphase */
     int32_t bouncy;     /* 1: a lane may have restitution */
-    int32_t armed;      /* contacts, 1: a shape may be off its body's centre of mass, turned against
-                           its body, or have internal edges; joints, 1: td_anchor_rows and settings
-                           must be looked up again */
-    int32_t shared;     /* 1: a lane has a kinematic body, which other blocks may have as well */
-    uint32_t apart;     /* a bit a lane: the motion of the step surely keeps its shapes apart
-                           (detection/gaps.h) */
+    union {
+        int32_t has_offsets;   /* contacts, 1: a shape may be off its body's centre of mass, turned
+                                  against its body, or have internal edges */
+        int32_t anchors_stale; /* joints, 1: td_anchor_rows and settings must be looked up again */
+    };
+    int32_t shared; /* 1: a lane has a kinematic body, which other blocks may have as well */
+    uint32_t apart; /* a bit a lane: the motion of the step surely keeps its shapes apart
+                       (detection/gaps.h) */
     td_lane_marks mark[TD_LANES];
     /* The rows that the solver reads begin here. */
     uint32_t a[TD_LANES], b[TD_LANES]; /* awake slot times TD_AWAKE_BYTES; 0: that side is static */
@@ -304,7 +306,7 @@ typedef struct td_collide_context {
     td_block **parted;    /* out: the blocks that have a lane without a point; has room for one
                              more than there are blocks */
     int *parted_count;    /* in and out: their number */
-    int *armed;           /* out: set to 1 where a block is armed */
+    int *has_offsets;     /* out: set to 1 where a block has offsets */
     float quantum;        /* length of a position quantum */
     float margin;         /* separation below which a pair touches (speculative margin), length */
     float skin;           /* distance at which contacts rest, length */

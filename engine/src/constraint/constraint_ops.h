@@ -70,8 +70,8 @@ typedef struct td_constraint_ops {
     void (*collide_world)(struct thud_world *world, td_block *const *blocks, int count,
                           const td_collide_context *context);
     const td_solve_ops *solve;
-    const td_solve_ops *solve_unarmed; /* passes with less arithmetic, for runs in which no block is
-                                          armed (td_block.armed) */
+    const td_solve_ops *solve_centered; /* passes with less arithmetic, for runs in which no block
+                                           has offsets (td_block.has_offsets) */
 } td_constraint_ops;
 
 #endif

@@ -251,9 +251,9 @@ static void write_lane(thud_world *w, td_block *block, int kind, int lane,
     float dx = (float)((double)(a->center.x - b->center.x) / w->to_fixed) + b->x;
     float dy = (float)((double)(a->center.y - b->center.y) / w->to_fixed) + b->y;
     float ia = block->inv_inertia_a[lane], ib = block->inv_inertia_b[lane], mass = va[3] + vb[3];
-    bool fixed = block->a[lane] == 0;
+    bool a_static = block->a[lane] == 0;
     float to_a_x = a->x - dx, to_a_y = a->y - dy; /* from b's centre of mass to that of a */
-    float ax = fixed ? 0.0f : to_a_x, ay = fixed ? 0.0f : to_a_y;
+    float ax = a_static ? 0.0f : to_a_x, ay = a_static ? 0.0f : to_a_y;
     float impulse[3] = {block->tangent_impulse[lane], block->point[0].normal_impulse[lane],
                         block->point[points - 1].normal_impulse[lane]};
     float cosine = nx * block->nx[lane] + ny * block->ny[lane];
@@ -273,13 +273,13 @@ static void write_lane(thud_world *w, td_block *block, int kind, int lane,
         td_point *p = &block->point[k];
         float x = dx + (float)c->x[k], y = dy + (float)c->y[k],
               separation = (float)c->separation[k];
-        float cross = x * ny - y * nx, cross_a = fixed ? 0.0f : (ax + x) * ny - (ay + y) * nx;
+        float cross = x * ny - y * nx, cross_a = a_static ? 0.0f : (ax + x) * ny - (ay + y) * nx;
         p->separation[lane] = p->base[lane] = separation - w->skin;
         p->cross_a[lane] = cross_a;
         p->cross_b[lane] = cross;
         p->normal_impulse[lane] = cosine > SAME_NORMAL_COSINE_MIN ? impulse[1 + k] : 0.0f;
         p->normal_mass[lane] = inverse_or_zero(mass + ib * cross * cross + ia * cross_a * cross_a);
-        td_history_of(block, points)[k].approach[lane] =
+        td_history_of(block, points)[k].normal_velocity[lane] =
             (vb[0] - va[0]) * nx + (vb[1] - va[1]) * ny + vb[2] * cross - va[2] * cross_a;
         if (kept) {
             kept->base[k][lane] = p->base[lane];
@@ -288,7 +288,7 @@ static void write_lane(thud_world *w, td_block *block, int kind, int lane,
         mid_y += y / (float)count;
     }
     float turn = -(mid_x * nx + mid_y * ny);
-    float turn_a = fixed ? 0.0f : -((ax + mid_x) * nx + (ay + mid_y) * ny);
+    float turn_a = a_static ? 0.0f : -((ax + mid_x) * nx + (ay + mid_y) * ny);
     block->tangent_cross_a[lane] = turn_a;
     block->tangent_cross_b[lane] = turn;
     block->tangent_mass[lane] = inverse_or_zero(mass + ib * turn * turn + ia * turn_a * turn_a);
@@ -388,13 +388,14 @@ static void correct_block(thud_world *w, td_block *block, int kind) {
     }
 }
 
-/* Blocks of two moving bodies only have internal edges where they are armed (contact_lanes.c). */
+/* Blocks of two moving bodies only have internal edges where they have offsets
+ * (contact_lanes.c). */
 static void amend_all(thud_world *w) {
     td_block *const *blocks = w->scratch.blocks.data;
     td_block **parted = w->scratch.parted.data;
     for (int r = 0; r < w->scratch.runs.count; r++) {
         const td_run *run = TD_AT(td_run, &w->scratch.runs, r);
-        int count = run->fixed || run->armed ? run->count : 0;
+        int count = run->a_static || run->has_offsets ? run->count : 0;
         for (int i = run->first; i < run->first + count; i++) {
             td_block *block = blocks[i];
             bool whole = block->touching == (1u << block->used) - 1u;

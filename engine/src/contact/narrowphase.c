@@ -18,7 +18,7 @@
 
 enum { TEST_BLOCKS = 32 }; /* scratch blocks: 256 waiting contacts are tested at once. Chosen. */
 
-/* The input of the kernels, without the outputs `armed` and `parted`. */
+/* The input of the kernels, without the outputs `has_offsets` and `parted`. */
 static td_collide_context context_of(const thud_world *w) {
     return (td_collide_context){
         .proxy = w->proxy.data,
@@ -30,14 +30,14 @@ static td_collide_context context_of(const thud_world *w) {
     };
 }
 
-/* Runs a kind's kernel on blocks. Returns whether one of them is armed (td_block.armed). `parted`
- * gets the blocks of which a lane does not touch; it needs room for one more than the blocks, since
- * the kernel writes before it knows. */
+/* Runs a kind's kernel on blocks. Returns whether one of them has offsets
+ * (td_block.has_offsets). `parted` gets the blocks of which a lane does not touch; it needs room
+ * for one more than the blocks, since the kernel writes before it knows. */
 static int collide(thud_world *w, int kind, td_block *const *blocks, int count, td_block **parted,
                    int *parted_count) {
     td_collide_context context = context_of(w);
-    int armed = 0;
-    context.armed = &armed;
+    int has_offsets = 0;
+    context.has_offsets = &has_offsets;
     context.parted = parted;
     context.parted_count = parted_count;
     if (w->kinds[kind]->collide) {
@@ -45,7 +45,7 @@ static int collide(thud_world *w, int kind, td_block *const *blocks, int count, 
     } else {
         w->kinds[kind]->collide_world(w, blocks, count, &context);
     }
-    return armed;
+    return has_offsets;
 }
 
 /* ---- waiting pairs ---- */
@@ -65,7 +65,7 @@ static void test_contacts(thud_world *w, int kind, const int *contacts, int coun
     for (int i = 0; i < blocks; i++) {
         td_block *block = list[i] = td_at(&w->scratch.test_blocks, i);
         memset(block, 0, td_form_bytes(TD_FORM_TWO_CACHED));
-        block->armed = 1;
+        block->has_offsets = 1;
         block->used = td_min_int(count - i * TD_LANES, TD_LANES);
         for (int lane = 0; lane < block->used; lane++) {
             int index = contacts[i * TD_LANES + lane];
@@ -244,8 +244,8 @@ static void collide_chunk(void *work, int index) {
     const td_run *run = TD_AT(td_run, &w->scratch.runs, chunk->run);
     td_block **parted = (td_block **)w->scratch.parted.data + chunk->first + index;
     chunk->parted = 0;
-    chunk->armed = collide(w, run->kind, (td_block **)w->scratch.blocks.data + chunk->first,
-                           chunk->count, parted, &chunk->parted);
+    chunk->has_offsets = collide(w, run->kind, (td_block **)w->scratch.blocks.data + chunk->first,
+                                 chunk->count, parted, &chunk->parted);
 }
 
 /* A worker: takes chunks until none is left. */
@@ -260,13 +260,13 @@ static void collide_lanes(thud_world *w) {
     colliding c = {w, td_job_begin(w)};
     td_job_run(w, &c.task, collide_as_worker, &c);
     for (int i = 0; i < w->scratch.runs.count; i++) {
-        TD_AT(td_run, &w->scratch.runs, i)->armed = 0;
+        TD_AT(td_run, &w->scratch.runs, i)->has_offsets = 0;
     }
     td_block **parted = w->scratch.parted.data;
     w->scratch.parted.count = 0;
     for (int i = 0; i < w->scratch.chunks.count; i++) {
         const td_chunk *chunk = TD_AT(td_chunk, &w->scratch.chunks, i);
-        TD_AT(td_run, &w->scratch.runs, chunk->run)->armed |= chunk->armed;
+        TD_AT(td_run, &w->scratch.runs, chunk->run)->has_offsets |= chunk->has_offsets;
         for (int k = 0; k < chunk->parted; k++) {
             parted[w->scratch.parted.count++] = parted[chunk->first + i + k];
         }

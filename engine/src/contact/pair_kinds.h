@@ -12,9 +12,9 @@
 #include "thud/thud_geometry.h"
 
 /* ROW(pair kind, name of its table, form of its blocks, sift, collide, collide_world, solver,
- * solver for runs without an armed block), as in td_constraint_ops. The name of a pair gives the
- * kinds of a and b in this order. Side b is never static; blocks in which a is static are marked as
- * such. */
+ * solver for runs without a block that has offsets), as in td_constraint_ops. The name of a pair
+ * gives the kinds of a and b in this order. Side b is never static; blocks in which a is static are
+ * marked as such. */
 
 /* wide_circle.c */
 #define TD_CIRCLE_PAIRS(ROW)                                                                    \
@@ -78,11 +78,11 @@ enum {
 
 /* Defines the table of functions of a row; used in a wide file below the functions that the row
  * names. */
-#define TD_DEFINE_PAIR(kind, ops, form, sift, collide, collide_world, solve, solve_unarmed) \
-    extern const td_solve_ops TD_WIDE(solve), TD_WIDE(solve_unarmed);                       \
-    extern const td_constraint_ops TD_WIDE(ops);                                            \
-    const td_constraint_ops TD_WIDE(ops) = {                                                \
-        form, NULL, sift, collide, collide_world, &TD_WIDE(solve), &TD_WIDE(solve_unarmed)};
+#define TD_DEFINE_PAIR(kind, ops, form, sift, collide, collide_world, solve, solve_centered) \
+    extern const td_solve_ops TD_WIDE(solve), TD_WIDE(solve_centered);                       \
+    extern const td_constraint_ops TD_WIDE(ops);                                             \
+    const td_constraint_ops TD_WIDE(ops) = {                                                 \
+        form, NULL, sift, collide, collide_world, &TD_WIDE(solve), &TD_WIDE(solve_centered)};
 
 /* Values in the table of td_pairing_of beside pair kinds. */
 enum {

@@ -56,9 +56,10 @@ TD_INLINE d4 td_between(const td_shape_proxy *a0, const td_shape_proxy *b0,
     return (d4)bits - TD_ROUND_SHIFT;
 }
 
-/* Reads eight pairs. Offsets from the centres of mass are read where `armed`, and are 0 otherwise.
+/* Reads eight pairs. Offsets from the centres of mass are read where `has_offsets`, and are 0
+ * otherwise.
  */
-TD_INLINE td_pairs8 td_read_shapes(const int32_t *shape_a, const int32_t *shape_b, int armed,
+TD_INLINE td_pairs8 td_read_shapes(const int32_t *shape_a, const int32_t *shape_b, int has_offsets,
                                    const td_collide_context *c) {
     td_pairs8 p;
     f4 between[4];
@@ -79,7 +80,7 @@ TD_INLINE td_pairs8 td_read_shapes(const int32_t *shape_a, const int32_t *shape_
     proxy = td_gather_proxies(c, shape_b, offsetof(td_shape_proxy, c));
     p.bc = proxy.x, p.bs = proxy.y, p.bhx = proxy.z, p.bhy = proxy.w;
     p.ax = p.ay = p.bx = p.by = f8_all(0.0f);
-    if (armed) {
+    if (has_offsets) {
         proxy = td_gather_proxies(c, shape_a, offsetof(td_shape_proxy, x));
         p.ax = proxy.x, p.ay = proxy.y;
         proxy = td_gather_proxies(c, shape_b, offsetof(td_shape_proxy, x));
@@ -90,7 +91,7 @@ TD_INLINE td_pairs8 td_read_shapes(const int32_t *shape_a, const int32_t *shape_
 
 /* The same for the pairs of a block. */
 TD_INLINE td_pairs8 td_read_pairs(const td_block *block, const td_collide_context *c) {
-    return td_read_shapes(block->shape_a, block->shape_b, block->armed, c);
+    return td_read_shapes(block->shape_a, block->shape_b, block->has_offsets, c);
 }
 
 /* The fat bounds of eight shapes: min x, min y, max x, max y. */
@@ -120,7 +121,7 @@ TD_INLINE i8 td_used_mask(const td_block *block) {
 TD_INLINE void td_set_touching(td_block *block, unsigned touching, const td_collide_context *c) {
     block->touching = touching;
     c->parted[*c->parted_count] = block;
-    *c->armed |= block->armed;
+    *c->has_offsets |= block->has_offsets;
     *c->parted_count += touching != (1u << block->used) - 1u;
 }
 
@@ -178,7 +179,7 @@ TD_INLINE void td_write_points(td_block *block, const td_found *found, int point
     td_set_row(&block->tangent_mass, fresh,
                td_inverse_or_zero(middle.valid, mass + side_a * turn_a + side_b * turn_b));
     td_set_row(&block->tangent_impulse, fresh, f8_keep(middle.valid, block->tangent_impulse));
-    f8 approach = (vb.x - va.x) * nx + (vb.y - va.y) * ny;
+    f8 normal_velocity = (vb.x - va.x) * nx + (vb.y - va.y) * ny;
     for (int k = 0; k < points; k++) {
         td_point *point = &block->point[k];
         const td_found *f = &found[k];
@@ -193,8 +194,8 @@ TD_INLINE void td_write_points(td_block *block, const td_found *found, int point
         td_set_row(&point->normal_mass, fresh,
                    td_inverse_or_zero(f->valid, mass + lever_a * cross_a + lever_b * cross_b));
         td_set_row(&point->normal_impulse, fresh, f8_keep(f->valid, point->normal_impulse));
-        td_set_row(&td_history_of(block, points)[k].approach, fresh,
-                   f8_keep(f->valid, approach + vb.z * cross_b - va.z * cross_a));
+        td_set_row(&td_history_of(block, points)[k].normal_velocity, fresh,
+                   f8_keep(f->valid, normal_velocity + vb.z * cross_b - va.z * cross_a));
     }
 }
 

@@ -79,7 +79,7 @@ static bool project_once(thud_world *w, const td_project_context *context) {
         if (run) {
             unfinished |= TD_PICK_WIDE(w, td_project_points)(
                 blocks_of(w, run), (td_pushes *)w->scratch.impacts.data + run->first, run->count,
-                td_form_points(w->kinds[run->kind]->form), run->fixed, context);
+                td_form_points(w->kinds[run->kind]->form), run->a_static, context);
         }
     }
     return unfinished;
@@ -128,7 +128,7 @@ void td_gaps_find_open(thud_world *w) {
             bool round = run->kind == TD_PAIR_CIRCLE_CIRCLE || run->kind == TD_PAIR_AABB_AABB;
             TD_PICK_WIDE(w, td_find_open_points)
             (blocks_of(w, run), run->count, td_form_points(w->kinds[run->kind]->form),
-             !round || run->armed, &context);
+             !round || run->has_offsets, &context);
         }
     }
 }

@@ -1,17 +1,17 @@
 /* anchors.c: what the lanes of a joint copy from its td_joint. The copies stay until the joint or
- * the centre of mass of a body changes, which sets td_block.armed: then td_joint_update_anchors
- * copies all lanes of the block anew. */
+ * the centre of mass of a body changes, which sets td_block.anchors_stale: then
+ * td_joint_update_anchors copies all lanes of the block anew. */
 #include "joints/joint.h"
 
 void td_joint_fill_lane(thud_world *w, td_block *block, int lane, int index) {
     (void)w, (void)index;
     block->shape_a[lane] = block->shape_b[lane] = TD_NONE;
-    block->armed = 1;
+    block->anchors_stale = 1;
 }
 
 void td_joint_renew_lane(thud_world *w, td_block *block, int lane, int index) {
     (void)w, (void)lane, (void)index;
-    block->armed = 1;
+    block->anchors_stale = 1;
 }
 
 void td_joint_clear_lane(thud_world *w, td_block *block, int lane, int index) {
@@ -95,5 +95,5 @@ void td_joint_update_anchors(const thud_world *w, td_block *block) {
          : constraint->kind == TD_CONSTRAINT_ROD ? set_rod
                                                  : set_drive)(w, block, lane, joint);
     }
-    block->armed = 0;
+    block->anchors_stale = 0;
 }

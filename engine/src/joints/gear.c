@@ -208,7 +208,7 @@ static void prepare(thud_world *w, td_block *const *blocks, int count,
             prepare_lane(w, blocks[i], lane);
         }
         blocks[i]->touching = (1u << blocks[i]->used) - 1u;
-        blocks[i]->armed = 0;
+        blocks[i]->anchors_stale = 0;
     }
 }
 

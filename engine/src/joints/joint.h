@@ -198,8 +198,8 @@ void td_joint_fill_lane(thud_world *w, td_block *block, int lane, int index);
 void td_joint_renew_lane(thud_world *w, td_block *block, int lane, int index);
 void td_joint_clear_lane(thud_world *w, td_block *block, int lane, int index);
 
-/* anchors.c: copies from the joints what a block's lanes keep of them, and clears td_block.armed.
- */
+/* anchors.c: copies from the joints what a block's lanes keep of them, and clears
+ * td_block.anchors_stale. */
 void td_joint_update_anchors(const thud_world *w, td_block *block);
 
 /* wide_place.c: td_constraint_ops.collide_world of rods, locks and drives: their rows from the
@@ -232,7 +232,7 @@ static inline float td_joint_abs(float x) {
 #define TD_JOINT_OPS(block_form, prepare, solve_ops)                                              \
     {                                                                                             \
         .form = (block_form), .lanes = &lanes, .collide_world = (prepare), .solve = &(solve_ops), \
-        .solve_unarmed = &(solve_ops)                                                             \
+        .solve_centered = &(solve_ops)                                                            \
     }
 
 /* Defines, below those, the operations ops_base and ops_avx2 of a kind, for TD_PICK_WIDE; `solve`

@@ -556,7 +556,7 @@ static bool mark_bodies(thud_world *w) {
     bool any = false;
     for (int i = 0; i < w->scratch.runs.count; i++) {
         const td_run *run = TD_AT(td_run, &w->scratch.runs, i);
-        bool contacts = run->kind < TD_PAIR_COUNT && run->kind != TD_PAIR_SENSOR && run->fixed;
+        bool contacts = run->kind < TD_PAIR_COUNT && run->kind != TD_PAIR_SENSOR && run->a_static;
         for (int k = 0; k < run->count * TD_LANES && (contacts || is_drive(run->kind)); k++) {
             td_block *block = *TD_AT(td_block *, &w->scratch.blocks, run->first + k / TD_LANES);
             td_lane at = {block, k % TD_LANES};

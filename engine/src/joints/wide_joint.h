@@ -81,15 +81,15 @@ TD_INLINE void rotate_arms(f8 angle, f8 *u, f8 *v) {
 
 /* The frames now, from those at the start of the step (block->nx, ny and the crosses of its points;
  * gap_u, gap_v) and the motions d since. Where `turns` is 1, the frame turns with a, whose arm then
- * ends at b's anchor; where 0, u and v stay. `fixed`: side a is static. */
-TD_INLINE frame8 frame_now(const td_block *block, const sides *d, bool fixed, f8 gap_u, f8 gap_v,
+ * ends at b's anchor; where 0, u and v stay. `a_static`: side a is static. */
+TD_INLINE frame8 frame_now(const td_block *block, const sides *d, bool a_static, f8 gap_u, f8 gap_v,
                            f8 turns) {
     const td_point *p = &block->point[0], *q = &block->point[1];
     frame8 f = {block->nx, block->ny, p->cross_a, q->cross_a, p->cross_b, q->cross_b, gap_u, gap_v};
     rotate_arms(d->b.z, &f.b_u, &f.b_v);
-    f.gap_u += centres_along(d, fixed, f.x, f.y) + (f.b_v - q->cross_b);
-    f.gap_v += centres_along(d, fixed, -f.y, f.x) - (f.b_u - p->cross_b);
-    if (fixed) {
+    f.gap_u += centres_along(d, a_static, f.x, f.y) + (f.b_v - q->cross_b);
+    f.gap_v += centres_along(d, a_static, -f.y, f.x) - (f.b_u - p->cross_b);
+    if (a_static) {
         return f;
     }
     rotate_arms(d->a.z, &f.a_u, &f.a_v);
@@ -115,10 +115,10 @@ TD_INLINE frame8 frame_now(const td_block *block, const sides *d, bool fixed, f8
 
 /* The same with u along the gap. *length: that of the gap. gap_u, gap_v and the crosses with v are
  * not set. */
-TD_INLINE frame8 line_now(const td_block *block, const sides *d, bool fixed, f8 gap_u, f8 gap_v,
+TD_INLINE frame8 line_now(const td_block *block, const sides *d, bool a_static, f8 gap_u, f8 gap_v,
                           f8 *length) {
     f8 zero = f8_all(0.0f), one = f8_all(1.0f);
-    frame8 f = frame_now(block, d, fixed, gap_u, gap_v, zero);
+    frame8 f = frame_now(block, d, a_static, gap_u, gap_v, zero);
     *length = f8_sqrt(f.gap_u * f.gap_u + f.gap_v * f.gap_v);
     /* Where the anchors coincide, u stays as it is: any direction will do. */
     i8 apart = *length > zero;
@@ -133,27 +133,27 @@ TD_INLINE frame8 line_now(const td_block *block, const sides *d, bool fixed, f8 
 }
 
 /* Speed of b's anchor relative to a's along (x, y). */
-TD_INLINE f8 speed_now(const sides *v, bool fixed, f8 x, f8 y, f8 cross_a, f8 cross_b) {
-    return at_arms(centres_along(v, fixed, x, y), v, fixed, cross_a, cross_b);
+TD_INLINE f8 speed_now(const sides *v, bool a_static, f8 x, f8 y, f8 cross_a, f8 cross_b) {
+    return at_arms(centres_along(v, a_static, x, y), v, a_static, cross_a, cross_b);
 }
 
 /* An entry of K = J M^-1 J': the speed along one direction that a unit of impulse along another one
  * brings. `linear`: the scalar product of both directions. */
-TD_INLINE f8 inverse_mass_entry(const td_block *block, const sides *v, bool fixed, f8 linear,
+TD_INLINE f8 inverse_mass_entry(const td_block *block, const sides *v, bool a_static, f8 linear,
                                 f8 from_a, f8 from_b, f8 to_a, f8 to_b) {
-    f8 mass = fixed ? v->b.w : v->a.w + v->b.w;
-    return mass * linear + coupling(block, fixed, from_a, from_b, to_a, to_b);
+    f8 mass = a_static ? v->b.w : v->a.w + v->b.w;
+    return mass * linear + coupling(block, a_static, from_a, from_b, to_a, to_b);
 }
 
 /* Applies an impulse (x, y) and its moments to the velocities of both sides, and adds it to what
  * the joint applied in this substep. */
-TD_INLINE void apply_impulse(const td_block *block, bool fixed, sides *v,
+TD_INLINE void apply_impulse(const td_block *block, bool a_static, sides *v,
                              td_applied_impulse *applied, f8 x, f8 y, f8 moment_a, f8 moment_b) {
     applied->x += x;
     applied->y += y;
     applied->moment_a += moment_a;
     applied->moment_b += moment_b;
-    if (!fixed) {
+    if (!a_static) {
         v->a.x -= v->a.w * x;
         v->a.y -= v->a.w * y;
         v->a.z -= block->inv_inertia_a * moment_a;
@@ -165,16 +165,16 @@ TD_INLINE void apply_impulse(const td_block *block, bool fixed, sides *v,
 
 /* Applies the difference to what the joint applied in this substep, so that this impulse takes its
  * place. */
-TD_INLINE void replace_impulse(const td_block *block, bool fixed, sides *v,
+TD_INLINE void replace_impulse(const td_block *block, bool a_static, sides *v,
                                td_applied_impulse *applied, f8 x, f8 y, f8 moment_a, f8 moment_b) {
-    apply_impulse(block, fixed, v, applied, x - applied->x, y - applied->y,
+    apply_impulse(block, a_static, v, applied, x - applied->x, y - applied->y,
                   moment_a - applied->moment_a, moment_b - applied->moment_b);
 }
 
 /* Writes the velocities of both sides back. */
-TD_INLINE void write_sides(const td_solve_context *c, const td_block *block, bool fixed,
+TD_INLINE void write_sides(const td_solve_context *c, const td_block *block, bool a_static,
                            const sides *v) {
-    if (!fixed) {
+    if (!a_static) {
         td_scatter(c->velocity, block->a, v->a);
     }
     td_scatter(c->velocity, block->b, v->b);
@@ -188,7 +188,7 @@ TD_INLINE void clear_applied(td_applied_impulse *applied) {
 /* wide_rod.c: a stage of bracing (joint_brace.c) on what the lanes of a rod's or lock's block
  * applied, by c->brace: measures p.u or p.u' into td_point_history.total, takes the impulses back,
  * or applies the share to keep. */
-typedef void td_brace_fn(td_block *block, const td_solve_context *c, bool fixed);
+typedef void td_brace_fn(td_block *block, const td_solve_context *c, bool a_static);
 td_brace_fn TD_WIDE(td_brace_applied);
 
 /* Sets c->torn where a gap (lengths) or an angle (rad) at the start of the step is wider than

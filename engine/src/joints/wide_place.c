@@ -215,7 +215,7 @@ void TD_WIDE(td_place_joints)(thud_world *w, td_block *const *blocks, int count,
     (void)context;
     int kind = td_constraint_at(w, blocks[0]->constraint[0])->kind;
     for (int i = 0; i < count; i++) {
-        if (blocks[i]->armed) {
+        if (blocks[i]->anchors_stale) {
             td_joint_update_anchors(w, blocks[i]);
         }
         if (kind == TD_CONSTRAINT_LOCK) {

@@ -181,13 +181,13 @@ static void solve_chunk(void *work, int index) {
     const td_chunk *chunk = TD_AT(td_chunk, &w->scratch.chunks, s->first_chunk + index);
     const td_run *run = TD_AT(td_run, &w->scratch.runs, chunk->run);
     const td_constraint_ops *pair = w->kinds[run->kind];
-    const td_solve_ops *ops = run->armed ? pair->solve : pair->solve_unarmed;
+    const td_solve_ops *ops = run->has_offsets ? pair->solve : pair->solve_centered;
     td_block *const *blocks = (td_block **)w->scratch.blocks.data + chunk->first;
     td_solve_fn *const *fns = s->which == WARM_START ? ops->warm_start
                               : s->which == BRACE    ? ops->brace
                               : s->which == SOLVE    ? ops->solve
                                                      : ops->relax;
-    td_solve_fn *solve = s->which == BOUNCE ? ops->bounce : fns[run->fixed];
+    td_solve_fn *solve = s->which == BOUNCE ? ops->bounce : fns[run->a_static];
     if (!solve) {
         return;
     }

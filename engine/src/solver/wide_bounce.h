@@ -83,8 +83,8 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
     bool last = c->bounce == TD_BOUNCE_LAST, any = false;
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
-        bool fixed = block->a[0] == 0;
-        if (!block->bouncy || (fixed && last)) {
+        bool a_static = block->a[0] == 0;
+        if (!block->bouncy || (a_static && last)) {
             continue;
         }
         td_surface *surface = td_surface_at(block, points);
@@ -96,7 +96,8 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
                 history[k].total = zero;
             }
         }
-        sides v = read_sides(c->velocity, block, fixed), g = read_sides(c->push, block, fixed);
+        sides v = read_sides(c->velocity, block, a_static),
+              g = read_sides(c->push, block, a_static);
         f8 closing = centres_along(&v, false, block->nx, block->ny);
         f8 falling = centres_along(&g, false, block->nx, block->ny);
         f8 e = block->restitution, speed[2], target[2], lacks[2];
@@ -108,7 +109,7 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
             const td_point *p = &block->point[k];
             speed[k] = at_point(closing, &v, false, ARMS_ALL, p);
             if (last) {
-                target[k] = -e * history[k].approach;
+                target[k] = -e * history[k].normal_velocity;
                 hit[k] = bounced & (speed[k] < target[k]);
             } else {
                 /* A substep adds gravity to velocities before it moves bodies, so that velocities
@@ -151,7 +152,7 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
             change.tangent = impact_friction(c, block, points, &v, change.normal);
             surface->total += change.tangent;
         }
-        apply_impulses(c, block, points, ARMS_ALL, fixed, true, v, change);
+        apply_impulses(c, block, points, ARMS_ALL, a_static, true, v, change);
     }
     if (any) {
         atomic_store_explicit(c->bounced, true, memory_order_relaxed);

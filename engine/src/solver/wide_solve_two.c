@@ -3,16 +3,16 @@
 #include "solver/wide_bounce.h"
 
 TD_PASS(warm_start_moving, warm_start_blocks, 2, ARMS_ALL, false)
-TD_PASS(warm_start_fixed, warm_start_blocks, 2, ARMS_ALL, true)
+TD_PASS(warm_start_static, warm_start_blocks, 2, ARMS_ALL, true)
 TD_PASS(solve_moving, solve_blocks, 2, ARMS_ALL, false)
-TD_PASS(solve_fixed, solve_blocks, 2, ARMS_ALL, true)
+TD_PASS(solve_static, solve_blocks, 2, ARMS_ALL, true)
 TD_PASS(relax_moving, relax_blocks, 2, ARMS_ALL, false)
-TD_PASS(relax_fixed, relax_blocks, 2, ARMS_ALL, true)
+TD_PASS(relax_static, relax_blocks, 2, ARMS_ALL, true)
 TD_PASS(bounce, bounce_blocks, 2)
 
 extern const td_solve_ops TD_WIDE(td_solve_two);
-const td_solve_ops TD_WIDE(td_solve_two) = {{warm_start_moving, warm_start_fixed},
-                                            {solve_moving, solve_fixed},
-                                            {relax_moving, relax_fixed},
+const td_solve_ops TD_WIDE(td_solve_two) = {{warm_start_moving, warm_start_static},
+                                            {solve_moving, solve_static},
+                                            {relax_moving, relax_static},
                                             bounce,
                                             {NULL, NULL}};

@@ -49,7 +49,7 @@ typedef struct td_body {
     float mass, inertia, inv_mass, inv_inertia;
     float center_x, center_y;     /* centre of mass, in the body's frame */
     float min_extent, max_extent; /* half thickness of the thinnest shape; greatest distance of a
-                        shape's point from the centre of mass */
+                                     shape's point from the centre of mass */
     float gravity_scale, linear_damping, angular_damping;
     uint32_t rest_epoch;  /* thud_world.rest_epoch when the body fell asleep */
     uint8_t direct_steps; /* while the body has no awake slot: see awake_arrays.h */
@@ -209,8 +209,8 @@ typedef struct td_bin {
 } td_bin;
 
 typedef struct td_colours {
-    uint64_t moving,
-        fixed; /* colours that this body's constraints with moving and static bodies have */
+    /* Colours that this body's constraints with moving and with static bodies have, a bit each. */
+    uint64_t with_moving, with_static;
 } td_colours;
 
 /* Events in the order in which they happened: thud_events. It consists of arrays and nothing else.
