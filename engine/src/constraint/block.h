@@ -103,12 +103,13 @@ typedef struct td_anchor_rows {
  * and `turn_apart` are the gaps that the solver closes. */
 typedef struct td_lock_rows {
     td_applied_impulse applied;
-    f8 frame;      /* 1: the frame turns with body a; 0: it is constant in the step */
-    f8 turn_base;  /* gap of `turn` at the start of the step, rad; of a rod its length */
-    f8 turn_sign;  /* 1, or -1 where td_joint.swapped: the sides are the caller's b and a */
-    f8 turn_apart; /* gap of `turn` at present, rad */
-    f8 haste;      /* gaps close at no more than so many times TD_JOINT_CLOSING in this step */
-    i8 locked;     /* td_joint.locked: bits of the locked directions */
+    f8 frame;          /* 1: the frame turns with body a; 0: it is constant in the step */
+    f8 turn_base;      /* gap of `turn` at the start of the step, rad; of a rod its length */
+    f8 turn_sign;      /* 1, or -1 where td_joint.swapped: the sides are the caller's b and a */
+    f8 turn_apart;     /* gap of `turn` at present, rad */
+    f8 closing_factor; /* gaps close at no more than so many times TD_JOINT_CLOSING_SPEED in this
+                          step */
+    i8 locked;         /* td_joint.locked: bits of the locked directions */
     td_anchor_rows anchor;
 } td_lock_rows;
 
@@ -335,18 +336,18 @@ enum { TD_BRACE_STAGES = TD_BRACE_KEEP + 1, TD_BRACE_TASKS = 2 };
 /* Greatest speed at which the gap of a joint closes, length scales/s, or rad/s of a rotation: in
  * the direct solver, and in the soft solver in rings that are braced. Chosen, the same as the
  * default of push_speed for contacts. */
-#define TD_JOINT_CLOSING 3.0f
-/* In the soft solver otherwise, gaps close at up to so many times TD_JOINT_CLOSING. The impulse of
- * a soft joint grows with its gap, so that this bound also bounds the load that it bears. Chosen.
- */
-#define TD_JOINT_HASTE 30.0f
+#define TD_JOINT_CLOSING_SPEED 3.0f
+/* In the soft solver otherwise, gaps close at up to so many times TD_JOINT_CLOSING_SPEED. The
+ * impulse of a soft joint grows with its gap, so that this bound also bounds the load that it
+ * bears. Chosen. */
+#define TD_JOINT_CLOSING_FACTOR 30.0f
 
 /* Softness of a joint in the soft solver, h omega in the equations of solve.c: the phase of its
  * spring in a substep, rad, with a damping ratio of 1. Bodies that swing lose less energy with
  * stiffer joints. Measured: from some 2.2 on, hanging chains and lattices never come to rest. */
-#define TD_JOINT_ANGLE 2.0f
+#define TD_JOINT_PHASE 2.0f
 /* The share of a gap that closes in a substep: h bias_rate = h omega / (2 + h omega), one half. */
-#define TD_JOINT_PULL (TD_JOINT_ANGLE / (2.0f + TD_JOINT_ANGLE))
+#define TD_JOINT_GAP_SHARE (TD_JOINT_PHASE / (2.0f + TD_JOINT_PHASE))
 
 /* Greatest phase q = h omega of a joint's spring in a substep, rad: a faster spring acts as one
  * with this phase. Derived: with damping ratio d and a = q (q + 2 d), a soft row has mass_scale =
@@ -367,7 +368,7 @@ typedef struct td_solve_context {
     float substeps;         /* number of substeps of the step */
     float time_step;        /* s */
     float push_speed;       /* greatest speed at which overlap is corrected, length/s */
-    float joint_closing;    /* TD_JOINT_CLOSING, length/s */
+    float joint_closing_speed; /* TD_JOINT_CLOSING_SPEED, length/s */
     float bounce_speed;  /* <= 0, length/s: a pair bounces if its normal velocity is below this */
     float elastic_speed; /* the same for pairs with a restitution of 1 or more */
     float fall; /* gravity times time_step^2, length: a pair bounces in this step only if its
@@ -390,7 +391,7 @@ typedef struct td_solve_context {
     atomic_bool *adds;      /* flag of the present bracing: impulses of torn joints may have added
                                energy. Those of the next bracings follow it */
     atomic_bool *torn;      /* set by the warm start where the gap of a joint is so large that the
-                               bias of one substep exceeds TD_JOINT_CLOSING */
+                               bias of one substep exceeds TD_JOINT_CLOSING_SPEED */
     struct td_tally *tally; /* error statistics of this worker */
 } td_solve_context;
 

@@ -42,9 +42,9 @@ typedef struct td_joint_hooks {
      * `relaxed`, all up to the end of the relax pass. */
     bool (*adds_energy)(thud_world *w, bool relaxed);
     /* Computes the share of its impulses that each group keeps. */
-    void (*weigh)(thud_world *w, bool relaxed);
+    void (*set_shares)(thud_world *w, bool relaxed);
     /* Whether a lock is wide open. Valid after the first call of adds_energy in a step. */
-    bool (*gape)(const thud_world *w);
+    bool (*wide_open)(const thud_world *w);
 
     /* ---- joint_caps.c, before the solver ---- */
     /* Sets the bounds of springs and motors that act both along and across. */
@@ -83,8 +83,8 @@ void td_joints_follow(thud_world *w, td_body_index body);
 void td_joints_tie(thud_world *w);
 void td_joints_hold_back(thud_world *w, td_awake_slot slot, double time);
 bool td_joints_add_energy(thud_world *w, bool relaxed);
-void td_joints_weigh(thud_world *w, bool relaxed);
-bool td_joints_gape(const thud_world *w);
+void td_joints_set_shares(thud_world *w, bool relaxed);
+bool td_joints_wide_open(const thud_world *w);
 void td_joints_share_caps(thud_world *w);
 void td_joints_forget(thud_world *w);
 void td_joints_yield(thud_world *w);

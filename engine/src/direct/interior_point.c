@@ -26,7 +26,7 @@
 #define BOUNDARY_SHARE 0.98
 /* The iteration ends where the square root of the mean product per mass, a speed, is below this
  * share of the tolerance. Chosen. */
-#define GAP_SHARE 0.1
+#define DUALITY_GAP_SHARE 0.1
 
 /* The penalty weight of an equality, in effective masses. It bounds what the row misses per
  * iteration by 1e-9 of what it would without; rounding (2^-53) leaves seven digits of the masses.
@@ -274,7 +274,7 @@ static void round_to_active_set(td_direct_row *r, double unused, double also_unu
 
 /* The iteration. False where a factorisation fails, or budgets run out. */
 static bool iterate(td_direct *d, double tolerance) {
-    double gap_enough = GAP_SHARE * tolerance * GAP_SHARE * tolerance;
+    double gap_enough = DUALITY_GAP_SHARE * tolerance * DUALITY_GAP_SHARE * tolerance;
     start(d);
     for (int n = 0; n < ITERATIONS_MAX && d->factorings < d->factoring_budget; n++) {
         for_rows(d, linearise_row, 0.0, 0.0);

@@ -95,7 +95,7 @@ float td_joint_line(const td_joint_place *place, float *x, float *y) {
 }
 
 double td_joint_closing_speed(const thud_world *w, double gap, double time) {
-    double max_speed = (double)(TD_JOINT_CLOSING * w->unit), speed = -gap / time;
+    double max_speed = (double)(TD_JOINT_CLOSING_SPEED * w->unit), speed = -gap / time;
     return speed > max_speed ? max_speed : speed < -max_speed ? -max_speed : speed;
 }
 

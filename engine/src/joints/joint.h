@@ -157,8 +157,8 @@ td_joint_place td_joint_place_of(const thud_world *w, const td_joint *joint);
  * where they coincide. */
 float td_joint_line(const td_joint_place *place, float *x, float *y);
 
-/* The speed that closes a gap within `time`, within -TD_JOINT_CLOSING .. TD_JOINT_CLOSING length
- * scales a second. */
+/* The speed that closes a gap within `time`, within -TD_JOINT_CLOSING_SPEED ..
+ * TD_JOINT_CLOSING_SPEED length scales a second. */
 double td_joint_closing_speed(const thud_world *w, double gap, double time);
 
 /* arm x (x, y) */

@@ -22,12 +22,13 @@
  * contacts too, then corrects the velocities that the rows miss. In other groups the impulses may
  * add energy: a gap acts as a spring there, which returns what opened it.
  *
- * Gaps of a group that lost a share close at no more than TD_JOINT_CLOSING for the rest of the step
- * (td_lock_rows.haste is 1), since the bias of many rows that hardly move could add as much again.
+ * Gaps of a group that lost a share close at no more than TD_JOINT_CLOSING_SPEED for the rest of
+ * the step (td_lock_rows.closing_factor is 1), since the bias of many rows that hardly move could
+ * add as much again.
  *
  * solve.c runs this between its passes (TD_BRACE_ stages, block.h), in steps that begin with a
- * joint open by more than TD_JOINT_CLOSING closes in a substep (flag_torn, wide_joint.h); others do
- * without. The lanes' part is td_brace_applied of wide_rod.c. */
+ * joint open by more than TD_JOINT_CLOSING_SPEED closes in a substep (flag_torn, wide_joint.h);
+ * others do without. The lanes' part is td_brace_applied of wide_rod.c. */
 #include "constraint/joint_hooks.h"
 #include "constraint/lanes.h"
 #include "constraint/tied_bodies.h"
@@ -58,17 +59,17 @@ static bool for_each_lock_block(thud_world *w, bool (*visit)(thud_world *w, td_b
 }
 
 /* The two td_point_history of a lock's block are for bracing alone:
- *     [0].approach: the number of each lane's group
- *     [1].approach: element 0 is that of same_group; the others are not used
+ *     [0].normal_velocity: the number of each lane's group
+ *     [1].normal_velocity: element 0 is that of same_group; the others are not used
  *     [0].total: p.u of each lane, then the share to keep
  *     [1].total: p.u' of each lane */
 static float *group_numbers(td_block *block) {
-    return (float *)&td_history_of(block, 2)[0].approach;
+    return (float *)&td_history_of(block, 2)[0].normal_velocity;
 }
 
 /* 1 where all lanes of the block belong to the same group, else 0. */
 static float *same_group(td_block *block) {
-    return (float *)&td_history_of(block, 2)[1].approach;
+    return (float *)&td_history_of(block, 2)[1].normal_velocity;
 }
 
 /* The number of the group of a body. A group gets the next free one when its first lane asks;
@@ -85,14 +86,14 @@ static float group_number(thud_world *w, td_awake_slot slot) {
     return (float)(-1 - number[slot.at].at);
 }
 
-/* Whether a lane's gap is so wide that its bias has reached its limit (TD_JOINT_HASTE times
- * TD_JOINT_CLOSING) in a substep: a length or an angle beyond which the speed of closing no longer
- * grows with the gap. Of a slider or wheel `base` is the travel along its free axis, which counts
- * as well: it is the lever arm of what the joint locks. Measured: without it, mechanisms with
- * sliders gain more than 5 % of energy (test_joints_random). */
+/* Whether a lane's gap is so wide that its bias has reached its limit (TD_JOINT_CLOSING_FACTOR
+ * times TD_JOINT_CLOSING_SPEED) in a substep: a length or an angle beyond which the speed of
+ * closing no longer grows with the gap. Of a slider or wheel `base` is the travel along its free
+ * axis, which counts as well: it is the lever arm of what the joint locks. Measured: without it,
+ * mechanisms with sliders gain more than 5 % of energy (test_joints_random). */
 static bool is_wide_open(const thud_world *w, td_block *block, int lane) {
-    float limit =
-        TD_JOINT_HASTE * TD_JOINT_CLOSING / TD_JOINT_PULL * (float)(w->def.time_step / w->substeps);
+    float limit = TD_JOINT_CLOSING_FACTOR * TD_JOINT_CLOSING_SPEED / TD_JOINT_GAP_SHARE *
+                  (float)(w->def.time_step / w->substeps);
     bool rod = td_constraint_at(w, block->constraint[0])->kind == TD_CONSTRAINT_ROD;
     bool turns = !rod && block->tangent_mass[lane] > 0.0f;
     float gap = td_max_float(td_joint_abs(block->point[0].base[lane]),
@@ -173,14 +174,14 @@ static float share_to_keep(const double *group, double multiple) {
 static bool set_shares(thud_world *w, td_block *block, bool relaxed) {
     const float *group = group_numbers(block);
     float *share = (float *)&td_history_of(block, 2)[0].total;
-    float *haste = (float *)&td_lock_rows_of(block)->haste;
+    float *closing_factor = (float *)&td_lock_rows_of(block)->closing_factor;
     bool any = false;
     for (int lane = 0; lane < block->used; lane++) {
         const double *sums = group_sums(w, group[lane]);
         share[lane] = !relaxed                ? share_to_keep(sums, 1.0)
                       : sums[WIDE_OPEN] > 0.0 ? share_to_keep(sums, 2.0)
                                               : 1.0f;
-        haste[lane] = share[lane] < 1.0f ? 1.0f : haste[lane];
+        closing_factor[lane] = share[lane] < 1.0f ? 1.0f : closing_factor[lane];
         any |= share[lane] < 1.0f;
     }
     return any;
@@ -212,13 +213,13 @@ bool td_joints_add_energy(thud_world *w, bool relaxed) {
 }
 
 /* Sets the shares to keep, once TD_BRACE_BEFORE has measured p.u. */
-void td_joints_weigh(thud_world *w, bool relaxed) {
+void td_joints_set_shares(thud_world *w, bool relaxed) {
     for_each_lock_block(w, add_powers_before);
     for_each_lock_block(w, relaxed ? set_relaxed_shares : set_warm_start_shares);
 }
 
 /* Whether any group is wide open. Known once td_joints_add_energy has judged the warm start. */
-bool td_joints_gape(const thud_world *w) {
+bool td_joints_wide_open(const thud_world *w) {
     bool any = false;
     for (int group = 0; group < w->scratch.powers.count; group++) {
         any |= group_sums(w, (float)group)[WIDE_OPEN] > 0.0;

@@ -66,10 +66,10 @@ static double displacement_along(const td_direct_row *row, const td_span *s) {
 /* The mean speed along a row for which its gap, which the motion as known changes from `before` to
  * `after`, is by the end of the part as wide as it should be:
  *     (J (x[1] - x[0]) - (after - left)) / h,  where `left` is the gap that should be left.
- * Closing is also limited to TD_JOINT_CLOSING. Sets row->closing, the speed of closing. */
+ * Closing is also limited to TD_JOINT_CLOSING_SPEED. Sets row->closing, the speed of closing. */
 static double target_speed_for_gap(const thud_world *w, td_direct_row *row, const td_span *s,
                                    double before, double after) {
-    double max_change = (double)(TD_JOINT_CLOSING * w->unit) * s->time, off = td_abs(before);
+    double max_change = (double)(TD_JOINT_CLOSING_SPEED * w->unit) * s->time, off = td_abs(before);
     double share =
         off * (GAP_SHARE_PER_STEP * s->time / w->def.time_step) + GAP_CLOSED_MIN * (double)w->unit;
     max_change = td_min_double(max_change, share);

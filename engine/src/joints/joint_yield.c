@@ -217,11 +217,11 @@ static void correct_contact(const tied_group *g, const td_constraint *constraint
 /* ---- locked directions ---- */
 
 /* The part of a gap `now` (a length or an angle) that has to be closed, with its sign. A gap that
- * was open `before` the step may stay as wide as TD_JOINT_CLOSING leaves it in a step. */
+ * was open `before` the step may stay as wide as TD_JOINT_CLOSING_SPEED leaves it in a step. */
 static double excess_gap(const thud_world *w, double before, double now) {
-    double left =
-        td_max_double(td_abs(before) - (double)(TD_JOINT_CLOSING * w->unit) * w->def.time_step,
-                      0.0);
+    double left = td_max_double(td_abs(before) -
+                                    (double)(TD_JOINT_CLOSING_SPEED * w->unit) * w->def.time_step,
+                                0.0);
     return now > left ? now - left : now < -left ? now + left : 0.0;
 }
 
@@ -495,13 +495,13 @@ static void mark_body(thud_world *w, td_awake_slot slot, int mark) {
 }
 
 /* Whether a drive has a limit of length, and no spring, and the limit was exceeded, as the step
- * began, by more than TD_JOINT_CLOSING takes back in a substep: a rope that is much too short. The
- * soft solver closes such a limit slowly (max_limit_bias in wide_drive.c). Without limits the base
- * of point 0 is 0. */
+ * began, by more than TD_JOINT_CLOSING_SPEED takes back in a substep: a rope that is much too
+ * short. The soft solver closes such a limit slowly (max_limit_bias in wide_drive.c). Without
+ * limits the base of point 0 is 0. */
 static bool limit_far_exceeded(const thud_world *w, const td_lane *at, int kind) {
     const td_drive_rows *rows = td_drive_rows_at(at->block);
-    float far =
-        TD_JOINT_CLOSING / TD_JOINT_PULL * w->unit * (float)(w->def.time_step / w->substeps);
+    float far = TD_JOINT_CLOSING_SPEED / TD_JOINT_GAP_SHARE * w->unit *
+                (float)(w->def.time_step / w->substeps);
     return kind != TD_CONSTRAINT_DRIVE_TURN && at->block->point[0].base[at->lane] < -far &&
            rows->frequency[at->lane] == 0.0f;
 }

@@ -113,17 +113,17 @@ TD_INLINE void choose_limit(td_block *block, td_drive_rows *r, const direction8 
 }
 
 /* The maximum of a limit's bias, a speed. Angles are within a few radians, so that a constant is
- * enough. A limit of length that is exceeded, as a step begins, by more than TD_JOINT_CLOSING takes
- * back in a substep (a rope that is much too short) closes at that speed and what its load takes: a
- * contact in its way turns a part of the speed into another direction, in which it stays when the
- * gap has closed. */
+ * enough. A limit of length that is exceeded, as a step begins, by more than TD_JOINT_CLOSING_SPEED
+ * takes back in a substep (a rope that is much too short) closes at that speed and what its load
+ * takes: a contact in its way turns a part of the speed into another direction, in which it stays
+ * when the gap has closed. */
 TD_INLINE f8 max_limit_bias(const td_point *p, const td_solve_context *c, f8 k, drive_kind which) {
     if (which == TURN) {
-        return f8_all(TD_JOINT_HASTE * TD_JOINT_CLOSING);
+        return f8_all(TD_JOINT_CLOSING_FACTOR * TD_JOINT_CLOSING_SPEED);
     }
-    i8 far = p->base * f8_all(-GAP_SHARE * c->inv_h) > f8_all(c->joint_closing);
-    return max_bias(c->joint_closing, k, p->normal_impulse) -
-           f8_keep(far, f8_all((TD_JOINT_HASTE - 1.0f) * c->joint_closing));
+    i8 far = p->base * f8_all(-TD_JOINT_GAP_SHARE * c->inv_h) > f8_all(c->joint_closing_speed);
+    return max_bias(c->joint_closing_speed, k, p->normal_impulse) -
+           f8_keep(far, f8_all((TD_JOINT_CLOSING_FACTOR - 1.0f) * c->joint_closing_speed));
 }
 
 /* Solves limits: as a contact, speculative where it is open (the gap may close by the end of the
@@ -145,7 +145,7 @@ TD_INLINE void solve_limit(td_block *block, td_drive_rows *r, const td_solve_con
     f8 bias = zero, scale = one, impulse_share = zero;
     if (soft) {
         f8 max = max_limit_bias(p, c, n->k, which);
-        bias = f8_clamp(gap * f8_all(GAP_SHARE * c->inv_h), -max, max);
+        bias = f8_clamp(gap * f8_all(TD_JOINT_GAP_SHARE * c->inv_h), -max, max);
         scale = f8_pick(apart, one, f8_all(1.0f - IMPULSE_SCALE));
         impulse_share = f8_keep(~apart, f8_all(IMPULSE_SCALE));
     }

@@ -39,8 +39,9 @@ TD_INLINE void solve_gear(td_block *const *blocks, int count, const td_solve_con
         p->separation = f8_keep(p->normal_mass > zero, p->base + row_speed(block, &d));
         f8 bias = zero, scale = f8_all(1.0f), impulse_share = zero;
         if (soft) {
-            f8 max = max_bias(c->joint_closing, inverse_or_zero(p->normal_mass), p->normal_impulse);
-            bias = f8_clamp(p->separation * f8_all(GAP_SHARE * c->inv_h), -max, max);
+            f8 max = max_bias(c->joint_closing_speed, inverse_or_zero(p->normal_mass),
+                              p->normal_impulse);
+            bias = f8_clamp(p->separation * f8_all(TD_JOINT_GAP_SHARE * c->inv_h), -max, max);
             scale = f8_all(1.0f - IMPULSE_SCALE);
             impulse_share = f8_all(IMPULSE_SCALE);
         }

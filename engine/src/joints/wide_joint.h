@@ -9,7 +9,7 @@
  * them back and applies them along those of now (replace_impulse).
  *
  * A row with effective mass m, gap C and speed v changes its impulse p in a solve pass by
- *     -mass_scale m (v + bias) - impulse_scale p,  bias = clamp(GAP_SHARE C / h),
+ *     -mass_scale m (v + bias) - impulse_scale p,  bias = clamp(TD_JOINT_GAP_SHARE C / h),
  * and in a relax pass by -m v. */
 #ifndef TD_WIDE_JOINT_H
 #define TD_WIDE_JOINT_H
@@ -17,23 +17,23 @@
 #include "base/rotation.h"
 #include "solver/wide_solve.h"
 
-/* The scales of a soft constraint that goes on by the angle TD_JOINT_ANGLE = omega h in a substep,
- * at damping ratio 1 (block.h): the share GAP_SHARE = 1/2 of a gap closes in a substep, and an
- * impulse loses the share IMPULSE_SCALE = 1/9; the mass scale is 1 - IMPULSE_SCALE. */
-#define ANGLE TD_JOINT_ANGLE
-#define GAP_SHARE TD_JOINT_PULL
-#define IMPULSE_SCALE (1.0f / (1.0f + ANGLE * (2.0f + ANGLE)))
+/* The scales of a soft constraint that goes on by the angle TD_JOINT_PHASE = omega h in a substep,
+ * at damping ratio 1 (block.h): the share TD_JOINT_GAP_SHARE = 1/2 of a gap closes in a substep,
+ * and an impulse loses the share IMPULSE_SCALE = 1/9; the mass scale is 1 - IMPULSE_SCALE. */
+#define IMPULSE_SCALE (1.0f / (1.0f + TD_JOINT_PHASE * (2.0f + TD_JOINT_PHASE)))
 
-/* The share of a gap that closes in groups that would add energy (haste <= 1, joint_brace.c). A
- * slow mode of many rows, of which each moves little, oscillates with growing amplitude unless
+/* The share of a gap that closes in groups that would add energy (closing_factor <= 1,
+ * joint_brace.c). A slow mode of many rows, of which each moves little, oscillates with growing
+ * amplitude unless
  *     IMPULSE_SCALE (1 + s) > s g
  * for the mass scale s = 1 - IMPULSE_SCALE and the share g: what both passes of a substep take from
  * an impulse must exceed what its gap adds. The g of equality, less 5 %: 0.22. */
-#define GAP_SHARE_TORN (0.95f * IMPULSE_SCALE * (2.0f - IMPULSE_SCALE) / (1.0f - IMPULSE_SCALE))
+#define GAP_SHARE_BRACED (0.95f * IMPULSE_SCALE * (2.0f - IMPULSE_SCALE) / (1.0f - IMPULSE_SCALE))
 
 /* The share of a gap that closes in a substep. */
-TD_INLINE f8 gap_share(f8 haste) {
-    return f8_pick(haste > f8_all(1.0f), f8_all(GAP_SHARE), f8_all(GAP_SHARE_TORN));
+TD_INLINE f8 gap_share(f8 closing_factor) {
+    return f8_pick(closing_factor > f8_all(1.0f), f8_all(TD_JOINT_GAP_SHARE),
+                   f8_all(GAP_SHARE_BRACED));
 }
 
 /* A soft row bears a load of impulse L a substep at rest by a bias of LOAD_BIAS K L, where K is the
@@ -41,9 +41,9 @@ TD_INLINE f8 gap_share(f8 haste) {
 #define LOAD_BIAS (IMPULSE_SCALE / (1.0f - IMPULSE_SCALE))
 
 /* Limit of the bias of a joint's limit or a gear, a speed: that of its present impulse, on top of
- * TD_JOINT_HASTE times `closing`, so that no load is too great for it. */
+ * TD_JOINT_CLOSING_FACTOR times `closing`, so that no load is too great for it. */
 TD_INLINE f8 max_bias(float closing, f8 k, f8 impulse) {
-    return f8_all(TD_JOINT_HASTE * closing) + f8_all(LOAD_BIAS) * k * f8_abs(impulse);
+    return f8_all(TD_JOINT_CLOSING_FACTOR * closing) + f8_all(LOAD_BIAS) * k * f8_abs(impulse);
 }
 
 /* Adding and then subtracting 1.5 * 2^23 rounds a float to a whole number. */
@@ -192,11 +192,11 @@ typedef void td_brace_fn(td_block *block, const td_solve_context *c, bool a_stat
 td_brace_fn TD_WIDE(td_brace_applied);
 
 /* Sets c->torn where a gap (lengths) or an angle (rad) at the start of the step is wider than
- * TD_JOINT_CLOSING closes in a substep, so that the step braces its joints. */
+ * TD_JOINT_CLOSING_SPEED closes in a substep, so that the step braces its joints. */
 TD_INLINE void flag_torn(const td_solve_context *c, f8 gap, f8 turn) {
-    f8 rate = f8_all(GAP_SHARE * c->inv_h);
-    i8 torn = (f8_abs(gap) * rate > f8_all(c->joint_closing)) |
-              (f8_abs(turn) * rate > f8_all(TD_JOINT_CLOSING));
+    f8 rate = f8_all(TD_JOINT_GAP_SHARE * c->inv_h);
+    i8 torn = (f8_abs(gap) * rate > f8_all(c->joint_closing_speed)) |
+              (f8_abs(turn) * rate > f8_all(TD_JOINT_CLOSING_SPEED));
     if (i8_bits(torn)) {
         atomic_store_explicit(c->torn, true, memory_order_relaxed);
     }

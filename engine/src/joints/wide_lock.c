@@ -4,7 +4,7 @@
 #include "joints/wide_joint.h"
 
 /* The scales of a pass (wide_joint.h): those of a soft constraint in a solve pass; no bias, and a
- * mass scale of 1, in a relax pass. inv_h: substeps per second. closing: TD_JOINT_CLOSING in
+ * mass scale of 1, in a relax pass. inv_h: substeps per second. closing: TD_JOINT_CLOSING_SPEED in
  * lengths/s. */
 typedef struct softness {
     f8 inv_h, mass_scale, impulse_scale, closing;
@@ -12,7 +12,7 @@ typedef struct softness {
 
 TD_INLINE softness soft_of(const td_solve_context *c) {
     return (softness){f8_all(c->inv_h), f8_all(1.0f - IMPULSE_SCALE), f8_all(IMPULSE_SCALE),
-                      f8_all(c->joint_closing)};
+                      f8_all(c->joint_closing_speed)};
 }
 
 TD_INLINE softness rigid(void) {
@@ -92,8 +92,9 @@ TD_INLINE void solve_lock(td_block *block, const softness *s, const td_solve_con
     f8 speed_u = speed_now(&v, a_static, f.x, f.y, f.a_u, f.b_u);
     f8 speed_v = speed_now(&v, a_static, -f.y, f.x, f.a_v, f.b_v);
     f8 spin = a_static ? v.b.z : v.b.z - v.a.z;
-    f8 rate = gap_share(h->haste) * s->inv_h;
-    f8 max = h->haste * s->closing, turn_max = h->haste * f8_all(TD_JOINT_CLOSING);
+    f8 rate = gap_share(h->closing_factor) * s->inv_h;
+    f8 max = h->closing_factor * s->closing,
+       turn_max = h->closing_factor * f8_all(TD_JOINT_CLOSING_SPEED);
     f8 turn = f8_keep(k.has_turn, spin + h->turn_sign * bias_of(h->turn_apart, rate, turn_max));
     f8 rhs_u = speed_u + bias_of(p->separation, rate, max) - k.lever_u * turn;
     f8 rhs_v = speed_v + bias_of(q->separation, rate, max) - k.lever_v * turn;

@@ -138,7 +138,7 @@ TD_INLINE i8 is_locked(i8 locked, int direction) {
 TD_INLINE void place_lock(const thud_world *w, td_block *block) {
     td_lock_rows *rows = td_lock_rows_of(block);
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), mass = inverse_masses(w, block);
-    rows->haste = f8_all(TD_JOINT_HASTE);
+    rows->closing_factor = f8_all(TD_JOINT_CLOSING_FACTOR);
     place8 p = place_of(w, &rows->anchor, used_lanes(block));
     i8 stays = is_locked(rows->locked, THUD_DIRECTION_ALONG) &
                is_locked(rows->locked, THUD_DIRECTION_ACROSS);
@@ -165,7 +165,7 @@ TD_INLINE void place_lock(const thud_world *w, td_block *block) {
 TD_INLINE void place_rod(const thud_world *w, td_block *block) {
     td_lock_rows *rows = td_lock_rows_of(block);
     td_point *q = &block->point[0];
-    rows->haste = f8_all(TD_JOINT_HASTE);
+    rows->closing_factor = f8_all(TD_JOINT_CLOSING_FACTOR);
     f8 x, y, mass = inverse_masses(w, block);
     i8 used = used_lanes(block);
     place8 p = place_of(w, &rows->anchor, used);

@@ -22,8 +22,9 @@ TD_INLINE void solve_rod(td_block *block, const td_solve_context *c, bool a_stat
         inverse_or_zero(inverse_mass_entry(block, &v, a_static, one, f.a_u, f.b_u, f.a_u, f.b_u));
     f8 bias = zero, scale = one, impulse_share = zero;
     if (soft) {
-        f8 max = td_lock_rows_of(block)->haste * f8_all(c->joint_closing);
-        bias = f8_clamp(p->separation * gap_share(td_lock_rows_of(block)->haste) * f8_all(c->inv_h),
+        f8 max = td_lock_rows_of(block)->closing_factor * f8_all(c->joint_closing_speed);
+        bias = f8_clamp(p->separation * gap_share(td_lock_rows_of(block)->closing_factor) *
+                            f8_all(c->inv_h),
                         -max, max);
         scale = f8_all(1.0f - IMPULSE_SCALE);
         impulse_share = f8_all(IMPULSE_SCALE);

@@ -68,7 +68,7 @@ static td_solve_context solve_context(const thud_world *w, float h) {
         .substeps = (float)w->substeps,
         .time_step = time,
         .push_speed = w->def.push_speed * w->unit,
-        .joint_closing = TD_JOINT_CLOSING * w->unit,
+        .joint_closing_speed = TD_JOINT_CLOSING_SPEED * w->unit,
         .bounce_speed = -w->def.restitution_threshold * w->unit,
         .fall = gravity_speed * time,
     };
@@ -296,7 +296,7 @@ static void judge_energy(void *work, int chunk) {
 static void weigh_impulses(void *work, int chunk) {
     const solving *s = work;
     (void)chunk;
-    s->w->joint_hooks->weigh(s->w, s->relaxed);
+    s->w->joint_hooks->set_shares(s->w, s->relaxed);
 }
 
 static void brace_pass(solving *s, td_brace stage) {
@@ -322,8 +322,8 @@ static bool brace(solving *s) {
     return adds;
 }
 
-/* Whether the warm start of this step found a joint that is torn. */
-static bool is_torn(const solving *s) {
+/* Whether the warm start of this step found a torn joint (flag_torn, joints/wide_joint.h). */
+static bool has_torn_joint(const solving *s) {
     return atomic_load_explicit(s->contacts.torn, memory_order_relaxed);
 }
 
@@ -350,7 +350,7 @@ static void run_passes(void *argument) {
         if (i == 0) {
             walk(s, WARM_START);
         }
-        if (is_torn(s)) {
+        if (has_torn_joint(s)) {
             if (i > 0) {
                 brace_pass(s, TD_BRACE_GIVE);
             }
@@ -361,7 +361,7 @@ static void run_passes(void *argument) {
         s->contacts.last = i == last;
         walk(s, RELAX);
         s->relaxed = true;
-        if (is_torn(s) && s->w->joint_hooks->gape(s->w) && brace(s)) {
+        if (has_torn_joint(s) && s->w->joint_hooks->wide_open(s->w) && brace(s)) {
             relax_again(s);
         }
         s->relaxed = false;
