@@ -1,7 +1,7 @@
 /* api_minkowski.c: the export that computes the Minkowski sum of shape a and the reflected shape b,
- * and where the centre of b lies relative to the sum: whether in it or on its edge, where the shapes
- * overlap, and the nearest point of its edge. From the vertices and the radius minkowski.ts computes
- * the outline of the sum for drawing. */
+ * and where the centre of b lies relative to the sum: whether in it or on its edge, where the
+ * shapes overlap, and the nearest point of its edge. From the vertices and the radius minkowski.ts
+ * computes the outline of the sum for drawing. */
 #include "api.h"
 
 #include <thud/thud_minkowski.h>
