@@ -46,7 +46,7 @@ typedef struct td_point {
     f8 normal_mass;    /* effective mass along the normal; 0: no point here */
     f8 normal_impulse; /* of one substep, >= 0 for contacts */
     f8 cross_a, cross_b; /* r x n: the lever arm r from the body's centre of mass to the point */
-    f8 base;             /* separation at the start of the step */
+    f8 start_separation; /* that at the start of the step */
 } td_point;
 
 /* The fields of a contact point that few passes need, apart from td_point so that it stays small.
@@ -55,7 +55,8 @@ typedef struct td_point {
  * same ring; `total` is impulse times speed, before (point 0) and after the impulse (point 1), and
  * at last, in point 0, the share of the impulse that is kept. */
 typedef struct td_point_history {
-    f8 normal_velocity; /* at the start of the step, length/s; negative: closing */
+    f8 normal_velocity; /* at the start of the step, length/s; negative: closing. Of manifolds that
+                           are kept from an earlier step valid in bouncy blocks only */
     f8 total; /* normal impulse of all substeps; valid where td_solve_context.keep_totals */
 } td_point_history;
 
@@ -75,7 +76,7 @@ typedef struct td_manifold_cache {
     f8 dx, dy;         /* from a's centre of mass to b's, length; on terrain: b's position, as the
                           bits of an int in units of 256 position quanta */
     f8 ac, as, bc, bs; /* cosine and sine of both shapes' rotations */
-    f8 base[2];        /* separations of the points */
+    f8 separation[2];  /* of the points, in those poses */
     f8 limit;          /* relative motion up to which the manifold is kept, length */
     f8 reach; /* greatest half extent: the lever arm by which a rotation counts as motion */
 } td_manifold_cache;
@@ -100,13 +101,16 @@ typedef struct td_anchor_rows {
 /* The further rows of a lock: a joint's locked directions, or a rod. The joint's frame is
  * u = (nx, ny), v = (-ny, nx). Point 0 of the block is the row along u (`along`, or the rod), point
  * 1 that along v (`across`), and the tangent row is the rotation (`turn`). The points' separations
- * and `turn_apart` are the gaps that the solver closes. */
+ * and `turn_gap` are the gaps that the solver closes. */
 typedef struct td_lock_rows {
     td_applied_impulse applied;
-    f8 frame;          /* 1: the frame turns with body a; 0: it is constant in the step */
-    f8 turn_base;      /* gap of `turn` at the start of the step, rad; of a rod its length */
+    f8 frame; /* 1: the frame turns with body a; 0: it is constant in the step */
+    union {
+        f8 start_turn_gap; /* of a lock: gap of `turn` at the start of the step, rad */
+        f8 rest_length;    /* of a rod */
+    };
     f8 turn_sign;      /* 1, or -1 where td_joint.swapped: the sides are the caller's b and a */
-    f8 turn_apart;     /* gap of `turn` at present, rad */
+    f8 turn_gap;       /* gap of `turn` at present, rad */
     f8 closing_factor; /* gaps close at no more than so many times TD_JOINT_CLOSING_SPEED in this
                           step */
     i8 locked;         /* td_joint.locked: bits of the locked directions */
@@ -120,7 +124,7 @@ typedef struct td_lock_rows {
 typedef struct td_drive_rows {
     td_applied_impulse applied;
     f8 gap_u, gap_v; /* from a's anchor to b's along u and v, at the start of the step */
-    f8 value_base;   /* the coordinate at the start of the step */
+    f8 start_value;  /* the coordinate at the start of the step */
     f8 turn_sign;    /* as in td_lock_rows */
     f8 limit;        /* the limit that is nearer at present: `lower` or `upper` */
     f8 limit_side;   /* 1: `limit` is the lower one, -1: the upper one, 0: no limits */

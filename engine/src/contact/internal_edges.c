@@ -227,7 +227,7 @@ static void clear_points(td_block *block, int points, int lane) {
     for (int k = 0; k < points; k++) {
         td_point *p = &block->point[k];
         p->normal_mass[lane] = p->normal_impulse[lane] = 0.0f;
-        p->separation[lane] = p->base[lane] = TD_APART;
+        p->separation[lane] = p->start_separation[lane] = TD_APART;
     }
     block->tangent_mass[lane] = block->tangent_impulse[lane] = 0.0f;
     block->touching &= ~(1u << lane);
@@ -274,7 +274,7 @@ static void write_lane(thud_world *w, td_block *block, int kind, int lane,
         float x = dx + (float)c->x[k], y = dy + (float)c->y[k],
               separation = (float)c->separation[k];
         float cross = x * ny - y * nx, cross_a = a_static ? 0.0f : (ax + x) * ny - (ay + y) * nx;
-        p->separation[lane] = p->base[lane] = separation - w->skin;
+        p->separation[lane] = p->start_separation[lane] = separation - w->skin;
         p->cross_a[lane] = cross_a;
         p->cross_b[lane] = cross;
         p->normal_impulse[lane] = cosine > SAME_NORMAL_COSINE_MIN ? impulse[1 + k] : 0.0f;
@@ -282,7 +282,7 @@ static void write_lane(thud_world *w, td_block *block, int kind, int lane,
         td_history_of(block, points)[k].normal_velocity[lane] =
             (vb[0] - va[0]) * nx + (vb[1] - va[1]) * ny + vb[2] * cross - va[2] * cross_a;
         if (kept) {
-            kept->base[k][lane] = p->base[lane];
+            kept->separation[k][lane] = p->start_separation[lane];
         }
         mid_x += x / (float)count;
         mid_y += y / (float)count;

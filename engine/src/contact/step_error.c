@@ -11,13 +11,13 @@
 /* The separation of a contact point after the step's motions, to first order, with normal n and
  * lever arms of the start of the step:
  *
- *     separation = base + n . (d_b - d_a) + turn_b (r_b x n) - turn_a (r_a x n) */
+ *     separation = start_separation + n . (d_b - d_a) + turn_b (r_b x n) - turn_a (r_a x n) */
 static float separation_by_rows(const thud_world *w, const td_lane *at, int point) {
     const td_block *block = at->block;
     const td_point *p = &block->point[point];
     const float *a = td_row(&w->delta, td_slot_of_side(block->a[at->lane]));
     const float *b = td_row(&w->delta, td_slot_of_side(block->b[at->lane]));
-    return p->base[at->lane] + (b[0] - a[0]) * block->nx[at->lane] +
+    return p->start_separation[at->lane] + (b[0] - a[0]) * block->nx[at->lane] +
            (b[1] - a[1]) * block->ny[at->lane] + b[2] * p->cross_b[at->lane] -
            a[2] * p->cross_a[at->lane];
 }

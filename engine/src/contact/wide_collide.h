@@ -188,7 +188,7 @@ TD_INLINE void td_write_points(td_block *block, const td_found *found, int point
         f8 lever_a = ia * cross_a, lever_b = ib * cross_b;
         f8 separation = f8_pick(f->valid, f->separation - f8_all(c->skin), apart);
         td_set_row(&point->separation, fresh, separation);
-        td_set_row(&point->base, fresh, separation);
+        td_set_row(&point->start_separation, fresh, separation);
         td_set_row(&point->cross_a, fresh, cross_a);
         td_set_row(&point->cross_b, fresh, cross_b);
         td_set_row(&point->normal_mass, fresh,

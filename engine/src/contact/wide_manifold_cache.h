@@ -5,8 +5,9 @@
  * move keep soft stacks standing: with points chosen anew in every step, a column of 30 boxes leans
  * over within eight seconds. Normal, lever arms and effective masses are kept. Separations are
  * updated to first order, from the poses for which the manifold was computed, so that errors do not
- * add up: separation = base + n . (relative motion of the centres) + turn_b (r_b x n) - turn_a (r_a
- * x n) */
+ * add up:
+ *     separation = kept separation + n . (relative motion of the centres)
+ *                  + turn_b (r_b x n) - turn_a (r_a x n) */
 #ifndef TD_WIDE_KEEP_H
 #define TD_WIDE_KEEP_H
 
@@ -50,7 +51,7 @@ TD_INLINE i8 td_keep_mask(td_block *block, int points, const td_moved *moved,
         const td_point *p = &block->point[k];
         i8 here = p->normal_mass > zero;
         separation[k] =
-            kept->base[k] + along + moved->turn_b * p->cross_b - moved->turn_a * p->cross_a;
+            kept->separation[k] + along + moved->turn_b * p->cross_b - moved->turn_a * p->cross_a;
         touches |= here & (separation[k] < margin);
         whole &= here;
     }
@@ -59,13 +60,13 @@ TD_INLINE i8 td_keep_mask(td_block *block, int points, const td_moved *moved,
     return (motion < limit) & moved->small_turn & touches & td_used_mask(block);
 }
 
-/* Writes the separations of kept lanes, and the approach speeds of blocks with restitution. */
+/* Writes the separations of kept lanes, and the normal velocities of blocks with restitution. */
 TD_INLINE void td_keep_follow(td_block *block, int points, i8 keep, const f8 *separation,
                               const td_collide_context *c) {
     for (int k = 0; k < points; k++) {
         td_point *point = &block->point[k];
         i8 here = keep & (point->normal_mass > f8_all(0.0f));
-        point->base = f8_pick(here, separation[k], point->base);
+        point->start_separation = f8_pick(here, separation[k], point->start_separation);
         point->separation = f8_pick(here, separation[k], point->separation);
     }
     if (!block->bouncy) {
@@ -75,9 +76,9 @@ TD_INLINE void td_keep_follow(td_block *block, int points, i8 keep, const f8 *se
     for (int k = 0; k < points; k++) {
         const td_point *point = &block->point[k];
         td_point_history *history = &td_history_of(block, points)[k];
-        f8 approach = (vb.x - va.x) * block->nx + (vb.y - va.y) * block->ny +
-                      vb.z * point->cross_b - va.z * point->cross_a;
-        history->approach = f8_pick(keep, approach, history->approach);
+        f8 normal_velocity = (vb.x - va.x) * block->nx + (vb.y - va.y) * block->ny +
+                             vb.z * point->cross_b - va.z * point->cross_a;
+        history->normal_velocity = f8_pick(keep, normal_velocity, history->normal_velocity);
     }
 }
 
@@ -94,7 +95,7 @@ TD_INLINE void td_keep_note(td_block *block, int points, i8 fresh, f8 min_extent
     kept->limit = f8_pick(fresh, limit, kept->limit);
     kept->reach = f8_pick(fresh, max_extent, kept->reach);
     for (int k = 0; k < points; k++) {
-        kept->base[k] = f8_pick(fresh, block->point[k].base, kept->base[k]);
+        kept->separation[k] = f8_pick(fresh, block->point[k].start_separation, kept->separation[k]);
     }
 }
 

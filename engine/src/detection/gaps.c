@@ -2,8 +2,8 @@
  *
  * With n the normal, d the displacements of the centres, phi the turns and c = r x n the crosses
  * of a point, its gap at the end of a motion is
- *   gap = base + skin + n . (d_b - d_a) + c_b phi_b - c_a phi_a
- * where `base` is the separation at the start of the step, measured from the skin at which
+ *   gap = start_separation + skin + n . (d_b - d_a) + c_b phi_b - c_a phi_a
+ * where start_separation is that at the start of the step, measured from the skin at which
  * contacts rest. The rows neglect that normal and arms turn with the bodies; `row_error` bounds
  * what that may make of the gap. */
 #include "detection/gaps.h"
@@ -193,7 +193,7 @@ static relative_motion relative_motion_at(const thud_world *w, const td_contact 
 static double edge_slope(const td_block *block, int lane) {
     const td_point *p = block->point;
     double width = td_abs((double)p[0].cross_b[lane] - (double)p[1].cross_b[lane]);
-    double rise = td_abs((double)p[0].base[lane] - (double)p[1].base[lane]);
+    double rise = td_abs((double)p[0].start_separation[lane] - (double)p[1].start_separation[lane]);
     return width > 0.0 ? rise / width : 0.0;
 }
 
@@ -222,13 +222,13 @@ bool td_gap_stays_open(const thud_world *w, const td_contact *contact, double no
             continue;
         }
         double cross_a = (double)p->cross_a[at.lane], cross_b = (double)p->cross_b[at.lane];
-        double base = (double)p->base[at.lane] + skin;
-        double from = base + start.along + start.turn_b * cross_b - start.turn_a * cross_a;
-        double to = base + end.along + end.turn_b * cross_b - end.turn_a * cross_a;
+        double at_start = (double)p->start_separation[at.lane] + skin;
+        double from = at_start + start.along + start.turn_b * cross_b - start.turn_a * cross_a;
+        double to = at_start + end.along + end.turn_b * cross_b - end.turn_a * cross_a;
         present++;
         /* A gap that seems to have shrunk by more than load allows: the shapes have moved past
          * each other, and the row means nothing. */
-        stays_open &= from >= base - TD_LOAD_CLOSING_MAX * unit;
+        stays_open &= from >= at_start - TD_LOAD_CLOSING_MAX * unit;
         stays_open &= to - slack >= td_min_double((double)COLLISION_DISTANCE * unit,
                                                   from - TD_LOAD_CLOSING_MAX * unit);
     }

@@ -66,8 +66,9 @@ TD_INLINE bool project(td_block *const *blocks, td_pushes *pushes, int count, in
         i8 active[2], any = i8_all(0);
         for (int k = 0; k < points; k++) {
             td_point *p = &block->point[k];
-            p->separation = p->base + at_point(opened, &d, a_static, ARMS_ALL, p);
-            shortfall[k] = f8_min(target_distance, p->base + skin) - (p->separation + skin);
+            p->separation = p->start_separation + at_point(opened, &d, a_static, ARMS_ALL, p);
+            shortfall[k] =
+                f8_min(target_distance, p->start_separation + skin) - (p->separation + skin);
             active[k] = projected & (p->normal_mass > zero) &
                         ((shortfall[k] > zero) | (pushes[i].motion[k] > zero));
             unfinished |= active[k] & (shortfall[k] > f8_all(c->tolerance));
@@ -115,7 +116,8 @@ TD_INLINE f8 reach_of(const float (*reach)[2], const uint32_t *side) {
 /* As edge_slope of gaps.c: by how much the gap may shrink per length of sliding. */
 TD_INLINE f8 edge_slope(const td_block *block) {
     const td_point *p = block->point;
-    f8 width = f8_abs(p[0].cross_b - p[1].cross_b), rise = f8_abs(p[0].base - p[1].base);
+    f8 width = f8_abs(p[0].cross_b - p[1].cross_b),
+       rise = f8_abs(p[0].start_separation - p[1].start_separation);
     return f8_keep(width > f8_all(0.0f), rise / width);
 }
 
@@ -144,7 +146,8 @@ void TD_WIDE(td_find_open_points)(td_block *const *blocks, int count, int points
         i8 clear = f8_all(c->margin) + along - turn_reach - slack >= collision_distance;
         for (int k = 0; k < points; k++) {
             const td_point *p = &block->point[k];
-            f8 from = p->base + skin, to = from + at_point(along, &d, false, ARMS_ALL, p) - slack;
+            f8 from = p->start_separation + skin,
+               to = from + at_point(along, &d, false, ARMS_ALL, p) - slack;
             i8 present = p->normal_mass > zero;
             apart &= (present & (to >= f8_min(collision_distance, from - f8_all(c->closing_max)))) |
                      (~present & clear);

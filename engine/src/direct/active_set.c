@@ -176,8 +176,8 @@ static bool update_multipliers(td_direct *d, double hysteresis, multiplier_updat
                 r->active = magnitude(r->impulse) < sliding;
                 r->impulse = clamp(r->impulse, r->max_impulse);
             }
-            r->base = r->kind == TD_ROW_SOFT ? 0.0 : r->impulse;
-            r->force = r->active ? penalty_impulse(r, r->base) : r->impulse;
+            r->multiplier = r->kind == TD_ROW_SOFT ? 0.0 : r->impulse;
+            r->force = r->active ? penalty_impulse(r, r->multiplier) : r->impulse;
             same &= !r->used || r->active == before;
         }
     }
@@ -192,7 +192,7 @@ static int update_active_set(td_direct *d, double hysteresis, bool keeps) {
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {
             td_direct_row *r = &d->constraints[i].row[k];
-            double impulse = penalty_impulse(r, r->base);
+            double impulse = penalty_impulse(r, r->multiplier);
             if (!r->used || !update_row(r, impulse, hysteresis)) {
                 continue;
             }
@@ -201,7 +201,7 @@ static int update_active_set(td_direct *d, double hysteresis, bool keeps) {
                 r->active = !r->active;
                 r->force = impulse;
                 if (!r->active) {
-                    r->force = r->impulse = r->base;
+                    r->force = r->impulse = r->multiplier;
                 }
             }
         }

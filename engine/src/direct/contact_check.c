@@ -27,13 +27,13 @@ static bool sinks_in(const td_island_work *work, td_lane at, int points, double 
     }
     for (int k = 0; k < points; k++) {
         const td_point *p = &block->point[k];
-        double gap[2], base = (double)p->base[at.lane];
+        double gap[2], start = (double)p->start_separation[at.lane];
         for (int soft = 0; soft < 2; soft++) {
-            gap[soft] = base + x * (b[soft][0] - a[soft][0]) + y * (b[soft][1] - a[soft][1]) +
+            gap[soft] = start + x * (b[soft][0] - a[soft][0]) + y * (b[soft][1] - a[soft][1]) +
                         (double)p->cross_b[at.lane] * b[soft][2] -
                         (double)p->cross_a[at.lane] * a[soft][2];
         }
-        double min = td_min_double(0.0, td_min_double(base, gap[1]));
+        double min = td_min_double(0.0, td_min_double(start, gap[1]));
         if (p->normal_mass[at.lane] > 0.0f && !(gap[0] >= min - slack)) {
             return true;
         }

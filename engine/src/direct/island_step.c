@@ -91,7 +91,7 @@ static double soft_speed(const td_island_work *work, const td_direct_constraint 
 static double approach_max(const td_island_work *work, td_lane at, int k) {
     int points =
         td_island_points(work->w, td_constraint_at(work->w, at.block->constraint[at.lane]));
-    double closing = -(double)td_history_of(at.block, points)[k].approach[at.lane];
+    double closing = -(double)td_history_of(at.block, points)[k].normal_velocity[at.lane];
     return td_max_double(closing, 0.0) + work->problem.unit_speed;
 }
 
@@ -104,7 +104,8 @@ static void set_end_targets(td_island_work *work, int i) {
     for (int k = 0; k < TD_DIRECT_ROWS; k++) {
         td_direct_row *r = &c->row[k];
         if (r->used && r->kind == TD_ROW_UNILATERAL) {
-            double gap = td_island_gap(work, c, k, (double)at.block->point[k].base[at.lane]);
+            double gap =
+                td_island_gap(work, c, k, (double)at.block->point[k].start_separation[at.lane]);
             r->target_speed = gap > 0.0 ? -gap / work->next : 0.0;
             if (gap > 0.0 && at.block->restitution[at.lane] > 0.0f) {
                 r->target_speed -= approach_max(work, at, k);
@@ -278,7 +279,8 @@ static void write_constraint(const td_island_work *work, int i) {
             td_point *p = &at.block->point[k];
             float impulse = (float)c->row[k].impulse;
             p->normal_impulse[at.lane] = per_substep * impulse;
-            p->separation[at.lane] = (float)td_island_gap(work, c, k, (double)p->base[at.lane]);
+            p->separation[at.lane] =
+                (float)td_island_gap(work, c, k, (double)p->start_separation[at.lane]);
             td_history_of(at.block, points)[k].total[at.lane] = impulse;
         }
     }

@@ -315,7 +315,8 @@ static void set_contact_speeds(td_island_work *work) {
         for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
             td_direct_row *r = &c->row[k];
             if (r->used && td_is_contact(td_constraint_at(work->w, work->constraints[i]))) {
-                double gap = td_island_gap(work, c, k, (double)at.block->point[k].base[at.lane]);
+                double gap =
+                    td_island_gap(work, c, k, (double)at.block->point[k].start_separation[at.lane]);
                 r->target_speed = gap > 0.0 ? -gap / work->time : r->closing;
             }
         }

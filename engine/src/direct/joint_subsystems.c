@@ -191,7 +191,7 @@ static void set_contact_rows(td_island_work *work) {
         td_lane at = td_island_lane(work, i);
         c->from_soft = true;
         for (int k = 0; k < TD_DIRECT_TANGENT; k++) {
-            double gap = (double)at.block->point[k].base[at.lane];
+            double gap = (double)at.block->point[k].start_separation[at.lane];
             c->row[k].impulse = 0.0;
             c->row[k].target_speed = gap > 0.0 ? -gap / work->time : 0.0;
         }

@@ -28,9 +28,9 @@ static double line_rate(const td_island_work *work, int i) {
     td_lane at = td_island_lane(work, i);
     double length = 0.0, speed = 0.0;
     if (constraint->kind == TD_CONSTRAINT_ROD) {
-        length = (double)td_lock_rows_at(at.block)->turn_base[at.lane];
+        length = (double)td_lock_rows_at(at.block)->rest_length[at.lane];
     } else if (constraint->kind == TD_CONSTRAINT_DRIVE_LINE) {
-        length = (double)td_drive_rows_at(at.block)->value_base[at.lane];
+        length = (double)td_drive_rows_at(at.block)->start_value[at.lane];
     }
     for (int k = 0; k < 2 && length > 0.0; k++) {
         double a = c->a == TD_NONE ? 0.0 : work->problem.bodies[c->a].before[k];

@@ -55,7 +55,7 @@ static void set_lock(const thud_world *w, td_block *block, int lane, const td_jo
 static void set_rod(const thud_world *w, td_block *block, int lane, const td_joint *joint) {
     td_lock_rows *rows = td_lock_rows_of(block);
     set_anchors(w, joint, &rows->anchor, lane);
-    rows->turn_base[lane] = joint->length;
+    rows->rest_length[lane] = joint->length;
 }
 
 /* The direction (thud_direction) whose drive is this constraint. */

@@ -133,7 +133,7 @@ static void prepare_lane(const thud_world *w, td_block *block, int lane) {
     bool acts = !update_apart(w, gear) && k > 0.0f;
     p->normal_mass[lane] = acts ? 1.0f / k : 0.0f;
     p->normal_impulse[lane] = acts ? p->normal_impulse[lane] : 0.0f;
-    p->base[lane] = p->separation[lane] = acts ? (float)td_gear_gap(w, gear) : 0.0f;
+    p->start_separation[lane] = p->separation[lane] = acts ? (float)td_gear_gap(w, gear) : 0.0f;
 }
 
 float td_gear_inverse_mass(const thud_world *w, const td_block *block, int lane) {
@@ -182,7 +182,8 @@ static bool take_rows(const thud_world *w, td_block *block, int lane, const floa
         .a = {(double)rows->a_x[lane], (double)rows->a_y[lane], (double)p->cross_a[lane]},
         .b = {(double)block->nx[lane], (double)block->ny[lane], (double)p->cross_b[lane]},
         .impulse = 0.5 * (double)impulses[0],
-        .target_speed = td_joint_closing_speed(w, (double)p->base[lane], w->def.time_step),
+        .target_speed =
+            td_joint_closing_speed(w, (double)p->start_separation[lane], w->def.time_step),
         .used = p->normal_mass[lane] > 0.0f};
     return false;
 }
@@ -191,7 +192,7 @@ static bool take_rows(const thud_world *w, td_block *block, int lane, const floa
 static void turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
                       td_direct_constraint *c) {
     td_direct_row *row = &c->row[0];
-    double gap = (double)block->point[0].base[lane];
+    double gap = (double)block->point[0].start_separation[lane];
     for (int k = 0; k < 3; k++) {
         gap += row->a[k] * s->a[0][k] + row->b[k] * s->b[0][k];
     }

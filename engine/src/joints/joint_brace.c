@@ -88,17 +88,17 @@ static float group_number(thud_world *w, td_awake_slot slot) {
 
 /* Whether a lane's gap is so wide that its bias has reached its limit (TD_JOINT_CLOSING_FACTOR
  * times TD_JOINT_CLOSING_SPEED) in a substep: a length or an angle beyond which the speed of
- * closing no longer grows with the gap. Of a slider or wheel `base` is the travel along its free
- * axis, which counts as well: it is the lever arm of what the joint locks. Measured: without it,
- * mechanisms with sliders gain more than 5 % of energy (test_joints_random). */
+ * closing no longer grows with the gap. Of a slider or wheel start_separation is the travel along
+ * its free axis, which counts as well: it is the lever arm of what the joint locks. Measured:
+ * without it, mechanisms with sliders gain more than 5 % of energy (test_joints_random). */
 static bool is_wide_open(const thud_world *w, td_block *block, int lane) {
     float limit = TD_JOINT_CLOSING_FACTOR * TD_JOINT_CLOSING_SPEED / TD_JOINT_GAP_SHARE *
                   (float)(w->def.time_step / w->substeps);
     bool rod = td_constraint_at(w, block->constraint[0])->kind == TD_CONSTRAINT_ROD;
     bool turns = !rod && block->tangent_mass[lane] > 0.0f;
-    float gap = td_max_float(td_joint_abs(block->point[0].base[lane]),
+    float gap = td_max_float(td_joint_abs(block->point[0].start_separation[lane]),
                              rod ? 0.0f : td_joint_abs(block->point[1].separation[lane]));
-    float turn = turns ? td_joint_abs(td_lock_rows_of(block)->turn_base[lane]) : 0.0f;
+    float turn = turns ? td_joint_abs(td_lock_rows_of(block)->start_turn_gap[lane]) : 0.0f;
     return gap > limit * w->unit || turn > limit;
 }
 

@@ -32,7 +32,7 @@ static double uncapped_force(const thud_world *w, td_lane at, bool motor) {
     }
     double omega = td_spring_omega(w, r->frequency[at.lane]);
     return mass * omega *
-           (omega * (double)block->point[1].base[at.lane] +
+           (omega * (double)block->point[1].start_separation[at.lane] +
             2.0 * (double)r->damping[at.lane] * speed);
 }
 

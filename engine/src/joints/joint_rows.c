@@ -179,15 +179,16 @@ bool td_rod_take_rows(const thud_world *w, td_block *block, int lane, const floa
     const td_point *p = &block->point[0];
     td_row_set(&c->row[0], TD_ROW_EQUALITY, (double)block->nx[lane], (double)block->ny[lane],
                (double)p->cross_a[lane], (double)p->cross_b[lane]);
-    set_equality(w, &c->row[0], impulses, 0, (double)p->base[lane]);
+    set_equality(w, &c->row[0], impulses, 0, (double)p->start_separation[lane]);
     return false;
 }
 
 void td_rod_turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
                       td_direct_constraint *c) {
-    double rest_length = (double)td_lock_rows_at(block)->turn_base[lane], length[2];
-    td_joint_frame f = midpoint_line(block, lane, (double)block->point[0].base[lane] + rest_length,
-                                     0.0, s, length);
+    double rest_length = (double)td_lock_rows_at(block)->rest_length[lane], length[2];
+    td_joint_frame f =
+        midpoint_line(block, lane, (double)block->point[0].start_separation[lane] + rest_length,
+                      0.0, s, length);
     set_direction(&c->row[0], f.x, f.y, f.a_u, f.b_u);
     c->row[0].target_speed =
         target_speed_for_gap(w, &c->row[0], s, length[0] - rest_length, length[1] - rest_length);
@@ -198,7 +199,8 @@ void td_rod_turn_rows(const thud_world *w, const td_block *block, int lane, cons
 void td_lock_turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
                        td_direct_constraint *c) {
     const td_lock_rows *rows = td_lock_rows_at(block);
-    double u = (double)block->point[0].base[lane], v = (double)block->point[1].base[lane];
+    double u = (double)block->point[0].start_separation[lane],
+           v = (double)block->point[1].start_separation[lane];
     double sign = (double)rows->turn_sign[lane];
     bool turns = rows->frame[lane] > 0.0f;
     td_joint_frame end[2];
@@ -206,7 +208,7 @@ void td_lock_turn_rows(const thud_world *w, const td_block *block, int lane, con
     for (int i = 0; i < 2; i++) {
         bool same = i == 1 && s->time == 0.0;
         end[i] = same ? end[0] : td_joint_frame_after(block, lane, u, v, turns, s->a[i], s->b[i]);
-        angle[i] = (double)rows->turn_base[lane] + sign * (s->b[i][2] - s->a[i][2]);
+        angle[i] = (double)rows->start_turn_gap[lane] + sign * (s->b[i][2] - s->a[i][2]);
     }
     td_joint_frame f = s->time == 0.0 ? end[0] : midpoint_frame(block, lane, u, v, turns, s);
     set_direction(&c->row[0], f.x, f.y, f.a_u, f.b_u);
@@ -222,15 +224,15 @@ bool td_lock_take_rows(const thud_world *w, td_block *block, int lane, const flo
     const td_lock_rows *rows = td_lock_rows_of(block);
     const td_point *p = block->point;
     double no_motion[3] = {0.0, 0.0, 0.0}, sign = (double)rows->turn_sign[lane];
-    td_joint_frame f =
-        td_joint_frame_after(block, lane, (double)p[0].base[lane], (double)p[1].base[lane],
-                             rows->frame[lane] > 0.0f, no_motion, no_motion);
+    td_joint_frame f = td_joint_frame_after(block, lane, (double)p[0].start_separation[lane],
+                                            (double)p[1].start_separation[lane],
+                                            rows->frame[lane] > 0.0f, no_motion, no_motion);
     td_row_set(&c->row[0], TD_ROW_EQUALITY, f.x, f.y, f.a_u, f.b_u);
     td_row_set(&c->row[1], TD_ROW_EQUALITY, -f.y, f.x, f.a_v, f.b_v);
     td_row_set(&c->row[2], TD_ROW_EQUALITY, 0.0, 0.0, sign, sign);
     set_equality(w, &c->row[0], impulses, 0, f.gap_u);
     set_equality(w, &c->row[1], impulses, 1, f.gap_v);
-    set_equality(w, &c->row[2], impulses, 2, (double)rows->turn_base[lane]);
+    set_equality(w, &c->row[2], impulses, 2, (double)rows->start_turn_gap[lane]);
     c->row[0].used = p[0].normal_mass[lane] > 0.0f;
     c->row[1].used = p[1].normal_mass[lane] > 0.0f;
     c->row[2].used = block->tangent_mass[lane] > 0.0f;
@@ -245,13 +247,13 @@ bool td_lock_take_rows(const thud_world *w, td_block *block, int lane, const flo
 static bool choose_limit(td_block *block, int lane) {
     td_drive_rows *r = td_drive_rows_of(block);
     td_point *p = &block->point[0];
-    float value = r->value_base[lane], low = value - r->lower[lane], high = r->upper[lane] - value;
+    float value = r->start_value[lane], low = value - r->lower[lane], high = r->upper[lane] - value;
     float first = low <= high ? 1.0f : -1.0f, nearest = td_min_float(low, high);
     bool crossed = r->limit_side[lane] != first && p->separation[lane] < nearest;
     float side = r->limited[lane] == 0 ? 0.0f : crossed ? -first : first;
     r->limit_side[lane] = side;
     r->limit[lane] = side > 0.0f ? r->lower[lane] : r->upper[lane];
-    p->base[lane] = side * (value - r->limit[lane]);
+    p->start_separation[lane] = side * (value - r->limit[lane]);
     return !crossed;
 }
 
@@ -261,7 +263,7 @@ static void take_limit(const thud_world *w, td_block *block, int lane, const flo
                        td_direct_row *row, const td_direct_row *along) {
     const td_drive_rows *r = td_drive_rows_at(block);
     bool known = choose_limit(block, lane);
-    double side = (double)r->limit_side[lane], gap = (double)block->point[0].base[lane];
+    double side = (double)r->limit_side[lane], gap = (double)block->point[0].start_separation[lane];
     bool locked = r->locked[lane] > 0.0f;
     *row = *along;
     for (int k = 0; k < 3; k++) {
@@ -303,8 +305,9 @@ static double update_spring(const thud_world *w, const td_block *block, int lane
     row->weight = 0.5 * time * resistance;
     bool capped = r->spring_most[lane] < THUD_JOINT_FORCE_MAX;
     row->max_impulse = capped ? 0.5 * time * (double)r->spring_most[lane] : __builtin_inf();
-    return resistance > 0.0 ? -stiffness * ((double)block->point[1].base[lane] + moved) / resistance
-                            : 0.0;
+    return resistance > 0.0
+               ? -stiffness * ((double)block->point[1].start_separation[lane] + moved) / resistance
+               : 0.0;
 }
 
 /* The row of a spring, for the whole step. */
@@ -354,7 +357,7 @@ static td_joint_frame midpoint_drive(const thud_world *w, const td_block *block,
     }
     for (int i = 0; i < 2; i++) {
         value[i] = kind == TD_CONSTRAINT_DRIVE_TURN
-                       ? (double)r->value_base[lane] + sign * (s->b[i][2] - s->a[i][2])
+                       ? (double)r->start_value[lane] + sign * (s->b[i][2] - s->a[i][2])
                        : td_joint_frame_after(block, lane, u, v, true, s->a[i], s->b[i]).gap_u;
     }
     return kind == TD_CONSTRAINT_DRIVE_TURN ? (td_joint_frame){.a_u = sign, .b_u = sign}
@@ -381,7 +384,7 @@ void td_drive_turn_rows(const thud_world *w, const td_block *block, int lane, co
                                  : -gap[1] / w->def.time_step;
     if (s->time > 0.0) {
         c->bound = 0.5 * s->time * (double)r->motor_most[lane];
-        double moved = value[0] - (double)r->value_base[lane];
+        double moved = value[0] - (double)r->start_value[lane];
         c->row[1].target_speed = update_spring(w, block, lane, &c->row[1], moved, s->time);
     }
 }

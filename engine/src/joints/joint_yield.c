@@ -177,14 +177,14 @@ static double min_separation(const thud_world *w, const td_lane *at, int k, floa
     float half_thickness = td_kind_is_line(shape->kind) ? core : td_half_thickness(shape);
     double limit = -(double)(share * td_min_float(core, half_thickness));
     double recovery = RECOVERY_SHARE * (double)(w->def.push_speed * w->unit) * w->def.time_step;
-    return td_min_double(limit, (double)block->point[k].base[at->lane] + recovery);
+    return td_min_double(limit, (double)block->point[k].start_separation[at->lane] + recovery);
 }
 
 /* Whether a contact point overlaps more than at the start of the step, and more than it may. */
 static bool sank_too_deep(const thud_world *w, const td_lane *at, int k, float share) {
     const td_point *p = &at->block->point[k];
     double now = (double)p->separation[at->lane];
-    return p->normal_mass[at->lane] > 0.0f && now < (double)p->base[at->lane] &&
+    return p->normal_mass[at->lane] > 0.0f && now < (double)p->start_separation[at->lane] &&
            now < min_separation(w, at, k, share);
 }
 
@@ -204,7 +204,7 @@ static void correct_contact(const tied_group *g, const td_constraint *constraint
             continue;
         }
         if (!g->on_velocities) {
-            double now = (double)p->base[at.lane] + speed;
+            double now = (double)p->start_separation[at.lane] + speed;
             change_row_value(g, &at, &n,
                              td_max_double(min_separation(g->w, &at, k, DEPTH_SHARE_MAX) - now,
                                            0.0));
@@ -234,8 +234,8 @@ static void correct_row(const tied_group *g, const td_lane *at, const row_direct
 
 /* A locked distance: one row along the line between the anchors as it is after the motion. */
 static void correct_rod(const tied_group *g, const td_lane *at) {
-    double a[3], b[3], target = (double)td_lock_rows_at(at->block)->turn_base[at->lane];
-    double before = (double)at->block->point[0].base[at->lane];
+    double a[3], b[3], target = (double)td_lock_rows_at(at->block)->rest_length[at->lane];
+    double before = (double)at->block->point[0].start_separation[at->lane];
     td_joint_motion(g->w, at->block, at->lane, a, b);
     td_joint_frame f = td_joint_line_after(at->block, at->lane, before + target, 0.0, a, b);
     correct_row(g, at, &(row_direction){f.x, f.y, f.a_u, f.b_u}, before, f.gap_u - target);
@@ -246,8 +246,8 @@ static td_joint_frame frame_of(const tied_group *g, const td_lane *at) {
     double a[3], b[3];
     const td_point *p = at->block->point;
     td_joint_motion(g->w, at->block, at->lane, a, b);
-    return td_joint_frame_after(at->block, at->lane, (double)p[0].base[at->lane],
-                                (double)p[1].base[at->lane],
+    return td_joint_frame_after(at->block, at->lane, (double)p[0].start_separation[at->lane],
+                                (double)p[1].start_separation[at->lane],
                                 td_lock_rows_at(at->block)->frame[at->lane] > 0.0f, a, b);
 }
 
@@ -259,7 +259,7 @@ static void correct_lock(const tied_group *g, const td_lane *at) {
     const td_lock_rows *rows = td_lock_rows_at(block);
     if (block->tangent_mass[at->lane] > 0.0f) {
         double a[3], b[3], sign = (double)rows->turn_sign[at->lane];
-        double before = (double)rows->turn_base[at->lane];
+        double before = (double)rows->start_turn_gap[at->lane];
         td_joint_motion(g->w, block, at->lane, a, b);
         correct_row(g, at, &(row_direction){0.0, 0.0, sign, sign}, before,
                     before + sign * (b[2] - a[2]));
@@ -268,7 +268,7 @@ static void correct_lock(const tied_group *g, const td_lane *at) {
         if (p[k].normal_mass[at->lane] > 0.0f) {
             td_joint_frame f = frame_of(g, at);
             row_direction along = {f.x, f.y, f.a_u, f.b_u}, across = {-f.y, f.x, f.a_v, f.b_v};
-            correct_row(g, at, k ? &across : &along, (double)p[k].base[at->lane],
+            correct_row(g, at, k ? &across : &along, (double)p[k].start_separation[at->lane],
                         k ? f.gap_v : f.gap_u);
         }
     }
@@ -339,7 +339,7 @@ static void update_separations(const tied_group *g, const td_constraint *constra
     for (int k = 0; k < points && is_static_contact(constraint, &at); k++) {
         row_direction n = contact_normal(&at, k);
         at.block->point[k].separation[at.lane] =
-            at.block->point[k].base[at.lane] + (float)row_value(g, &at, &n);
+            at.block->point[k].start_separation[at.lane] + (float)row_value(g, &at, &n);
     }
 }
 
@@ -497,12 +497,13 @@ static void mark_body(thud_world *w, td_awake_slot slot, int mark) {
 /* Whether a drive has a limit of length, and no spring, and the limit was exceeded, as the step
  * began, by more than TD_JOINT_CLOSING_SPEED takes back in a substep: a rope that is much too
  * short. The soft solver closes such a limit slowly (max_limit_bias in wide_drive.c). Without
- * limits the base of point 0 is 0. */
+ * limits the start_separation of point 0 is 0. */
 static bool limit_far_exceeded(const thud_world *w, const td_lane *at, int kind) {
     const td_drive_rows *rows = td_drive_rows_at(at->block);
     float far = TD_JOINT_CLOSING_SPEED / TD_JOINT_GAP_SHARE * w->unit *
                 (float)(w->def.time_step / w->substeps);
-    return kind != TD_CONSTRAINT_DRIVE_TURN && at->block->point[0].base[at->lane] < -far &&
+    return kind != TD_CONSTRAINT_DRIVE_TURN &&
+           at->block->point[0].start_separation[at->lane] < -far &&
            rows->frequency[at->lane] == 0.0f;
 }
 
@@ -609,7 +610,7 @@ static void inspect_constraint(const tied_group *g, const td_constraint *constra
         const td_point *p = &block->point[k];
         found->locks_open |=
             p->normal_mass[lane] > 0.0f &&
-            opened_wider(p->separation[lane], p->base[lane], g->depth_share * g->core);
+            opened_wider(p->separation[lane], p->start_separation[lane], g->depth_share * g->core);
     }
 }
 

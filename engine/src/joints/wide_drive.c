@@ -24,7 +24,7 @@ TD_INLINE direction8 direction_now(const td_block *block, const td_drive_rows *r
     sides d = read_sides(c->delta, block, a_static);
     direction8 now = {zero, zero, r->turn_sign, r->turn_sign, zero, zero, zero};
     if (which == TURN) {
-        now.value = r->value_base + r->turn_sign * (a_static ? d.b.z : d.b.z - d.a.z);
+        now.value = r->start_value + r->turn_sign * (a_static ? d.b.z : d.b.z - d.a.z);
     } else {
         frame8 f = which == LINE ? line_now(block, &d, a_static, r->gap_u, r->gap_v, &now.value)
                                  : frame_now(block, &d, a_static, r->gap_u, r->gap_v, one);
@@ -99,7 +99,8 @@ TD_INLINE void solve_motor(td_block *block, const td_drive_rows *r, const td_sol
 
 /* Chooses the limit that is nearer at the end of the substep; `ahead` is the displacement until
  * then at the present speed. Where the limit changes, the impulse of the old one becomes a negative
- * one of the new, which the solver then takes back. Sets limit, limit_side, base and separation. */
+ * one of the new, which the solver then takes back. Sets limit, limit_side, start_separation and
+ * separation. */
 TD_INLINE void choose_limit(td_block *block, td_drive_rows *r, const direction8 *n, f8 ahead) {
     td_point *p = &block->point[0];
     f8 one = f8_all(1.0f), value = n->value + ahead;
@@ -108,7 +109,7 @@ TD_INLINE void choose_limit(td_block *block, td_drive_rows *r, const direction8 
     p->normal_impulse *= side * r->limit_side;
     r->limit_side = side;
     r->limit = f8_pick(lower, r->lower, r->upper);
-    p->base = side * (r->value_base - r->limit);
+    p->start_separation = side * (r->start_value - r->limit);
     p->separation = side * (n->value - r->limit);
 }
 
@@ -121,7 +122,8 @@ TD_INLINE f8 max_limit_bias(const td_point *p, const td_solve_context *c, f8 k, 
     if (which == TURN) {
         return f8_all(TD_JOINT_CLOSING_FACTOR * TD_JOINT_CLOSING_SPEED);
     }
-    i8 far = p->base * f8_all(-TD_JOINT_GAP_SHARE * c->inv_h) > f8_all(c->joint_closing_speed);
+    i8 far = p->start_separation * f8_all(-TD_JOINT_GAP_SHARE * c->inv_h) >
+             f8_all(c->joint_closing_speed);
     return max_bias(c->joint_closing_speed, k, p->normal_impulse) -
            f8_keep(far, f8_all((TD_JOINT_CLOSING_FACTOR - 1.0f) * c->joint_closing_speed));
 }

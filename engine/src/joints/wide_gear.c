@@ -36,7 +36,7 @@ TD_INLINE void solve_gear(td_block *const *blocks, int count, const td_solve_con
         td_block *block = blocks[i];
         td_point *p = &block->point[0];
         sides v = read_sides(c->velocity, block, false), d = read_sides(c->delta, block, false);
-        p->separation = f8_keep(p->normal_mass > zero, p->base + row_speed(block, &d));
+        p->separation = f8_keep(p->normal_mass > zero, p->start_separation + row_speed(block, &d));
         f8 bias = zero, scale = f8_all(1.0f), impulse_share = zero;
         if (soft) {
             f8 max = max_bias(c->joint_closing_speed, inverse_or_zero(p->normal_mass),

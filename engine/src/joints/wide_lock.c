@@ -76,9 +76,9 @@ TD_INLINE void solve_lock(td_block *block, const softness *s, const td_solve_con
     td_point *p = &block->point[0], *q = &block->point[1];
     td_lock_rows *h = td_lock_rows_of(block);
     sides v = read_sides(c->velocity, block, a_static), d = read_sides(c->delta, block, a_static);
-    frame8 f = frame_now(block, &d, a_static, p->base, q->base, h->frame);
+    frame8 f = frame_now(block, &d, a_static, p->start_separation, q->start_separation, h->frame);
     lock_matrix k = lock_matrix_of(block, &v, a_static, &f);
-    h->turn_apart = h->turn_base + h->turn_sign * (a_static ? d.b.z : d.b.z - d.a.z);
+    h->turn_gap = h->start_turn_gap + h->turn_sign * (a_static ? d.b.z : d.b.z - d.a.z);
     p->separation = f8_keep(k.has_u, f.gap_u);
     q->separation = f8_keep(k.has_v, f.gap_v);
     f8 old_u = p->normal_impulse, old_v = q->normal_impulse;
@@ -95,7 +95,7 @@ TD_INLINE void solve_lock(td_block *block, const softness *s, const td_solve_con
     f8 rate = gap_share(h->closing_factor) * s->inv_h;
     f8 max = h->closing_factor * s->closing,
        turn_max = h->closing_factor * f8_all(TD_JOINT_CLOSING_SPEED);
-    f8 turn = f8_keep(k.has_turn, spin + h->turn_sign * bias_of(h->turn_apart, rate, turn_max));
+    f8 turn = f8_keep(k.has_turn, spin + h->turn_sign * bias_of(h->turn_gap, rate, turn_max));
     f8 rhs_u = speed_u + bias_of(p->separation, rate, max) - k.lever_u * turn;
     f8 rhs_v = speed_v + bias_of(q->separation, rate, max) - k.lever_v * turn;
     rhs_u = f8_keep(k.has_u, rhs_u);
@@ -132,10 +132,12 @@ TD_INLINE void warm_start(td_block *const *blocks, int count, const td_solve_con
         /* In a frame that turns with a, a's arm ends at b's anchor: a_u - gap_v, a_v + gap_u. */
         f8 turns = td_lock_rows_of(block)->frame;
         td_applied_impulse *applied = &td_lock_rows_of(block)->applied;
-        f8 a_u = p->cross_a - turns * q->base, a_v = q->cross_a + turns * p->base;
+        f8 a_u = p->cross_a - turns * q->start_separation,
+           a_v = q->cross_a + turns * p->start_separation;
         sides s = read_sides(c->velocity, block, a_static);
         f8 gap = f8_max(f8_abs(p->separation), f8_abs(q->separation)), zero = f8_all(0.0f);
-        flag_torn(c, gap, f8_keep(block->tangent_mass > zero, td_lock_rows_of(block)->turn_base));
+        flag_torn(c, gap,
+                  f8_keep(block->tangent_mass > zero, td_lock_rows_of(block)->start_turn_gap));
         clear_applied(applied);
         apply_impulse(block, a_static, &s, applied, x * u - y * v, y * u + x * v,
                       moment + a_u * u + a_v * v, moment + p->cross_b * u + q->cross_b * v);
@@ -170,7 +172,8 @@ TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context 
         td_lock_rows *h = td_lock_rows_of(block);
         sides v = read_sides(c->velocity, block, a_static),
               d = read_sides(c->delta, block, a_static);
-        frame8 f = frame_now(block, &d, a_static, p->base, q->base, h->frame);
+        frame8 f =
+            frame_now(block, &d, a_static, p->start_separation, q->start_separation, h->frame);
         f8 u = p->normal_impulse, w = q->normal_impulse;
         f8 turn = h->turn_sign * block->tangent_impulse;
         replace_impulse(block, a_static, &v, &h->applied, f.x * u - f.y * w, f.y * u + f.x * w,

@@ -148,7 +148,7 @@ TD_INLINE void place_lock(const thud_world *w, td_block *block) {
     for (int k = 0; k < 2; k++) {
         td_point *q = &block->point[k];
         i8 here = is_locked(rows->locked, k);
-        q->base = gap[k];
+        q->start_separation = gap[k];
         q->separation = f8_keep(here, gap[k]);
         q->normal_mass =
             f8_keep(here, inverse_or_zero(inverse_mass(block, mass, q->cross_a, q->cross_b)));
@@ -156,12 +156,12 @@ TD_INLINE void place_lock(const thud_world *w, td_block *block) {
     }
     i8 here = is_locked(rows->locked, THUD_DIRECTION_TURN);
     f8 sign = rows->turn_sign;
-    rows->turn_base = rows->turn_apart = turn_of(&p, sign);
+    rows->start_turn_gap = rows->turn_gap = turn_of(&p, sign);
     block->tangent_mass = f8_keep(here, inverse_or_zero(inverse_mass(block, zero, sign, sign)));
     block->tangent_impulse = f8_keep(here, block->tangent_impulse);
 }
 
-/* The row of a locked distance; rows->turn_base is its length. */
+/* The row of a locked distance; rows->rest_length is its length. */
 TD_INLINE void place_rod(const thud_world *w, td_block *block) {
     td_lock_rows *rows = td_lock_rows_of(block);
     td_point *q = &block->point[0];
@@ -172,7 +172,7 @@ TD_INLINE void place_rod(const thud_world *w, td_block *block) {
     f8 length = line_of(&p, used, &x, &y);
     set_frame(block, &p, x, y);
     q->normal_mass = inverse_or_zero(inverse_mass(block, mass, q->cross_a, q->cross_b));
-    q->base = q->separation = length - rows->turn_base;
+    q->start_separation = q->separation = length - rows->rest_length;
 }
 
 /* The rows of a driven direction with coordinate `value`: the limit that is nearer, which the
@@ -186,9 +186,9 @@ TD_INLINE void set_values(td_block *block, td_drive_rows *rows, f8 value) {
     p->normal_impulse = f8_keep(side == rows->limit_side, p->normal_impulse);
     rows->limit_side = side;
     rows->limit = f8_pick(lower, rows->lower, rows->upper);
-    p->base = p->separation = side * (value - rows->limit);
-    rows->value_base = value;
-    q->base = q->separation = f8_keep(springs, value - rows->target);
+    p->start_separation = p->separation = side * (value - rows->limit);
+    rows->start_value = value;
+    q->start_separation = q->separation = f8_keep(springs, value - rows->target);
     q->normal_impulse = f8_keep(springs, q->normal_impulse);
     block->tangent_impulse = f8_keep(rows->motor_most > zero, block->tangent_impulse);
 }

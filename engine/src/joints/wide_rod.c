@@ -8,9 +8,9 @@
 TD_INLINE void solve_rod(td_block *block, const td_solve_context *c, bool a_static, bool soft) {
     td_point *p = &block->point[0];
     f8 zero = f8_all(0.0f), one = f8_all(1.0f), length;
-    f8 rest_length = td_lock_rows_of(block)->turn_base;
+    f8 rest_length = td_lock_rows_of(block)->rest_length;
     sides v = read_sides(c->velocity, block, a_static), d = read_sides(c->delta, block, a_static);
-    frame8 f = line_now(block, &d, a_static, p->base + rest_length, zero, &length);
+    frame8 f = line_now(block, &d, a_static, p->start_separation + rest_length, zero, &length);
     p->separation = f8_keep(p->normal_mass > zero, length - rest_length);
     td_applied_impulse *applied = &td_lock_rows_of(block)->applied;
     if (soft && !c->first) {
@@ -109,8 +109,8 @@ TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context 
         f8 length, u = block->point[0].normal_impulse;
         sides v = read_sides(c->velocity, block, a_static),
               d = read_sides(c->delta, block, a_static);
-        frame8 f = line_now(block, &d, a_static, block->point[0].base + h->turn_base, f8_all(0.0f),
-                            &length);
+        frame8 f = line_now(block, &d, a_static, block->point[0].start_separation + h->rest_length,
+                            f8_all(0.0f), &length);
         replace_impulse(block, a_static, &v, &h->applied, f.x * u, f.y * u, f.a_u * u, f.b_u * u);
         write_sides(c, block, a_static, &v);
     }

@@ -87,7 +87,7 @@ static bool bounces_lossily(const thud_world *w, const lane *l) {
         const td_point *p = &l->block->point[k];
         bool here = p->normal_mass[l->index] > 0.0f;
         apart &= !here || p->separation[l->index] + w->skin > TD_MEET * w->unit;
-        closes |= here && td_history_of(l->block, l->points)[k].approach[l->index] < -slow;
+        closes |= here && td_history_of(l->block, l->points)[k].normal_velocity[l->index] < -slow;
     }
     return apart && closes;
 }
@@ -105,7 +105,7 @@ static bool bounces_elastically(const thud_world *w, const lane *l) {
     bool apart = true, fast = false;
     for (int k = 0; k < l->points; k++) {
         const td_point *p = &l->block->point[k];
-        double closing = (double)td_history_of(l->block, l->points)[k].approach[l->index];
+        double closing = (double)td_history_of(l->block, l->points)[k].normal_velocity[l->index];
         double distance = (double)(p->separation[l->index] + w->skin);
         double speed2 = closing * closing + 2.0 * pull * td_max_double(distance - meets_at, 0.0);
         bool here = p->normal_mass[l->index] > 0.0f;
@@ -120,9 +120,9 @@ static bool bounces_elastically(const thud_world *w, const lane *l) {
 static void clear_overlap(const thud_world *w, const lane *l) {
     for (int k = 0; k < l->points; k++) {
         td_point *p = &l->block->point[k];
-        float distance = p->base[l->index] + w->skin;
-        if (p->base[l->index] < 0.0f && distance > -OVERLAP_SHARE * TD_MEET * w->unit) {
-            p->separation[l->index] = p->base[l->index] = 0.0f;
+        float distance = p->start_separation[l->index] + w->skin;
+        if (p->start_separation[l->index] < 0.0f && distance > -OVERLAP_SHARE * TD_MEET * w->unit) {
+            p->separation[l->index] = p->start_separation[l->index] = 0.0f;
         }
     }
 }

@@ -118,7 +118,7 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
                 f8 behind = half * at_point(falling, &g, false, ARMS_ALL, p);
                 target[k] = -share * (speed[k] + behind) - behind;
                 hit[k] = (speed[k] < slow) & (e > zero) &
-                         (p->base + speed[k] * f8_all(c->time_step) < f8_all(c->fall));
+                         (p->start_separation + speed[k] * f8_all(c->time_step) < f8_all(c->fall));
             }
             lacks[k] = speed[k] - target[k];
             hits |= hit[k];

@@ -13,7 +13,7 @@
  *     v              normal speed  n . (v_b - v_a) + w_b cross_b - w_a cross_a; negative: it closes
  *     m              effective mass (normal_mass): 1 / m = 1/m_a + 1/m_b + cross_a^2 / I_a
  *                    + cross_b^2 / I_b; 0 where there is no point
- *     s              separation: s_base + n . (d_b - d_a) + q_b cross_b - q_a cross_a, with the
+ *     s              separation: s_start + n . (d_b - d_a) + q_b cross_b - q_a cross_a, with the
  *                    motions d and rotations q since the start of the step (to first order)
  *     p              impulse of the substep (normal_impulse). The velocities have it already, by
  *                    the warm start in the first substep, by td_integrate_velocity in later ones
@@ -246,7 +246,7 @@ TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_c
            opened = centres_along(&d, a_static, nx, ny);
         for (int k = 0; k < points; k++) {
             td_point *p = &block->point[k];
-            f8 separation = p->base + at_point(opened, &d, a_static, arms, p);
+            f8 separation = p->start_separation + at_point(opened, &d, a_static, arms, p);
             p->separation = separation;
             f8 speed = at_point(closing, &v, a_static, arms, p) + f8_max(separation, zero) * inv_h;
             if (arms == ARMS_ALL) {
