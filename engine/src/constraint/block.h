@@ -50,15 +50,26 @@ typedef struct td_point {
 } td_point;
 
 /* The fields of a contact point that few passes need, apart from td_point so that it stays small.
- * Blocks of locks and rods use them for bracing (joints/joint_brace.c): `normal_velocity` of point
- * 0 is the number of the lane's ring, that of point 1 says in lane 0 whether all lanes have the
- * same ring; `total` is impulse times speed, before (point 0) and after the impulse (point 1), and
- * at last, in point 0, the share of the impulse that is kept. */
+ * Blocks of locks and rods have a td_brace_rows in their place. */
 typedef struct td_point_history {
     f8 normal_velocity; /* at the start of the step, length/s; negative: closing. Of manifolds that
                            are kept from an earlier step valid in bouncy blocks only */
     f8 total; /* normal impulse of all substeps; valid where td_solve_context.keep_totals */
 } td_point_history;
+
+/* What locks and rods keep for bracing (joints/joint_brace.c), where contacts have their two
+ * td_point_history. Powers are impulse times speed, mass length^2 / s^2. */
+typedef struct td_brace_rows {
+    f8 group; /* number of the lane's group of tied bodies */
+    union {
+        f8 power_before; /* by the speeds without the impulses: p.u */
+        f8 kept_share;   /* then: the share of the impulses that is kept */
+    };
+    f8 same_group;  /* element 0: 1 where all lanes have the same group, else 0; others not used */
+    f8 power_after; /* by the speeds with the impulses: p.u' */
+} td_brace_rows;
+
+static_assert(sizeof(td_brace_rows) == 2 * sizeof(td_point_history), "they share their place");
 
 /* The fields of friction and restitution that few contacts need. */
 typedef struct td_surface {
@@ -233,6 +244,10 @@ static inline td_point_history *td_history_of(td_block *block, int points) {
 
 static inline td_surface *td_surface_at(td_block *block, int points) {
     return (td_surface *)&td_history_of(block, points)[points];
+}
+
+static inline td_brace_rows *td_brace_rows_of(td_block *block) {
+    return (td_brace_rows *)td_history_of(block, 2);
 }
 
 static inline td_manifold_cache *td_manifold_cache_of(td_block *block, int points) {

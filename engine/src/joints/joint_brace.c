@@ -58,18 +58,14 @@ static bool for_each_lock_block(thud_world *w, bool (*visit)(thud_world *w, td_b
     return any;
 }
 
-/* The two td_point_history of a lock's block are for bracing alone:
- *     [0].normal_velocity: the number of each lane's group
- *     [1].normal_velocity: element 0 is that of same_group; the others are not used
- *     [0].total: p.u of each lane, then the share to keep
- *     [1].total: p.u' of each lane */
+/* The number of each lane's group. */
 static float *group_numbers(td_block *block) {
-    return (float *)&td_history_of(block, 2)[0].normal_velocity;
+    return (float *)&td_brace_rows_of(block)->group;
 }
 
 /* 1 where all lanes of the block belong to the same group, else 0. */
 static float *same_group(td_block *block) {
-    return (float *)&td_history_of(block, 2)[1].normal_velocity;
+    return (float *)&td_brace_rows_of(block)->same_group;
 }
 
 /* The number of the group of a body. A group gets the next free one when its first lane asks;
@@ -136,7 +132,9 @@ static void number_groups(thud_world *w) {
  * of their groups. */
 static void add_powers(const thud_world *w, td_block *block, int which) {
     const float *group = group_numbers(block);
-    const float *power = (const float *)&td_history_of(block, 2)[which].total;
+    td_brace_rows *rows = td_brace_rows_of(block);
+    const float *power =
+        (const float *)(which == POWER_AFTER ? &rows->power_after : &rows->power_before);
     if (*same_group(block) > 0.0f) {
         double sum = 0.0;
         for (int lane = 0; lane < block->used; lane++) {
@@ -173,7 +171,7 @@ static float share_to_keep(const double *group, double multiple) {
  * less than all. Returns whether any lane does. */
 static bool set_shares(thud_world *w, td_block *block, bool relaxed) {
     const float *group = group_numbers(block);
-    float *share = (float *)&td_history_of(block, 2)[0].total;
+    float *share = (float *)&td_brace_rows_of(block)->kept_share;
     float *closing_factor = (float *)&td_lock_rows_of(block)->closing_factor;
     bool any = false;
     for (int lane = 0; lane < block->used; lane++) {

@@ -186,7 +186,7 @@ TD_INLINE void clear_applied(td_applied_impulse *applied) {
 }
 
 /* wide_rod.c: a stage of bracing (joint_brace.c) on what the lanes of a rod's or lock's block
- * applied, by c->brace: measures p.u or p.u' into td_point_history.total, takes the impulses back,
+ * applied, by c->brace: measures p.u or p.u' into td_brace_rows, takes the impulses back,
  * or applies the share to keep. */
 typedef void td_brace_fn(td_block *block, const td_solve_context *c, bool a_static);
 td_brace_fn TD_WIDE(td_brace_applied);

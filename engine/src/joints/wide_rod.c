@@ -70,14 +70,14 @@ TD_INLINE void solve(td_block *const *blocks, int count, const td_solve_context 
  * record of what it applied. */
 void TD_WIDE(td_brace_applied)(td_block *block, const td_solve_context *c, bool a_static) {
     td_applied_impulse *g = &td_lock_rows_of(block)->applied;
-    td_point_history *powers = td_history_of(block, 2);
+    td_brace_rows *rows = td_brace_rows_of(block);
     sides v = read_sides(c->velocity, block, a_static);
     if (c->brace == TD_BRACE_BEFORE || c->brace == TD_BRACE_AFTER) {
         f8 power = g->x * v.b.x + g->y * v.b.y + g->moment_b * v.b.z;
         if (!a_static) {
             power -= g->x * v.a.x + g->y * v.a.y + g->moment_a * v.a.z;
         }
-        powers[c->brace == TD_BRACE_AFTER].total = power;
+        *(c->brace == TD_BRACE_AFTER ? &rows->power_after : &rows->power_before) = power;
         return;
     }
     td_applied_impulse sum;
@@ -85,7 +85,7 @@ void TD_WIDE(td_brace_applied)(td_block *block, const td_solve_context *c, bool 
     if (c->brace == TD_BRACE_TAKE) {
         apply_impulse(block, a_static, &v, &sum, -g->x, -g->y, -g->moment_a, -g->moment_b);
     } else {
-        f8 kept = powers[0].total;
+        f8 kept = rows->kept_share;
         block->point[0].normal_impulse *= kept;
         block->point[1].normal_impulse *= kept;
         block->tangent_impulse *= kept;
