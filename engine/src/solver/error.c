@@ -19,15 +19,15 @@ void td_error_begin(thud_world *w) {
     w->errors = (td_errors){.energy_change = -w->kinetic};
 }
 
-void td_error_add(thud_world *w, const td_tally *found) {
+void td_error_add(thud_world *w, const td_tally *tally) {
     td_errors *e = &w->errors;
     for (int i = 0; i < TD_LANES; i++) {
-        e->points += found->points[i];
-        e->overlaps += found->overlaps[i];
-        e->deepest = td_max_float(e->deepest, -found->min_distance[i]);
-        e->residual = td_max_float(e->residual, -found->slowest[i]);
+        e->points += tally->points[i];
+        e->overlaps += tally->overlaps[i];
+        e->deepest = td_max_float(e->deepest, -tally->min_distance[i]);
+        e->residual = td_max_float(e->residual, -tally->slowest[i]);
     }
-    e->depth += found->depth[0] + found->depth[1] + found->depth[2] + found->depth[3];
+    e->depth += tally->depth[0] + tally->depth[1] + tally->depth[2] + tally->depth[3];
 }
 
 float td_error_overlap(const thud_world *w) {

@@ -6,6 +6,10 @@
 
 #include "constraint/block.h"
 
+/* Bound of the kinetic energy of one body, and of the work of gravity on it in a step, so that sums
+ * over a few such bodies stay finite: 1/34 of the largest float. Chosen; not tuned. */
+#define TD_ENERGY_MAX 1e37f
+
 typedef struct td_motion_context {
     float (*velocity)[4];      /* x, y, turn, and the inverse mass */
     float (*delta)[4];         /* motion since the start of the step: x, y, turn */

@@ -212,7 +212,8 @@ td_finalize_bodies_fn TD_WIDE(td_finalize_bodies);
 void TD_WIDE(td_finalize_bodies)(thud_world *w) {
     float(*velocity)[4] = w->velocity.data;
     const float(*delta)[4] = w->delta.data;
-    const float *mass = w->mass.data, *inertia = w->inertia.data, *weight = w->weight.data;
+    const float *mass = w->mass.data, *inertia = w->inertia.data,
+                *gravity_mass = w->gravity_mass.data;
     i8 lane = {0, 1, 2, 3, 4, 5, 6, 7};
     f8 zero = f8_all(0.0f), far = f8_all((float)(0x1p50 / w->to_fixed));
     f8 gx = f8_all(w->def.gravity.x), gy = f8_all(w->def.gravity.y);
@@ -237,7 +238,7 @@ void TD_WIDE(td_finalize_bodies)(thud_world *w) {
         f8 sum = v.x + v.y + v.z + (d.x + d.y + d.z);
         i8 finite = sum - sum == zero;
         f8 max = f8_all(TD_ENERGY_MAX);
-        f8 fallen = f8_clamp(f8_load(weight + at) * (gx * d.x + gy * d.y), -max, max);
+        f8 fallen = f8_clamp(f8_load(gravity_mass + at) * (gx * d.x + gy * d.y), -max, max);
         f8 moving = td_kinetic_of(&v, mass + at, inertia + at);
         kinetic += d4_folded(f8_keep(here & finite, moving));
         gained += d4_folded(f8_keep(here & finite, fallen));

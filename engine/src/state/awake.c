@@ -36,7 +36,7 @@ void td_awake_refresh(thud_world *w, td_body_index index) {
     td_row(&w->velocity, body->awake)[3] = body->inv_mass;
     *td_row(&w->mass, body->awake) = body->mass;
     *td_row(&w->inertia, body->awake) = body->inertia;
-    *td_row(&w->weight, body->awake) = body->mass * body->gravity_scale;
+    *td_row(&w->gravity_mass, body->awake) = body->mass * body->gravity_scale;
     reach[0] = body->min_extent;
     reach[1] = body->max_extent;
     int lone = body->shape_count == 1 ? body->first_shape : TD_NONE;

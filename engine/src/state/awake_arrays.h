@@ -30,7 +30,7 @@ enum {
     X(reach, float[2], TD_STATE)       /* td_body.min_extent and .max_extent */                   \
     X(mass, float, TD_STATE)                                                                      \
     X(inertia, float, TD_STATE)                                                                   \
-    X(weight, float, TD_STATE)          /* mass times gravity scale */                            \
+    X(gravity_mass, float, TD_STATE)    /* mass times gravity scale */                            \
     X(body_of, td_body_index, TD_STATE) /* its count is the number of slots in use */             \
     X(lone, int, TD_STATE)              /* the body's only shape, if it is plain; else TD_NONE */ \
     X(colours, td_colours, TD_STATE)
