@@ -168,7 +168,7 @@ static void apply_forces(thud_world *w, double waited, bool retry) {
         for (int k = 0; k < 3 && accepts_force(body); k++) {
             float mean = retry ? 0.0f : mean_force(pull->now[k], pull->mean[k], waited);
             body->force[k] += mean + pull->due[k];
-            w->push_stale |= body->force[k] != 0.0f;
+            w->substep_gain_stale |= body->force[k] != 0.0f;
         }
         memset(pull->due, 0, sizeof pull->due);
     }
@@ -227,7 +227,7 @@ static double time_left(double spare, double h) {
  * used yet, s; `waiting`: the part of it that earlier calls left over, s. */
 static thud_result advance(thud_world *w, double elapsed, int max_steps,
                            const thud_step_calls *calls, int *done) {
-    bool forces = w->push_stale || w->pulls.count > 0 || calls;
+    bool forces = w->substep_gain_stale || w->pulls.count > 0 || calls;
     if (forces && !reserve_pulls(w)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "advance: out of memory");
     }

@@ -45,7 +45,7 @@ static const struct {
     FIELD(mobile_sensors),
     FIELD(breakable),
     FIELD(damped),
-    FIELD(push_stale),
+    FIELD(substep_gain_stale),
     FIELD(kinetic),
     FIELD(kinetic_stale),
     FIELD(idle_bodies),

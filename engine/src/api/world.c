@@ -326,7 +326,7 @@ thud_result thud_world_set_time_step(thud_world *w, double time_step) {
     w->def.time_step = time_step;
     w->drowsy_bodies =
         w->body_of.count; /* with a longer step bodies may fall asleep earlier than planned */
-    w->push_stale = true;
+    w->substep_gain_stale = true;
     return THUD_OK;
 }
 

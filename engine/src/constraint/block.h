@@ -380,13 +380,14 @@ enum { TD_BOUNCE_PASSES = 64 };
 
 /* Of the solver's passes: constants of the step, then the state of the present pass. */
 typedef struct td_solve_context {
-    float (*velocity)[4];   /* by awake slot: x, y, turn, inverse mass */
-    float (*delta)[4];      /* by awake slot: motion since the start of the step: x, y, angle */
-    const float (*push)[4]; /* by awake slot: velocity that gravity and forces give in a substep */
-    float inv_h;            /* 1 / h: substeps per second */
-    float substeps;         /* number of substeps of the step */
-    float time_step;        /* s */
-    float push_speed;       /* greatest speed at which overlap is corrected, length/s */
+    float (*velocity)[4]; /* by awake slot: x, y, turn, inverse mass */
+    float (*delta)[4];    /* by awake slot: motion since the start of the step: x, y, angle */
+    const float (
+        *substep_gain)[4]; /* by awake slot: velocity that gravity and forces give in a substep */
+    float inv_h;           /* 1 / h: substeps per second */
+    float substeps;        /* number of substeps of the step */
+    float time_step;       /* s */
+    float push_speed;      /* greatest speed at which overlap is corrected, length/s */
     float joint_closing_speed; /* TD_JOINT_CLOSING_SPEED, length/s */
     float bounce_speed;  /* <= 0, length/s: a pair bounces if its normal velocity is below this */
     float elastic_speed; /* the same for pairs with a restitution of 1 or more */

@@ -319,9 +319,9 @@ static void choose_kept_motion(side *a, side *b, bool pair_touches, const surfac
  * forces gave it in the rest of the step, since it stands there against the other. Only once a
  * step: a body that meets eight others would end the step with eight times that speed, upwards. */
 static void remove_remaining_gain(const thud_world *w, side *s, double time) {
-    const float *push = td_row(&w->push, s->body->awake);
+    const float *substep_gain = td_row(&w->substep_gain, s->body->awake);
     for (int k = 0; k < 2 && !s->trajectory->deflected; k++) {
-        double gain = w->substeps * (1.0 - time) * (double)push[k];
+        double gain = w->substeps * (1.0 - time) * (double)substep_gain[k];
         s->velocity[k] -= td_gain_clamped(w, k, gain);
     }
     s->trajectory->deflected = true;
@@ -337,7 +337,7 @@ void td_impact_resolve(thud_world *w, const td_toi_candidate *e, const td_impact
     side a = side_of(w, e->body[0], at, time), b = side_of(w, e->body[1], at, time);
     bool free = moves_by_velocity(&a) && moves_by_velocity(&b);
     u.bounce_speed = bounce_speed(w, &a, &b, &u);
-    impact->approach = (float)-speed_along(&a, &b, false, u.nx, u.ny);
+    impact->closing_speed = (float)-speed_along(&a, &b, false, u.nx, u.ny);
     if (u.restitution < 1.0) {
         choose_kept_motion(&a, &b, impact->touching, &u);
         impact->kept_motion[0] = a.keeps_motion;

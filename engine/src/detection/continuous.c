@@ -261,14 +261,15 @@ void td_hold_at(thud_world *w, td_awake_slot slot, double time) {
     td_body_index body = td_body_of(w, slot);
     td_pose pose = start_pose(w, slot);
     float *delta = td_row(&w->delta, slot), *velocity = td_row(&w->velocity, slot);
-    const float *push = td_row(&w->push, slot);
+    const float *substep_gain = td_row(&w->substep_gain, slot);
     float x = (float)remaining * delta[0], y = (float)remaining * delta[1];
     td_error_fall_short(w, x, y);
     td_error_follow(w, slot, x, y);
     for (int k = 0; k < 3; k++) {
         delta[k] = (float)((double)delta[k] * time);
         velocity[k] -=
-            (float)td_gain_clamped(w, k, (double)((float)(w->substeps * remaining) * push[k]));
+            (float)td_gain_clamped(w, k,
+                                   (double)((float)(w->substeps * remaining) * substep_gain[k]));
     }
     pose.center.x += td_length_from(w, delta[0]);
     pose.center.y += td_length_from(w, delta[1]);

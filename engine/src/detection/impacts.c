@@ -75,9 +75,9 @@ static void hold_body(thud_world *w, td_trajectory *f) {
  * trajectory of a body in free flight has that part in its `fall`, which hold_body cancels. */
 static void remove_remaining_gain(thud_world *w, td_awake_slot slot, const td_trajectory *f) {
     float *velocity = td_row(&w->velocity, slot);
-    const float *push = td_row(&w->push, slot);
+    const float *substep_gain = td_row(&w->substep_gain, slot);
     for (int k = 0; k < 3 && !f->free; k++) {
-        double gain = w->substeps * (1.0 - f->since) * (double)push[k];
+        double gain = w->substeps * (1.0 - f->since) * (double)substep_gain[k];
         velocity[k] -= (float)td_gain_clamped(w, k, gain);
     }
 }
@@ -325,10 +325,10 @@ static void hit_events(thud_world *w) {
         const td_impact *impact = TD_AT(td_impact, &w->scratch.impacts, i);
         const thud_contact *seen = &impact->seen;
         int a = (int)seen->shape_a.index1 - 1, b = (int)seen->shape_b.index1 - 1;
-        if (impact->approach > w->def.hit_speed * w->unit && !td_pair_is_silent(w, a, b)) {
+        if (impact->closing_speed > w->def.hit_speed * w->unit && !td_pair_is_silent(w, a, b)) {
             TD_PUSH(thud_hit_event, &w->events.hit) =
                 (thud_hit_event){seen->shape_a, seen->shape_b, seen->point, seen->normal,
-                                 td_hit_speed(impact->approach)};
+                                 td_hit_speed(impact->closing_speed)};
         }
     }
 }

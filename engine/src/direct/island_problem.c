@@ -55,7 +55,7 @@ static void take_body(td_island_work *work, int i) {
     td_awake_slot slot = work->slots[i];
     const td_body *body = td_body_at(w, td_body_of(w, slot));
     const float *before = td_at(&w->islands.before, work->island->first_body + i);
-    const float *push = td_row(&w->push, slot);
+    const float *substep_gain = td_row(&w->substep_gain, slot);
     double h = work->time / w->substeps;
     double linear = 1.0 / (1.0 + h * (double)body->linear_damping);
     double angular = 1.0 / (1.0 + h * (double)body->angular_damping);
@@ -65,7 +65,7 @@ static void take_body(td_island_work *work, int i) {
     for (int k = 0; k < 3; k++) {
         double after = b->velocity[k] = b->before[k] = (double)before[k];
         for (int n = 0; n < w->substeps; n++) {
-            after = after * (k < 2 ? linear : angular) + (double)push[k];
+            after = after * (k < 2 ? linear : angular) + (double)substep_gain[k];
         }
         b->free[k] = 0.5 * (b->before[k] + after);
     }

@@ -96,7 +96,7 @@ thud_result td_field_push(thud_world *w, const td_field_body *a, td_push force) 
         sum[0] += (float)force.x;
         sum[1] += (float)force.y;
         sum[2] += (float)force.turn;
-        w->push_stale = true;
+        w->substep_gain_stale = true;
     }
     return THUD_OK;
 }

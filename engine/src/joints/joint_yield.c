@@ -439,9 +439,10 @@ static void limit_energy(const tied_group *g) {
     double before = 0.0, after = 0.0;
     td_awake_slot slot = g->first;
     do {
-        const float *push = td_row(&w->push, slot);
-        before += twice_energy(w, slot, td_row(&w->scratch.before, slot), push, (float)w->substeps);
-        after += twice_energy(w, slot, td_row(&w->velocity, slot), push, 0.0f);
+        const float *substep_gain = td_row(&w->substep_gain, slot);
+        before += twice_energy(w, slot, td_row(&w->scratch.before, slot), substep_gain,
+                               (float)w->substeps);
+        after += twice_energy(w, slot, td_row(&w->velocity, slot), substep_gain, 0.0f);
         slot = td_next_tied(w, slot);
     } while (slot.at != g->first.at);
     float scale = after > before ? (float)__builtin_sqrt(before / after) : 1.0f;

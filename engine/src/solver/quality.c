@@ -79,7 +79,7 @@ void td_substeps_set(thud_world *w, int substeps) {
     if (substeps != w->substeps) {
         scale_impulses(w, (float)w->substeps / (float)substeps);
         w->substeps = substeps;
-        w->push_stale = true;
+        w->substep_gain_stale = true;
     }
 }
 

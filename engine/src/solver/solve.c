@@ -63,7 +63,7 @@ static td_solve_context solve_context(const thud_world *w, float h) {
     td_solve_context c = {
         .velocity = w->velocity.data,
         .delta = w->delta.data,
-        .push = w->push.data,
+        .substep_gain = w->substep_gain.data,
         .inv_h = 1.0f / h,
         .substeps = (float)w->substeps,
         .time_step = time,
@@ -95,22 +95,23 @@ static float infinity_to_nan(float x) {
  * may have changed. Forces act for one step: they are cleared, and the next step computes it again.
  */
 static void refresh_push(thud_world *w, float h) {
-    if (!w->push_stale) {
+    if (!w->substep_gain_stale) {
         return;
     }
-    w->push_stale = false;
+    w->substep_gain_stale = false;
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         td_body *body = td_body_at(w, td_body_of(w, slot));
-        float *push = td_row(&w->push, slot);
-        memset(push, 0, sizeof(float[4]));
+        float *substep_gain = td_row(&w->substep_gain, slot);
+        memset(substep_gain, 0, sizeof(float[4]));
         if (body->kind == THUD_BODY_DYNAMIC) {
             const float *force = body->force;
             float scale = body->gravity_scale, inv_mass = body->inv_mass;
-            push[0] = infinity_to_nan(h * (w->def.gravity.x * scale + force[0] * inv_mass));
-            push[1] = infinity_to_nan(h * (w->def.gravity.y * scale + force[1] * inv_mass));
-            push[2] = infinity_to_nan(h * force[2] * body->inv_inertia);
+            substep_gain[0] = infinity_to_nan(h * (w->def.gravity.x * scale + force[0] * inv_mass));
+            substep_gain[1] = infinity_to_nan(h * (w->def.gravity.y * scale + force[1] * inv_mass));
+            substep_gain[2] = infinity_to_nan(h * force[2] * body->inv_inertia);
         }
-        w->push_stale |= body->force[0] != 0.0f || body->force[1] != 0.0f || body->force[2] != 0.0f;
+        w->substep_gain_stale |=
+            body->force[0] != 0.0f || body->force[1] != 0.0f || body->force[2] != 0.0f;
         memset(body->force, 0, sizeof body->force);
     }
 }
@@ -242,7 +243,7 @@ static td_motion_context part_of(const solving *s, int chunk) {
     part.velocity += first;
     part.delta += first;
     part.start += first;
-    part.push += first;
+    part.substep_gain += first;
     part.damping = m->damping ? m->damping + first : NULL;
     part.count = td_min_int(m->count - first, size);
     return part;
@@ -389,7 +390,7 @@ void td_solve(thud_world *w) {
         .motion = {.velocity = w->velocity.data,
                    .delta = w->delta.data,
                    .start = w->start.data,
-                   .push = w->push.data,
+                   .substep_gain = w->substep_gain.data,
                    .damping = w->damped ? w->damping.data : NULL,
                    .count = w->body_of.count,
                    .h = h,

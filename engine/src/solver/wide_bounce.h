@@ -26,9 +26,9 @@ TD_INLINE f8 energy_of(const td_block *block, const sides *v) {
 }
 
 /* Velocities without what gravity and forces have added in the substeps. */
-TD_INLINE td_rows without_forces(td_rows v, td_rows push, f8 substeps) {
-    return (td_rows){v.x - substeps * push.x, v.y - substeps * push.y, v.z - substeps * push.z,
-                     v.w};
+TD_INLINE td_rows without_forces(td_rows v, td_rows substep_gain, f8 substeps) {
+    return (td_rows){v.x - substeps * substep_gain.x, v.y - substeps * substep_gain.y,
+                     v.z - substeps * substep_gain.z, v.w};
 }
 
 /* The normal impulses of the points that are hit; `lacks` is their speed less the target speed,
@@ -97,7 +97,7 @@ TD_INLINE void bounce_blocks(td_block *const *blocks, int count, const td_solve_
             }
         }
         sides v = read_sides(c->velocity, block, a_static),
-              g = read_sides(c->push, block, a_static);
+              g = read_sides(c->substep_gain, block, a_static);
         f8 closing = centres_along(&v, false, block->nx, block->ny);
         f8 falling = centres_along(&g, false, block->nx, block->ny);
         f8 e = block->restitution, speed[2], target[2], lacks[2];

@@ -37,7 +37,7 @@ void TD_WIDE(td_integrate_velocity)(const td_motion_context *c, bool first) {
     for (int i = 0; i < c->count; i += 2) {
         /* A caller may have set any velocity. */
         f8 v = clamp_velocity(c, load((const float(*)[4])c->velocity, i));
-        f8 gained = load(c->push, i);
+        f8 gained = load(c->substep_gain, i);
         if (!first) {
             gained = v - load((const float(*)[4])c->start, i);
         }

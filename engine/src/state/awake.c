@@ -47,7 +47,7 @@ void td_awake_refresh(thud_world *w, td_body_index index) {
     damping[0] = body->linear_damping;
     damping[1] = body->angular_damping;
     w->damped += damping[0] > 0.0f || damping[1] > 0.0f;
-    w->push_stale = w->kinetic_stale = true;
+    w->substep_gain_stale = w->kinetic_stale = true;
 }
 
 void td_awake_add(thud_world *w, td_body_index index) {

@@ -59,7 +59,7 @@ void td_wake_all(thud_world *w) {
             td_body_mark(w, i, TD_CHANGE_WAKE);
         }
     }
-    w->push_stale = true;
+    w->substep_gain_stale = true;
 }
 
 thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_id *out) {

@@ -48,7 +48,7 @@ static void add_force(thud_world *w, td_body_index index, const double v[4]) {
     body->force[0] += (float)v[0];
     body->force[1] += (float)v[1];
     body->force[2] += (float)v[2];
-    w->push_stale = true;
+    w->substep_gain_stale = true;
     td_body_mark(w, index, TD_CHANGE_WAKE);
 }
 

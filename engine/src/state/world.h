@@ -89,7 +89,7 @@ struct thud_world {
     int mobile_sensors; /* those of them that belong to dynamic bodies */
     int constraint_count[TD_CONSTRAINT_KINDS]; /* live constraints of each kind */
     int damped;                                /* awake bodies with damping */
-    bool push_stale;                           /* the array `push` must be recomputed */
+    bool substep_gain_stale;                   /* the array substep_gain must be recomputed */
     double kinetic;                            /* kinetic energy of the awake bodies */
     bool kinetic_stale;                        /* `kinetic` must be recomputed */
     int idle_bodies;                           /* bodies at rest for TD_SLEEP_TIME or longer */
