@@ -67,7 +67,7 @@ static const char *def_error(const thud_world_def *d, td_reason *why) {
         return "world def: quality is null";
     }
     const char *error = td_quality_error(d->quality, why);
-    error = error ? error : td_max_error_error(d->max_error, d->quality, why);
+    error = error ? error : td_check_max_error(d->max_error, d->quality, why);
     if (error) {
         return error;
     }
@@ -238,7 +238,7 @@ thud_result thud_world_create(const thud_world_def *def, thud_world **out) {
     td_islands_init(&w->islands, w->wide);
     td_proxy_set_init(&w->awake_shapes);
     td_proxy_set_init(&w->rest_shapes);
-    td_quality_take(w, def->quality);
+    td_quality_apply(w, def->quality);
     if (!td_awake_reserve(w, 0)) {
         thud_world_destroy(w);
         return refuse(def, THUD_ERROR_MEMORY, no_memory);

@@ -312,7 +312,7 @@ TD_INLINE_SMALL f8 f8_two(const float *low, const float *high) {
 }
 
 /* Transposes: r0 has the records 0 and 4, r1 the records 1 and 5, r2 2 and 6, r3 3 and 7. */
-TD_INLINE td_rows td_turn(f8 r0, f8 r1, f8 r2, f8 r3) {
+TD_INLINE td_rows td_transpose(f8 r0, f8 r1, f8 r2, f8 r3) {
     f8 t0 = __builtin_shufflevector(r0, r1, 0, 8, 1, 9, 4, 12, 5, 13);
     f8 t1 = __builtin_shufflevector(r2, r3, 0, 8, 1, 9, 4, 12, 5, 13);
     f8 t2 = __builtin_shufflevector(r0, r1, 2, 10, 3, 11, 6, 14, 7, 15);
@@ -333,17 +333,18 @@ TD_INLINE td_rows td_gather(const float (*records)[4], const uint32_t *offset) {
     for (int i = 0; i < 8; i++) {
         r[i] = (const float *)(const void *)(base + offset[i]);
     }
-    return td_turn(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]), f8_two(r[3], r[7]));
+    return td_transpose(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]),
+                        f8_two(r[3], r[7]));
 }
 
 /* Reads eight consecutive records. */
 TD_INLINE td_rows td_load_rows(const float (*records)[4]) {
-    return td_turn(f8_two(records[0], records[4]), f8_two(records[1], records[5]),
-                   f8_two(records[2], records[6]), f8_two(records[3], records[7]));
+    return td_transpose(f8_two(records[0], records[4]), f8_two(records[1], records[5]),
+                        f8_two(records[2], records[6]), f8_two(records[3], records[7]));
 }
 
-/* The inverse of td_turn: `out` gets the eight records in their order. */
-TD_INLINE void td_turn_back(td_rows v, f4 out[8]) {
+/* The inverse of td_transpose: `out` gets the eight records in their order. */
+TD_INLINE void td_transpose_back(td_rows v, f4 out[8]) {
     f8 t0 = __builtin_shufflevector(v.x, v.y, 0, 8, 1, 9, 4, 12, 5, 13);
     f8 t1 = __builtin_shufflevector(v.x, v.y, 2, 10, 3, 11, 6, 14, 7, 15);
     f8 t2 = __builtin_shufflevector(v.z, v.w, 0, 8, 1, 9, 4, 12, 5, 13);
@@ -361,7 +362,7 @@ TD_INLINE void td_turn_back(td_rows v, f4 out[8]) {
 /* Writes eight records to offsets in bytes. Where two offsets are equal, the later lane's stays. */
 TD_INLINE void td_scatter(float (*records)[4], const uint32_t *offset, td_rows v) {
     f4 r[8];
-    td_turn_back(v, r);
+    td_transpose_back(v, r);
     for (int i = 0; i < 8; i++) {
         __builtin_memcpy((char *)records + offset[i], &r[i], sizeof r[i]);
     }

@@ -43,7 +43,8 @@ TD_INLINE td_rows td_gather_proxies(const td_collide_context *c, const int32_t *
     for (int i = 0; i < TD_LANES; i++) {
         r[i] = (const float *)((const char *)&c->proxy[index[i]] + offset);
     }
-    return td_turn(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]), f8_two(r[3], r[7]));
+    return td_transpose(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]),
+                        f8_two(r[3], r[7]));
 }
 
 /* Exact differences of the centres of two pairs, in quanta, as doubles: x, y, x, y. They are exact

@@ -5,7 +5,7 @@
  * velocity v of each body, so that its motion is h v and its velocity at the end 2 v - v_before, as
  * in the implicit midpoint rule. Joint rows change as bodies turn. Their Jacobian is a discrete
  * gradient: J(h v) (h v) = q(after) - q(before) exactly, for the joint's coordinate q (Gonzalez,
- * "Time integration and discrete Hamiltonian systems", 1996; td_turn_rows_fn computes it). Then
+ * "Time integration and discrete Hamiltonian systems", 1996; td_update_rows_fn computes it). Then
  * impulses J' l of locked rows do no work, and gaps are closed at the end of the part instead of in
  * its tangent direction.
  *
@@ -84,7 +84,7 @@ static void update_joint_rows(td_island_work *work, double start, bool ended) {
             span.a[1][k] = span.a[0][k];
             span.b[1][k] = span.b[0][k];
         }
-        work->w->kinds[kind]->lanes->turn_rows(work->w, at.block, at.lane, &span, c);
+        work->w->kinds[kind]->lanes->update_rows(work->w, at.block, at.lane, &span, c);
         clear_arms(&work->problem, c);
     }
     td_direct_update_speeds(&work->problem);

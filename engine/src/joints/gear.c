@@ -188,9 +188,9 @@ static bool take_rows(const thud_world *w, td_block *block, int lane, const floa
     return false;
 }
 
-/* td_turn_rows_fn: the Jacobian stays, and the gap follows the motion along it. */
-static void turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
-                      td_direct_constraint *c) {
+/* td_update_rows_fn: the Jacobian stays, and the gap follows the motion along it. */
+static void update_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
+                        td_direct_constraint *c) {
     td_direct_row *row = &c->row[0];
     double gap = (double)block->point[0].start_separation[lane];
     for (int k = 0; k < 3; k++) {
@@ -217,7 +217,7 @@ static void prepare(thud_world *w, td_block *const *blocks, int count,
 #define prepare_base prepare
 #define prepare_avx2 prepare
 
-TD_DEFINE_JOINT_LANES(take_rows, turn_rows)
+TD_DEFINE_JOINT_LANES(take_rows, update_rows)
 TD_DEFINE_JOINT_OPS(ops, TD_FORM_GEAR, prepare, td_solve_gear)
 
 const td_constraint_ops *td_gear_ops(const thud_world *w) {

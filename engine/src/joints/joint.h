@@ -227,7 +227,7 @@ static inline float td_joint_abs(float x) {
                                       .count = count,               \
                                       .load = load,                 \
                                       .take_rows = (take),          \
-                                      .turn_rows = (turn)};
+                                      .update_rows = (turn)};
 
 #define TD_JOINT_OPS(block_form, prepare, solve_ops)                                              \
     {                                                                                             \
@@ -256,6 +256,6 @@ const td_constraint_ops *td_drive_ops(const thud_world *w, int kind);
 
 /* joint_rows.c: their rows for the direct solver. */
 td_take_rows_fn td_rod_take_rows, td_lock_take_rows, td_drive_take_rows;
-td_turn_rows_fn td_rod_turn_rows, td_lock_turn_rows, td_drive_turn_rows;
+td_update_rows_fn td_rod_update_rows, td_lock_update_rows, td_drive_update_rows;
 
 #endif

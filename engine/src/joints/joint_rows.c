@@ -1,9 +1,10 @@
 /* joint_rows.c: the rows of joints for the direct solver (direct/direct.h): Jacobians, target
  * speeds and warm starts.
  *
- * td_*_take_rows fills a constraint's rows at the start of the step. td_*_turn_rows recomputes them
- * for a part of the step of length h, from the motions of both sides at its start (a[0], b[0]) and,
- * as known so far, at its end (a[1], b[1]): td_span. Where h is 0, rows are those of the instant.
+ * td_*_take_rows fills a constraint's rows at the start of the step. td_*_update_rows recomputes
+ * them for a part of the step of length h, from the motions of both sides at its start (a[0], b[0])
+ * and, as known so far, at its end (a[1], b[1]): td_span. Where h is 0, rows are those of the
+ * instant.
  *
  * The Jacobians J of a part are discrete gradients of the joint's coordinate q, so that locked rows
  * do no work (O. Gonzalez, "Time integration and discrete Hamiltonian systems", 1996):
@@ -183,8 +184,8 @@ bool td_rod_take_rows(const thud_world *w, td_block *block, int lane, const floa
     return false;
 }
 
-void td_rod_turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
-                      td_direct_constraint *c) {
+void td_rod_update_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
+                        td_direct_constraint *c) {
     double rest_length = (double)td_lock_rows_at(block)->rest_length[lane], length[2];
     td_joint_frame f =
         midpoint_line(block, lane, (double)block->point[0].start_separation[lane] + rest_length,
@@ -195,9 +196,9 @@ void td_rod_turn_rows(const thud_world *w, const td_block *block, int lane, cons
     set_line_stiffness(c, &f, s, c->row[0].impulse, length[0], &c->row[1]);
 }
 
-/* td_turn_rows_fn of locked directions: rows 0 along, 1 across, 2 turn. */
-void td_lock_turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
-                       td_direct_constraint *c) {
+/* td_update_rows_fn of locked directions: rows 0 along, 1 across, 2 turn. */
+void td_lock_update_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
+                         td_direct_constraint *c) {
     const td_lock_rows *rows = td_lock_rows_at(block);
     double u = (double)block->point[0].start_separation[lane],
            v = (double)block->point[1].start_separation[lane];
@@ -364,10 +365,10 @@ static td_joint_frame midpoint_drive(const thud_world *w, const td_block *block,
                                             : midpoint_frame(block, lane, u, v, true, s);
 }
 
-/* td_turn_rows_fn of a driven direction. A limit that is open as the part begins gets the target
+/* td_update_rows_fn of a driven direction. A limit that is open as the part begins gets the target
  * speed that just reaches it by the end. */
-void td_drive_turn_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
-                        td_direct_constraint *c) {
+void td_drive_update_rows(const thud_world *w, const td_block *block, int lane, const td_span *s,
+                          td_direct_constraint *c) {
     const td_drive_rows *r = td_drive_rows_at(block);
     double side = (double)r->limit_side[lane], value[2], gap[2];
     td_joint_frame f = midpoint_drive(w, block, lane, s, value);

@@ -41,7 +41,7 @@ static void count(thud_world *w, const td_block *block) {
     }
 }
 
-TD_DEFINE_JOINT_LANES(td_lock_take_rows, td_lock_turn_rows)
+TD_DEFINE_JOINT_LANES(td_lock_take_rows, td_lock_update_rows)
 TD_DEFINE_JOINT_OPS(ops, TD_FORM_LOCK, td_place_joints, td_solve_lock)
 
 const td_constraint_ops *td_lock_ops(const thud_world *w) {

@@ -27,7 +27,7 @@ static void count(thud_world *w, const td_block *block) {
     }
 }
 
-TD_DEFINE_JOINT_LANES(td_rod_take_rows, td_rod_turn_rows)
+TD_DEFINE_JOINT_LANES(td_rod_take_rows, td_rod_update_rows)
 TD_DEFINE_JOINT_OPS(ops, TD_FORM_LOCK, td_place_joints, td_solve_rod)
 
 const td_constraint_ops *td_rod_ops(const thud_world *w) {

@@ -40,7 +40,8 @@ TD_INLINE td_rows rotations_of(const td_pose *const *pose) {
     for (int i = 0; i < TD_LANES; i++) {
         r[i] = (const float *)((const char *)pose[i] + offsetof(td_pose, angle));
     }
-    return td_turn(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]), f8_two(r[3], r[7]));
+    return td_transpose(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]),
+                        f8_two(r[3], r[7]));
 }
 
 /* td_angle_radians of eight angles: radians in (-pi, pi]. */

@@ -24,7 +24,7 @@ const char *td_quality_error(const thud_quality *q, td_reason *why) {
     return in ? NULL : why->text;
 }
 
-const char *td_max_error_error(double max_error, const thud_quality *quality, td_reason *why) {
+const char *td_check_max_error(double max_error, const thud_quality *quality, td_reason *why) {
     if (!td_in(why, "max_error", max_error, 0.0, THUD_MAX_ERROR_MAX)) {
         return why->text;
     }
@@ -83,7 +83,7 @@ void td_substeps_set(thud_world *w, int substeps) {
     }
 }
 
-void td_quality_take(thud_world *w, const thud_quality *quality) {
+void td_quality_apply(thud_world *w, const thud_quality *quality) {
     w->quality = *quality;
     if (w->def.contact_stiffness != 0.0f) {
         w->quality.contact_stiffness = w->def.contact_stiffness;
@@ -108,14 +108,14 @@ thud_result thud_world_set_quality(thud_world *w, const thud_quality *quality) {
     }
     td_reason why;
     const char *error = td_quality_error(quality, &why);
-    error = error ? error : td_max_error_error(w->def.max_error, quality, &why);
+    error = error ? error : td_check_max_error(w->def.max_error, quality, &why);
     if (error) {
         return td_refuse(w, THUD_ERROR_INVALID, error);
     }
     if (w->locked) {
         return td_refuse(w, THUD_ERROR_LOCKED, "set quality: not inside a callback");
     }
-    td_quality_take(w, quality);
+    td_quality_apply(w, quality);
     td_wake_all(w);
     return THUD_OK;
 }
@@ -125,7 +125,7 @@ thud_result thud_world_set_max_error(thud_world *w, double max_error) {
         return THUD_ERROR_NULL;
     }
     td_reason why;
-    const char *error = td_max_error_error(max_error, &w->quality, &why);
+    const char *error = td_check_max_error(max_error, &w->quality, &why);
     if (error) {
         return td_refuse(w, THUD_ERROR_INVALID, error);
     }

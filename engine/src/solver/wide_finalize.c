@@ -93,12 +93,13 @@ TD_INLINE td_rows load_eight(const void *const records[TD_LANES], size_t offset)
     for (int i = 0; i < TD_LANES; i++) {
         r[i] = (const float *)(const void *)((const char *)records[i] + offset);
     }
-    return td_turn(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]), f8_two(r[3], r[7]));
+    return td_transpose(f8_two(r[0], r[4]), f8_two(r[1], r[5]), f8_two(r[2], r[6]),
+                        f8_two(r[3], r[7]));
 }
 
 TD_INLINE void store_eight(void *const records[TD_LANES], size_t offset, td_rows v) {
     f4 r[TD_LANES];
-    td_turn_back(v, r);
+    td_transpose_back(v, r);
     for (int i = 0; i < TD_LANES; i++) {
         __builtin_memcpy((char *)records[i] + offset, &r[i], sizeof r[i]);
     }
@@ -133,7 +134,7 @@ TD_INLINE td_rows move_eight(const thud_world *w, td_awake_slot first, void *con
     for (int i = 0; i < 4; i++) {
         r[i] = __builtin_shufflevector(coarse[i], coarse[i + 4], 0, 1, 2, 3, 4, 5, 6, 7);
     }
-    return td_turn(r[0], r[1], r[2], r[3]);
+    return td_transpose(r[0], r[1], r[2], r[3]);
 }
 
 /* Updates poses, shapes and bounds of the bodies in slots first + i for the bits i that are set.
@@ -171,11 +172,11 @@ TD_INLINE void place_lanes(thud_world *w, td_awake_slot first, f8 turn, unsigned
     if (left) {
         i8 margin = (i8)rest.w;
         f4 grown[TD_LANES];
-        td_turn_back((td_rows){(f8)i8_wrap_sub(tight.min_x, margin),
-                               (f8)i8_wrap_sub(tight.min_y, margin),
-                               (f8)wrap_add(tight.max_x, margin),
-                               (f8)wrap_add(tight.max_y, margin)},
-                     grown);
+        td_transpose_back((td_rows){(f8)i8_wrap_sub(tight.min_x, margin),
+                                    (f8)i8_wrap_sub(tight.min_y, margin),
+                                    (f8)wrap_add(tight.max_x, margin),
+                                    (f8)wrap_add(tight.max_y, margin)},
+                          grown);
         w->awake_shapes.valid = false;
         for (; left; left &= left - 1) {
             int i = __builtin_ctz(left);
