@@ -77,21 +77,21 @@ static td_position clamped_place(const thud_world *w, double x, double y) {
 
 /* Lists every shape but terrain. False when memory is short. */
 static bool list_all(thud_world *w) {
-    if (!td_array_reserve(&w->memory, &w->scratch.hits, w->shapes.count)) {
+    if (!td_array_reserve(&w->memory, &w->scratch.found_shapes, w->shapes.count)) {
         return false;
     }
     for (int i = 0; i < w->shapes.count; i++) {
         if (!td_kind_is_line(td_shape_at(w, i)->kind)) {
-            td_push_int(&w->scratch.hits, i);
+            td_push_int(&w->scratch.found_shapes, i);
         }
     }
     return true;
 }
 
 bool td_query_list(thud_world *w, thud_pos lower, thud_pos upper) {
-    td_array *hits = &w->scratch.hits;
-    hits->stride = (int)sizeof(int);
-    hits->count = 0;
+    td_array *found = &w->scratch.found_shapes;
+    found->stride = (int)sizeof(int);
+    found->count = 0;
     td_position from = clamped_place(w, lower.x, lower.y), to = clamped_place(w, upper.x, upper.y);
     /* Bounds are 32-bit and wrap around: those of a wider box would be ambiguous. */
     int64_t max = (int64_t)((double)THUD_SIZE_MAX * TD_FIXED_ONE);
@@ -100,18 +100,18 @@ bool td_query_list(thud_world *w, thud_pos lower, thud_pos upper) {
     }
     td_bounds bounds = {td_coarse(from.x), td_coarse(from.y), td_coarse(to.x) + 1,
                         td_coarse(to.y) + 1};
-    return td_preview_find(w, &w->memory, &bounds, from, hits);
+    return td_preview_find(w, &w->memory, &bounds, from, found);
 }
 
 bool td_query_list_terrains(thud_world *w) {
-    td_array *hits = &w->scratch.hits;
-    if (!td_array_reserve(&w->memory, hits, hits->count + w->terrains.live)) {
+    td_array *found = &w->scratch.found_shapes;
+    if (!td_array_reserve(&w->memory, found, found->count + w->terrains.live)) {
         return false;
     }
     for (int i = 0; i < w->terrains.count; i++) {
         const td_terrain_record *record = td_terrain_record_at(w, i);
         if (record->shape != TD_NONE) {
-            td_push_int(hits, record->shape);
+            td_push_int(found, record->shape);
         }
     }
     return true;

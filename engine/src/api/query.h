@@ -1,7 +1,7 @@
 /* query.h: what all queries share. A query checks its arguments, calls td_query_prepare, lists
- * candidates in thud_world.scratch.hits (td_query_list, td_query_list_terrains), and tests each
- * candidate that passes its filter (td_query_passes) exactly, by td_query_instance. `shape` is a
- * shape's slot. */
+ * candidates in thud_world.scratch.found_shapes (td_query_list, td_query_list_terrains), and tests
+ * each candidate that passes its filter (td_query_passes) exactly, by td_query_instance. `shape` is
+ * a shape's slot. */
 #ifndef TD_QUERY_H
 #define TD_QUERY_H
 
@@ -32,8 +32,8 @@ void td_query_bounds(thud_pos center, const thud_geometry *shape, thud_pos *lowe
  * the preview stays as it is. False when memory is short. */
 bool td_query_prepare(thud_world *w);
 
-/* Lists in scratch.hits, in any order, every shape but terrain whose fat bounds overlap the box;
- * after td_query_prepare. False when memory is short. */
+/* Lists in scratch.found_shapes, in any order, every shape but terrain whose fat bounds overlap the
+ * box; after td_query_prepare. False when memory is short. */
 bool td_query_list(thud_world *w, thud_pos lower, thud_pos upper);
 
 /* As thud_world_cast_shape_all, but finds only sensors, whatever filter->sensors is. */
@@ -46,7 +46,7 @@ void td_query_measure(const thud_world *w, int shape, td_position origin, thud_c
 thud_closest_hit td_query_closest_hit(const thud_world *w, int shape, thud_pos point,
                                       const thud_closest *c);
 
-/* Appends every terrain to scratch.hits. False when memory is short. */
+/* Appends every terrain to scratch.found_shapes. False when memory is short. */
 bool td_query_list_terrains(thud_world *w);
 
 #endif

@@ -7,11 +7,11 @@
 
 /* ---- candidates ---- */
 
-/* Tests the candidates in scratch.hits, and keeps hits at a fraction in (after, until]. */
+/* Tests the candidates in scratch.found_shapes, and keeps hits at a fraction in (after, until]. */
 static void keep_hits(const thud_world *w, const td_path *way, double after, double until,
                       td_nearest *k) {
-    for (int i = 0; i < w->scratch.hits.count; i++) {
-        int index = td_int_at(&w->scratch.hits, i);
+    for (int i = 0; i < w->scratch.found_shapes.count; i++) {
+        int index = td_int_at(&w->scratch.found_shapes, i);
         thud_ray_hit hit;
         if (td_path_meets(w, index, way, &hit) && hit.fraction > after && hit.fraction <= until) {
             hit.shape = td_shape_handle(w, index);
@@ -27,7 +27,7 @@ static bool cast(thud_world *w, const td_path *way, bool first, td_nearest *k) {
     if (!td_query_prepare(w)) {
         return false;
     }
-    w->scratch.hits.count = 0;
+    w->scratch.found_shapes.count = 0;
     if (!td_query_list_terrains(w)) {
         return false;
     }
@@ -44,7 +44,7 @@ static bool cast(thud_world *w, const td_path *way, bool first, td_nearest *k) {
         if (first && k->count && k->hits[0].fraction <= to) {
             break;
         }
-        piece = td_piece_next(piece, w->scratch.hits.count);
+        piece = td_piece_next(piece, w->scratch.found_shapes.count);
         done = to;
     }
     return true;

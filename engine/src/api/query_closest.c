@@ -28,12 +28,12 @@ thud_closest_hit td_query_closest_hit(const thud_world *w, int index, thud_pos p
                           .distance = c->distance};
 }
 
-/* Updates *best and *nearest (its slot) with the nearest candidate in scratch.hits; among equals
- * the lower slot. */
+/* Updates *best and *nearest (its slot) with the nearest candidate in scratch.found_shapes; among
+ * equals the lower slot. */
 static void keep_nearest(const thud_world *w, td_position at, const thud_query_filter *filter,
                          int *nearest, thud_closest *best) {
-    for (int i = 0; i < w->scratch.hits.count; i++) {
-        int index = td_int_at(&w->scratch.hits, i);
+    for (int i = 0; i < w->scratch.found_shapes.count; i++) {
+        int index = td_int_at(&w->scratch.found_shapes, i);
         if (!td_query_passes(w, index, filter)) {
             continue;
         }

@@ -25,19 +25,19 @@ static void report_overlaps(thud_world *w, td_position origin, const thud_geomet
                             const thud_query_filter *filter, thud_overlap_fn *fn, void *context) {
     bool was_locked = w->locked;
     /* Queries that the callback makes list their candidates in an array of their own. */
-    td_array hits = w->scratch.hits;
-    w->scratch.hits = (td_array){.stride = hits.stride};
+    td_array found = w->scratch.found_shapes;
+    w->scratch.found_shapes = (td_array){.stride = found.stride};
     w->locked = true;
-    for (int i = 0; i < hits.count; i++) {
-        int index = td_int_at(&hits, i);
+    for (int i = 0; i < found.count; i++) {
+        int index = td_int_at(&found, i);
         if (td_query_passes(w, index, filter) && overlaps(w, index, origin, exact) &&
             !fn(td_shape_handle(w, index), context)) {
             break;
         }
     }
     w->locked = was_locked;
-    td_array_free(&w->memory, &w->scratch.hits);
-    w->scratch.hits = hits;
+    td_array_free(&w->memory, &w->scratch.found_shapes);
+    w->scratch.found_shapes = found;
 }
 
 thud_result thud_world_overlap_shape(thud_world *w, thud_pos center, thud_geometry shape,
@@ -59,7 +59,7 @@ thud_result thud_world_overlap_shape(thud_world *w, thud_pos center, thud_geomet
     if (!td_query_prepare(w) || !td_query_list(w, lower, upper) || !td_query_list_terrains(w)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "overlap: out of memory");
     }
-    td_sort_ints(&w->scratch.hits);
+    td_sort_ints(&w->scratch.found_shapes);
     report_overlaps(w, td_place_from(w, center), &shape, filter, fn, context);
     return THUD_OK;
 }

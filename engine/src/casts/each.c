@@ -40,7 +40,7 @@ static void report_hits(td_walk *walk, thud_cast_fn *fn, void *context) {
 
 /* The cast after its checks. */
 static thud_result each(thud_world *w, td_path *way, thud_cast_fn *fn, void *context) {
-    td_array *scratch = &w->scratch.hits;
+    td_array *scratch = &w->scratch.found_shapes;
     int size = td_walk_room(w);
     if (!td_query_prepare(w) || !td_array_reserve(&w->memory, scratch, size)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "cast: out of memory");

@@ -82,10 +82,10 @@ static thud_result cast_all(thud_world *w, batch *b) {
     b->job = (td_job){.counters = shared ? counters : NULL, .workers = shared ? workers : 1};
     b->room_size = td_walk_room(w);
     if (!td_query_prepare(w) ||
-        !td_array_reserve(&w->memory, &w->scratch.hits, b->room_size * b->job.workers)) {
+        !td_array_reserve(&w->memory, &w->scratch.found_shapes, b->room_size * b->job.workers)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "casts: out of memory");
     }
-    b->rooms = w->scratch.hits.data;
+    b->rooms = w->scratch.found_shapes.data;
     td_job_run(w, &b->job, cast_chunks, b);
     return THUD_OK;
 }

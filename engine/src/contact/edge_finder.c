@@ -158,7 +158,7 @@ static uint8_t sealed_ends(const td_neighbourhood *s, int terrain_shape, int nei
 /* Room for the broadphase's results in td_neighbour_any, so that it does not fail. False when
  * memory is short. */
 static bool reserve_hits(thud_world *w) {
-    return td_array_reserve(&w->memory, &w->scratch.hits,
+    return td_array_reserve(&w->memory, &w->scratch.found_shapes,
                             3 * w->rest_shapes.ids.count + 4 * TD_LANES);
 }
 

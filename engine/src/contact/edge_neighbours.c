@@ -166,18 +166,18 @@ static bool any_in_body(const td_neighbourhood *s, const thud_geometry *where, t
 bool td_neighbour_any(const td_neighbourhood *s, const thud_geometry *where, td_neighbour_fn *fn,
                       void *context) {
     thud_world *w = s->w;
-    td_array *hits = &w->scratch.hits;
+    td_array *found = &w->scratch.found_shapes;
     if (s->moves) {
         return any_in_body(s, where, fn, context);
     }
     td_bounds b = td_placed_bounds(w, where, s->origin, 2.0 * TD_NEIGHBOUR_GAP * s->unit);
-    hits->count = 0;
+    found->count = 0;
     if (!td_kind_is_line(where->kind) &&
-        !w->def.broadphase->find[w->wide](&w->rest_shapes, &w->memory, &b, s->origin, hits)) {
+        !w->def.broadphase->find[w->wide](&w->rest_shapes, &w->memory, &b, s->origin, found)) {
         return false;
     }
-    for (int i = 0; i < hits->count; i++) {
-        int n = td_int_at(hits, i);
+    for (int i = 0; i < found->count; i++) {
+        int n = td_int_at(found, i);
         if (td_is_ground(w, n) && visit(s, n, fn, context)) {
             return true;
         }

@@ -285,7 +285,7 @@ static void count_contacts(thud_world *w, const td_constraint *contact) {
 /* Sets all trajectories to the start of the step, and queues all candidates by their times of
  * impact. */
 static void schedule_candidates(thud_world *w) {
-    w->scratch.candidates.count = w->scratch.strays.count = w->scratch.impacts.count = 0;
+    w->scratch.extra_candidates.count = w->scratch.strays.count = w->scratch.impacts.count = 0;
     td_event_queue_clear(&w->scratch.queue, w->constraints.count);
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         begin_trajectory(w, slot);
@@ -314,7 +314,7 @@ static void schedule_candidates(thud_world *w) {
             td_toi_queue_set_first(w, i);
         }
     }
-    for (int i = 0; i < w->scratch.candidates.count; i++) {
+    for (int i = 0; i < w->scratch.extra_candidates.count; i++) {
         td_toi_queue_set(w, w->constraints.count + i);
     }
 }
@@ -346,12 +346,12 @@ static bool reserve(thud_world *w) {
      * body. */
     int legs = w->sensors > 0 ? 2 * impacts_max + 2 * awake : 0;
     return td_held_reserve(w) && td_array_reserve(&w->memory, &w->scratch.legs, legs) &&
-           td_array_reserve(&w->memory, &w->scratch.hits, 2 * shapes + 4 * TD_LANES) &&
+           td_array_reserve(&w->memory, &w->scratch.found_shapes, 2 * shapes + 4 * TD_LANES) &&
            td_array_reserve(&w->memory, &w->scratch.trajectories, awake) &&
            td_array_reserve(&w->memory, &w->scratch.strays, awake) &&
            td_array_reserve(&w->memory, &w->scratch.impacts,
                             td_max_int(impacts_max, td_gaps_room(w))) &&
-           td_array_reserve(&w->memory, &w->scratch.candidates, extras) &&
+           td_array_reserve(&w->memory, &w->scratch.extra_candidates, extras) &&
            td_array_reserve(&w->memory, &w->events.hit, w->events.hit.count + hits + impacts_max) &&
            td_event_queue_reserve(&w->memory, &w->scratch.queue, w->constraints.count + extras);
 }

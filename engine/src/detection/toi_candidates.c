@@ -12,7 +12,8 @@ static bool is_listed(const thud_world *w, int shape_a, int shape_b) {
     td_awake_slot slot = td_body_at(w, td_shape_at(w, shape_b)->body)->awake;
     int e = slot.at > 0 ? td_trajectory_at(w, slot)->extras : TD_NONE;
     while (e != TD_NONE) {
-        const td_toi_candidate *extra = TD_AT(td_toi_candidate, &w->scratch.candidates, e / 2);
+        const td_toi_candidate *extra =
+            TD_AT(td_toi_candidate, &w->scratch.extra_candidates, e / 2);
         if ((extra->shape[0] == shape_a && extra->shape[1] == shape_b) ||
             (extra->shape[0] == shape_b && extra->shape[1] == shape_a)) {
             break;
@@ -25,7 +26,7 @@ static bool is_listed(const thud_world *w, int shape_a, int shape_b) {
 /* Adds an extra candidate, if it is not there yet, to the lists of both bodies. It is not queued.
  * False when memory is short. */
 static bool add_extra(thud_world *w, int shape_a, int shape_b) {
-    td_array *extras = &w->scratch.candidates;
+    td_array *extras = &w->scratch.extra_candidates;
     int number = w->constraints.count + extras->count, index = extras->count;
     if (is_listed(w, shape_a, shape_b)) {
         return true;
@@ -132,17 +133,17 @@ static td_far_bounds bounds_ahead(const thud_world *w, const td_trajectory *f, i
     return b;
 }
 
-/* Appends to scratch.hits the shapes of a proxy set whose fat bounds overlap those of the path;
- * all of the set where the path is too long for a query. False when memory is short. */
+/* Appends to scratch.found_shapes the shapes of a proxy set whose fat bounds overlap those of the
+ * path; all of the set where the path is too long for a query. False when memory is short. */
 static bool append_overlapping(thud_world *w, const td_proxy_set *set, const td_far_bounds *ahead,
                                td_position near_place) {
-    td_array *hits = &w->scratch.hits;
+    td_array *found = &w->scratch.found_shapes;
     if (fits(ahead)) {
         td_bounds bounds = wrap(ahead);
-        return w->def.broadphase->find[w->wide](set, &w->memory, &bounds, near_place, hits);
+        return w->def.broadphase->find[w->wide](set, &w->memory, &bounds, near_place, found);
     }
     for (int i = 0; i < set->ids.count; i++) {
-        td_push_int(hits, td_int_at(&set->ids, i));
+        td_push_int(found, td_int_at(&set->ids, i));
     }
     return true;
 }
@@ -161,10 +162,10 @@ static bool is_detected(const thud_world *w, int shape, int other) {
  * depend on the broadphase. The exact bounds are compared again, since those of the broadphase
  * wrap around. */
 static bool add_found(thud_world *w, const td_stray *s) {
-    const td_array *hits = &w->scratch.hits;
-    td_sort_ints(&w->scratch.hits);
-    for (int i = 0; i < hits->count; i++) {
-        int other = td_int_at(hits, i);
+    const td_array *found = &w->scratch.found_shapes;
+    td_sort_ints(&w->scratch.found_shapes);
+    for (int i = 0; i < found->count; i++) {
+        int other = td_int_at(found, i);
         td_far_bounds there = bounds_at_start(w, other);
         if (!overlap(&s->start, &there) && overlap(&s->ahead, &there) &&
             is_detected(w, s->shape, other) && !add_extra(w, s->shape, other)) {
@@ -217,7 +218,7 @@ bool td_toi_candidates_find(thud_world *w, td_trajectory *f) {
         if (contains(&s.start, &s.ahead) || (td_shape_at(w, i)->flags & TD_SHAPE_HOLLOW)) {
             continue;
         }
-        w->scratch.hits.count = 0;
+        w->scratch.found_shapes.count = 0;
         if (!append_overlapping(w, &w->awake_shapes, &s.ahead, f->place) ||
             !append_overlapping(w, &w->rest_shapes, &s.ahead, f->place) || !add_found(w, &s) ||
             !add_strays(w, &s) || !add_stray_record(w, f, &s)) {

@@ -163,7 +163,8 @@ void td_toi_queue_update_body(thud_world *w, const td_trajectory *f) {
         }
     }
     for (int e = f->extras; e != TD_NONE;) {
-        const td_toi_candidate *extra = TD_AT(td_toi_candidate, &w->scratch.candidates, e / 2);
+        const td_toi_candidate *extra =
+            TD_AT(td_toi_candidate, &w->scratch.extra_candidates, e / 2);
         int next = extra->next[e & 1];
         td_toi_queue_set(w, w->constraints.count + e / 2);
         e = next;

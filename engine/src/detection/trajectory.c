@@ -122,7 +122,7 @@ thud_geometry td_trajectory_shape(const thud_world *w, const td_trajectory *f, i
 }
 
 td_toi_candidate *td_extra_candidate_at(const thud_world *w, int number) {
-    return TD_AT(td_toi_candidate, &w->scratch.candidates, number - w->constraints.count);
+    return TD_AT(td_toi_candidate, &w->scratch.extra_candidates, number - w->constraints.count);
 }
 
 td_toi_candidate td_toi_candidate_at(const thud_world *w, int number) {

@@ -68,7 +68,7 @@ typedef struct td_stray {
 
 /* A time-of-impact candidate: two shapes that may meet in the step; a terrain is shape[0].
  * Candidates have numbers. One below w->constraints.count is that of a contact. From there on they
- * are extra candidates, in scratch.candidates: a shape and a terrain, or a pair with a stray,
+ * are extra candidates, in scratch.extra_candidates: a shape and a terrain, or a pair with a stray,
  * which has no contact. */
 typedef struct td_toi_candidate {
     int32_t shape[2];

@@ -199,9 +199,9 @@ static thud_result explode(blast *b, int *pushed) {
         !td_array_reserve(&w->memory, &b->push, w->bodies.count)) {
         return td_refuse(w, THUD_ERROR_MEMORY, "explode: out of memory");
     }
-    td_sort_ints(&w->scratch.hits);
-    for (int i = 0; i < w->scratch.hits.count; i++) {
-        int index = td_int_at(&w->scratch.hits, i);
+    td_sort_ints(&w->scratch.found_shapes);
+    for (int i = 0; i < w->scratch.found_shapes.count; i++) {
+        int index = td_int_at(&w->scratch.found_shapes, i);
         if (may_push(b, index)) {
             push_shape(b, index);
         }

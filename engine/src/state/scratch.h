@@ -7,7 +7,7 @@
 #include "base/memory.h"
 
 typedef struct td_scratch {
-    td_array hits;                /* int: shapes that a broadphase search has found */
+    td_array found_shapes;        /* int: shapes that a broadphase search has found */
     td_array ahead;               /* int: resting shapes that a fast body may hit */
     td_array crowded;             /* int: shapes of a crowd that may lack contacts: broadphase.c */
     td_array stamps;              /* uint32_t, by shape: partners have `stamp`: stamp_partners */
@@ -29,7 +29,7 @@ typedef struct td_scratch {
                                      their min_extent */
     td_event_queue queue;         /* candidates in the order of their time of impact */
     td_array trajectories;        /* td_trajectory, by awake slot */
-    td_array candidates;          /* td_toi_candidate: those that are not contacts */
+    td_array extra_candidates;    /* td_toi_candidate: those that are not contacts */
     td_array strays;              /* td_stray: shapes that may leave their bounds of the step */
     td_array impacts;             /* td_impact; before detection, td_pushes by block: gaps.c */
     td_array odd;                 /* td_awake_slot: bodies that wide_finalize.c leaves to
