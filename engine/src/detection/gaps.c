@@ -117,7 +117,7 @@ void td_gaps_project(thud_world *w) {
     if (passes > 0) {
         clamp_motions(w);
     }
-    w->errors.moved = passes > 0;
+    w->errors.projected = passes > 0;
 }
 
 void td_gaps_find_open(thud_world *w) {

@@ -44,10 +44,10 @@ static inline void td_error_fall_short(thud_world *w, float x, float y) {
 
 /* Whether detection changed motions after the solver counted contact points, so that their
  * statistics and the separations of lanes are out of date: gaps.c projected the motions so that
- * touching shapes do not overlap (errors.moved), a body was held back (held_bodies), or an impact
- * changed velocities within the step (impacts). */
+ * touching shapes do not overlap (errors.projected), a body was held back (held_bodies), or an
+ * impact changed velocities within the step (impacts). */
 static inline bool td_error_has_moved(const thud_world *w) {
-    return w->errors.moved || w->stats.held_bodies > 0 || w->stats.impacts > 0;
+    return w->errors.projected || w->stats.held_bodies > 0 || w->stats.impacts > 0;
 }
 
 /* step_error.c: the separation of a point of a touching contact for the poses at the end of the

@@ -262,8 +262,9 @@ typedef struct td_errors {
     double depth;            /* sum of penetration depths, in whole position quanta */
     float deepest, residual; /* greatest depth, length; greatest approach speed left, length/s */
     double energy_change;
-    float shortfall; /* greatest motion that detection has cut off, length, squared */
-    int64_t moved;   /* motions that were projected after points were counted: td_error_of_step */
+    float shortfall;   /* greatest motion that detection has cut off, length, squared */
+    int64_t projected; /* 1: gaps.c changed motions after points were counted, which are counted
+                          anew by td_error_of_step; else 0 */
 } td_errors;
 
 enum { TD_BUDGET_STEPS = 9 }; /* steps between two decisions of solver/budget.c. Chosen. */
