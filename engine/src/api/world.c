@@ -133,7 +133,7 @@ static const td_array_place ARRAYS[] = {
     ARRAY(scratch.constraints, int),
     ARRAY(scratch.blocks, td_block *),
     ARRAY(scratch.runs, td_run),
-    ARRAY(scratch.parted, td_block *),
+    ARRAY(scratch.separated, td_block *),
     ARRAY(scratch.chunks, td_chunk),
     ARRAY(scratch.counters, atomic_int),
     ARRAY(scratch.begins, int),

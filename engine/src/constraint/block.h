@@ -323,9 +323,9 @@ static inline size_t td_form_bytes(td_block_form form) {
 typedef struct td_collide_context {
     const td_shape_proxy *proxy; /* by shape */
     const float (*velocity)[4];  /* by awake slot: x, y, turn, inverse mass */
-    td_block **parted;    /* out: the blocks that have a lane without a point; has room for one
+    td_block **separated; /* out: the blocks that have a lane without a point; has room for one
                              more than there are blocks */
-    int *parted_count;    /* in and out: their number */
+    int *separated_count; /* in and out: their number */
     int *has_offsets;     /* out: set to 1 where a block has offsets */
     float quantum;        /* length of a position quantum */
     float margin;         /* separation below which a pair touches (speculative margin), length */
@@ -421,11 +421,11 @@ typedef void td_collide_fn(td_block *const *blocks, int count, const td_collide_
 /* A pass of the solver over blocks of one run. */
 typedef void td_solve_fn(td_block *const *blocks, int count, const td_solve_context *context);
 
-/* The result of a quick test of eight waiting pairs, a bit a pair. parted: the fat bounds no longer
- * overlap, and the contact ends. near: the shapes may touch, and need the exact test. A pair in
- * neither waits on. */
+/* The result of a quick test of eight waiting pairs, a bit a pair. bounds_apart: the fat bounds no
+ * longer overlap, and the contact ends. near: the shapes may touch, and need the exact test. A pair
+ * in neither waits on. */
 typedef struct td_sifted {
-    unsigned parted, near;
+    unsigned bounds_apart, near;
 } td_sifted;
 
 typedef td_sifted td_sift_fn(const int32_t *shape_a, const int32_t *shape_b,

@@ -371,7 +371,7 @@ bool td_lanes_sequence(thud_world *w) {
         return true;
     }
     if (!td_array_reserve(&w->memory, &w->scratch.blocks, blocks_max) ||
-        !td_array_reserve(&w->memory, &w->scratch.parted, 2 * blocks_max + 1) ||
+        !td_array_reserve(&w->memory, &w->scratch.separated, 2 * blocks_max + 1) ||
         !td_array_reserve(&w->memory, &w->scratch.runs, 2 * TD_COLOURS * TD_CONSTRAINT_KINDS)) {
         return false;
     }

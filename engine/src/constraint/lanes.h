@@ -34,7 +34,7 @@ static inline bool td_run_is_single(const td_run *run) {
 typedef struct td_chunk {
     int32_t run, first, count; /* index of the run; blocks, in scratch.blocks */
     int32_t has_offsets;       /* 1: one of its blocks has offsets */
-    int32_t parted;            /* number of blocks with a lane that no longer touches */
+    int32_t separated;         /* number of blocks with a lane that no longer touches */
 } td_chunk;
 
 /* The block with this index in the pool of its kind's form. */

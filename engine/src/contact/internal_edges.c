@@ -392,7 +392,7 @@ static void correct_block(thud_world *w, td_block *block, int kind) {
  * (contact_lanes.c). */
 static void amend_all(thud_world *w) {
     td_block *const *blocks = w->scratch.blocks.data;
-    td_block **parted = w->scratch.parted.data;
+    td_block **separated = w->scratch.separated.data;
     for (int r = 0; r < w->scratch.runs.count; r++) {
         const td_run *run = TD_AT(td_run, &w->scratch.runs, r);
         int count = run->a_static || run->has_offsets ? run->count : 0;
@@ -401,7 +401,7 @@ static void amend_all(thud_world *w) {
             bool whole = block->touching == (1u << block->used) - 1u;
             correct_block(w, block, run->kind);
             if (whole && block->touching != (1u << block->used) - 1u) {
-                parted[w->scratch.parted.count++] = block;
+                separated[w->scratch.separated.count++] = block;
             }
         }
     }

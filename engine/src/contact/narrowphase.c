@@ -18,7 +18,7 @@
 
 enum { TEST_BLOCKS = 32 }; /* scratch blocks: 256 waiting contacts are tested at once. Chosen. */
 
-/* The input of the kernels, without the outputs `has_offsets` and `parted`. */
+/* The input of the kernels, without the outputs `has_offsets` and `separated`. */
 static td_collide_context context_of(const thud_world *w) {
     return (td_collide_context){
         .proxy = w->proxy.data,
@@ -31,15 +31,15 @@ static td_collide_context context_of(const thud_world *w) {
 }
 
 /* Runs a kind's kernel on blocks. Returns whether one of them has offsets
- * (td_block.has_offsets). `parted` gets the blocks of which a lane does not touch; it needs room
+ * (td_block.has_offsets). `separated` gets the blocks of which a lane does not touch; it needs room
  * for one more than the blocks, since the kernel writes before it knows. */
-static int collide(thud_world *w, int kind, td_block *const *blocks, int count, td_block **parted,
-                   int *parted_count) {
+static int collide(thud_world *w, int kind, td_block *const *blocks, int count,
+                   td_block **separated, int *separated_count) {
     td_collide_context context = context_of(w);
     int has_offsets = 0;
     context.has_offsets = &has_offsets;
-    context.parted = parted;
-    context.parted_count = parted_count;
+    context.separated = separated;
+    context.separated_count = separated_count;
     if (w->kinds[kind]->collide) {
         w->kinds[kind]->collide(blocks, count, &context);
     } else {
@@ -78,9 +78,9 @@ static void test_contacts(thud_world *w, int kind, const int *contacts, int coun
                                      td_shape_at(w, contact->shape_b));
         }
     }
-    td_block *parted[TEST_BLOCKS + 1];
-    int parted_count = 0;
-    collide(w, kind, list, blocks, parted, &parted_count);
+    td_block *separated[TEST_BLOCKS + 1];
+    int separated_count = 0;
+    collide(w, kind, list, blocks, separated, &separated_count);
     for (int i = 0; i < blocks; i++) {
         if (w->internal_edges) {
             w->internal_edges->amend(w, list[i], kind);
@@ -145,7 +145,7 @@ static void sift_widely(batch *b, const int *waiting, int count) {
         }
         td_sifted sifted = sift(shape_a, shape_b, &context);
         unsigned here = (1u << used) - 1u;
-        for (unsigned bits = sifted.parted & here; bits; bits &= bits - 1) {
+        for (unsigned bits = sifted.bounds_apart & here; bits; bits &= bits - 1) {
             td_push_int(&w->scratch.ends, waiting[first + __builtin_ctz(bits)]);
         }
         for (unsigned bits = sifted.near & here; bits; bits &= bits - 1) {
@@ -236,16 +236,16 @@ typedef struct colliding {
     td_job task;
 } colliding;
 
-/* A chunk of blocks, for one worker. Chunks list blocks with parted lanes in disjoint pieces of one
- * array: each has room for one more than its blocks, hence `first + index`. */
+/* A chunk of blocks, for one worker. Chunks list blocks with separated lanes in disjoint pieces of
+ * one array: each has room for one more than its blocks, hence `first + index`. */
 static void collide_chunk(void *work, int index) {
     thud_world *w = ((const colliding *)work)->w;
     td_chunk *chunk = TD_AT(td_chunk, &w->scratch.chunks, index);
     const td_run *run = TD_AT(td_run, &w->scratch.runs, chunk->run);
-    td_block **parted = (td_block **)w->scratch.parted.data + chunk->first + index;
-    chunk->parted = 0;
+    td_block **separated = (td_block **)w->scratch.separated.data + chunk->first + index;
+    chunk->separated = 0;
     chunk->has_offsets = collide(w, run->kind, (td_block **)w->scratch.blocks.data + chunk->first,
-                                 chunk->count, parted, &chunk->parted);
+                                 chunk->count, separated, &chunk->separated);
 }
 
 /* A worker: takes chunks until none is left. */
@@ -262,13 +262,13 @@ static void collide_lanes(thud_world *w) {
     for (int i = 0; i < w->scratch.runs.count; i++) {
         TD_AT(td_run, &w->scratch.runs, i)->has_offsets = 0;
     }
-    td_block **parted = w->scratch.parted.data;
-    w->scratch.parted.count = 0;
+    td_block **separated = w->scratch.separated.data;
+    w->scratch.separated.count = 0;
     for (int i = 0; i < w->scratch.chunks.count; i++) {
         const td_chunk *chunk = TD_AT(td_chunk, &w->scratch.chunks, i);
         TD_AT(td_run, &w->scratch.runs, chunk->run)->has_offsets |= chunk->has_offsets;
-        for (int k = 0; k < chunk->parted; k++) {
-            parted[w->scratch.parted.count++] = parted[chunk->first + i + k];
+        for (int k = 0; k < chunk->separated; k++) {
+            separated[w->scratch.separated.count++] = separated[chunk->first + i + k];
         }
     }
 }
@@ -277,11 +277,11 @@ static void collide_lanes(thud_world *w) {
 static bool part_contacts(thud_world *w) {
     td_array *ends = &w->scratch.ends;
     ends->count = 0;
-    for (int i = 0; i < w->scratch.parted.count; i++) {
-        const td_block *block = *TD_AT(td_block *, &w->scratch.parted, i);
-        unsigned parted = ((1u << block->used) - 1u) & ~block->touching;
-        for (; parted; parted &= parted - 1) {
-            td_push_int(ends, block->constraint[__builtin_ctz(parted)]);
+    for (int i = 0; i < w->scratch.separated.count; i++) {
+        const td_block *block = *TD_AT(td_block *, &w->scratch.separated, i);
+        unsigned separated = ((1u << block->used) - 1u) & ~block->touching;
+        for (; separated; separated &= separated - 1) {
+            td_push_int(ends, block->constraint[__builtin_ctz(separated)]);
         }
     }
     if (ends->count == 0) {

@@ -107,9 +107,10 @@ TD_INLINE td_sifted td_sift(const int32_t *shape_a, const int32_t *shape_b, f8 s
     i8 a[4], b[4];
     td_read_bounds(c, shape_a, a);
     td_read_bounds(c, shape_b, b);
-    i8 parted = i8_wrap_sub(a[2], b[0]) | i8_wrap_sub(b[2], a[0]) | i8_wrap_sub(a[3], b[1]) |
-                i8_wrap_sub(b[3], a[1]);
-    return (td_sifted){i8_bits(parted), i8_bits(~parted & (separation < f8_all(c->margin)))};
+    i8 bounds_apart = i8_wrap_sub(a[2], b[0]) | i8_wrap_sub(b[2], a[0]) | i8_wrap_sub(a[3], b[1]) |
+                      i8_wrap_sub(b[3], a[1]);
+    return (td_sifted){i8_bits(bounds_apart),
+                       i8_bits(~bounds_apart & (separation < f8_all(c->margin)))};
 }
 
 /* The lanes that are in use. */
@@ -121,9 +122,9 @@ TD_INLINE i8 td_used_mask(const td_block *block) {
 /* Stores which lanes touch, and lists the block if one does not. */
 TD_INLINE void td_set_touching(td_block *block, unsigned touching, const td_collide_context *c) {
     block->touching = touching;
-    c->parted[*c->parted_count] = block;
+    c->separated[*c->separated_count] = block;
     *c->has_offsets |= block->has_offsets;
-    *c->parted_count += touching != (1u << block->used) - 1u;
+    *c->separated_count += touching != (1u << block->used) - 1u;
 }
 
 /* A contact point as a kernel finds it; (rax, ray) and (rbx, rby) are its lever arms about the

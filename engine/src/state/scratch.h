@@ -17,7 +17,7 @@ typedef struct td_scratch {
     td_array blocks;              /* td_block *: in the order of solving */
     td_array runs;                /* td_run: sequences of `blocks` of one bin */
     bool sequenced;               /* `blocks` and `runs` list all blocks of the awake bins */
-    td_array parted;              /* td_block *: with a lane whose shapes no longer touch */
+    td_array separated;           /* td_block *: with a lane whose shapes no longer touch */
     td_array chunks;              /* td_chunk: pieces of `runs`, which workers take one by one */
     td_array counters;            /* atomic_int: of the phases of a task, see jobs.h */
     td_array begins, ends;        /* int: contacts that begin or end in this step */
