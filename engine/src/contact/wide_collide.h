@@ -134,10 +134,10 @@ typedef struct td_found {
     f8 separation, rax, ray, rbx, rby;
 } td_found;
 
-/* Writes the lanes in `fresh`; a null mask writes all, and costs nothing, as it is known when
+/* Writes the lanes in `recomputed`; a null mask writes all, and costs nothing, as it is known when
  * compiling. */
-TD_INLINE void td_set_row(f8 *row, const i8 *fresh, f8 value) {
-    *row = fresh ? f8_pick(*fresh, value, *row) : value;
+TD_INLINE void td_set_row(f8 *row, const i8 *recomputed, f8 value) {
+    *row = recomputed ? f8_pick(*recomputed, value, *row) : value;
 }
 
 /* 1 / k in the lanes in `valid` with k > 0, 0 in others. */
@@ -165,8 +165,8 @@ TD_INLINE td_found middle_of(const td_found *found, int points) {
 
 /* Writes the block's points for its present normal and impulses. A point that is not valid gets an
  * effective mass and an impulse of 0, so that it does nothing in the solver. */
-TD_INLINE void td_write_points(td_block *block, const td_found *found, int points, const i8 *fresh,
-                               const td_collide_context *c) {
+TD_INLINE void td_write_points(td_block *block, const td_found *found, int points,
+                               const i8 *recomputed, const td_collide_context *c) {
     f8 apart = f8_all(TD_APART);
     f8 nx = block->nx, ny = block->ny;
     f8 ia = block->inv_inertia_a, ib = block->inv_inertia_b;
@@ -176,11 +176,11 @@ TD_INLINE void td_write_points(td_block *block, const td_found *found, int point
     f8 turn_a = f8_keep(middle.valid, -(middle.rax * nx + middle.ray * ny));
     f8 turn_b = f8_keep(middle.valid, -(middle.rbx * nx + middle.rby * ny));
     f8 side_a = ia * turn_a, side_b = ib * turn_b;
-    td_set_row(&block->tangent_cross_a, fresh, turn_a);
-    td_set_row(&block->tangent_cross_b, fresh, turn_b);
-    td_set_row(&block->tangent_mass, fresh,
+    td_set_row(&block->tangent_cross_a, recomputed, turn_a);
+    td_set_row(&block->tangent_cross_b, recomputed, turn_b);
+    td_set_row(&block->tangent_mass, recomputed,
                td_inverse_or_zero(middle.valid, mass + side_a * turn_a + side_b * turn_b));
-    td_set_row(&block->tangent_impulse, fresh, f8_keep(middle.valid, block->tangent_impulse));
+    td_set_row(&block->tangent_impulse, recomputed, f8_keep(middle.valid, block->tangent_impulse));
     f8 normal_velocity = (vb.x - va.x) * nx + (vb.y - va.y) * ny;
     for (int k = 0; k < points; k++) {
         td_point *point = &block->point[k];
@@ -189,14 +189,14 @@ TD_INLINE void td_write_points(td_block *block, const td_found *found, int point
         f8 cross_b = f8_keep(f->valid, f->rbx * ny - f->rby * nx);
         f8 lever_a = ia * cross_a, lever_b = ib * cross_b;
         f8 separation = f8_pick(f->valid, f->separation - f8_all(c->skin), apart);
-        td_set_row(&point->separation, fresh, separation);
-        td_set_row(&point->start_separation, fresh, separation);
-        td_set_row(&point->cross_a, fresh, cross_a);
-        td_set_row(&point->cross_b, fresh, cross_b);
-        td_set_row(&point->normal_mass, fresh,
+        td_set_row(&point->separation, recomputed, separation);
+        td_set_row(&point->start_separation, recomputed, separation);
+        td_set_row(&point->cross_a, recomputed, cross_a);
+        td_set_row(&point->cross_b, recomputed, cross_b);
+        td_set_row(&point->normal_mass, recomputed,
                    td_inverse_or_zero(f->valid, mass + lever_a * cross_a + lever_b * cross_b));
-        td_set_row(&point->normal_impulse, fresh, f8_keep(f->valid, point->normal_impulse));
-        td_set_row(&td_history_of(block, points)[k].normal_velocity, fresh,
+        td_set_row(&point->normal_impulse, recomputed, f8_keep(f->valid, point->normal_impulse));
+        td_set_row(&td_history_of(block, points)[k].normal_velocity, recomputed,
                    f8_keep(f->valid, normal_velocity + vb.z * cross_b - va.z * cross_a));
     }
 }

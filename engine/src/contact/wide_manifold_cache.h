@@ -82,20 +82,21 @@ TD_INLINE void td_keep_follow(td_block *block, int points, i8 keep, const f8 *se
     }
 }
 
-/* Stores separations and motion limits of the lanes in `fresh`, whose manifold has just been
+/* Stores separations and motion limits of the lanes in `recomputed`, whose manifold has just been
  * computed; `min_extent` and `max_extent` are the smallest and the largest half extent of the pair.
  */
-TD_INLINE void td_keep_note(td_block *block, int points, i8 fresh, f8 min_extent, f8 max_extent,
-                            const td_collide_context *c) {
+TD_INLINE void td_keep_note(td_block *block, int points, i8 recomputed, f8 min_extent,
+                            f8 max_extent, const td_collide_context *c) {
     td_manifold_cache *kept = td_manifold_cache_of(block, points);
     /* The contact point of a rolling circle moves over its rim: its arm is computed anew much
      * sooner. */
     float margins = points == 1 ? TD_KEEP_MARGINS_ONE : TD_KEEP_MARGINS;
     f8 limit = f8_min(f8_all(TD_KEEP_SHARE) * min_extent, f8_all(margins * c->margin));
-    kept->limit = f8_pick(fresh, limit, kept->limit);
-    kept->reach = f8_pick(fresh, max_extent, kept->reach);
+    kept->limit = f8_pick(recomputed, limit, kept->limit);
+    kept->reach = f8_pick(recomputed, max_extent, kept->reach);
     for (int k = 0; k < points; k++) {
-        kept->separation[k] = f8_pick(fresh, block->point[k].start_separation, kept->separation[k]);
+        kept->separation[k] =
+            f8_pick(recomputed, block->point[k].start_separation, kept->separation[k]);
     }
 }
 

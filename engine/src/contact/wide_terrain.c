@@ -37,16 +37,17 @@ static void one_lane(const thud_world *w, const td_block *block, int lane, float
     out->feature[lane] = (int32_t)feature;
 }
 
-/* In the lanes in `fresh`, moves each impulse to the point with the same id, and drops the others.
+/* In the lanes in `recomputed`, moves each impulse to the point with the same id, and drops the
+ * others.
  */
-TD_INLINE void carry_impulses(td_block *block, i8 feature, i8 fresh, int points) {
+TD_INLINE void carry_impulses(td_block *block, i8 feature, i8 recomputed, int points) {
     i8 old = i8_load((const int32_t *)block->feature), low = i8_all(0xffff), zero = i8_all(0);
-    feature = i8_pick(fresh, feature, old);
+    feature = i8_pick(recomputed, feature, old);
     __builtin_memcpy(block->feature, &feature, sizeof feature);
     f8 n[2] = {block->point[0].normal_impulse, block->point[points - 1].normal_impulse};
     i8 old_id[2] = {old & low, (old >> 16) & low};
     i8 new_id[2] = {feature & low, (feature >> 16) & low};
-    i8 kept = ~fresh;
+    i8 kept = ~recomputed;
     for (int k = 0; k < points; k++) {
         i8 first = (new_id[k] == old_id[0]) & (new_id[k] != zero);
         i8 second = (new_id[k] == old_id[1]) & (new_id[k] != zero);
@@ -69,24 +70,24 @@ TD_INLINE void read_places(const thud_world *w, const td_block *block, i8 *x, i8
     *y = i8_load(py);
 }
 
-/* Computes the manifolds of the lanes in `fresh`. Returns the lanes that touch. */
-TD_INLINE i8 collide_block(thud_world *w, td_block *block, i8 fresh, const td_collide_context *c,
-                           int points) {
+/* Computes the manifolds of the lanes in `recomputed`. Returns the lanes that touch. */
+TD_INLINE i8 collide_block(thud_world *w, td_block *block, i8 recomputed,
+                           const td_collide_context *c, int points) {
     f8 zero = f8_all(0.0f);
     terrain8 t = {0};
-    for (unsigned bits = i8_bits(fresh & td_used_mask(block)); bits; bits &= bits - 1) {
+    for (unsigned bits = i8_bits(recomputed & td_used_mask(block)); bits; bits &= bits - 1) {
         one_lane(w, block, __builtin_ctz(bits), c->margin, &t);
     }
-    td_set_row(&block->nx, &fresh, t.nx);
-    td_set_row(&block->ny, &fresh, t.ny);
-    carry_impulses(block, t.feature, fresh, points);
+    td_set_row(&block->nx, &recomputed, t.nx);
+    td_set_row(&block->ny, &recomputed, t.ny);
+    carry_impulses(block, t.feature, recomputed, points);
     td_rows arm = td_gather_proxies(c, block->shape_b, offsetof(td_shape_proxy, x));
     td_found found[2];
     for (int k = 0; k < points; k++) {
         found[k] =
             (td_found){t.valid[k], t.separation[k], zero, zero, arm.x + t.x[k], arm.y + t.y[k]};
     }
-    td_write_points(block, found, points, &fresh, c);
+    td_write_points(block, found, points, &recomputed, c);
     return t.valid[0] | t.valid[1];
 }
 
@@ -104,16 +105,16 @@ TD_INLINE void terrain_blocks(thud_world *w, td_block *const *blocks, int count,
                           .dy = quantum * __builtin_convertvector(i8_wrap_sub(y, (i8)kept->dy), f8),
                           .turn_a = zero};
         moved.small_turn = small_turn(proxy.x, proxy.y, kept->bc, kept->bs, &moved.turn_b);
-        i8 keep = td_keep_mask(block, points, &moved, c, separation), fresh = ~keep;
+        i8 keep = td_keep_mask(block, points, &moved, c, separation), recomputed = ~keep;
         unsigned touching = i8_bits(keep);
         if (touching != i8_bits(td_used_mask(block))) {
-            touching |= i8_bits(collide_block(w, block, fresh, c, points) & fresh);
-            kept->dx = f8_pick(fresh, (f8)x, kept->dx);
-            kept->dy = f8_pick(fresh, (f8)y, kept->dy);
-            kept->bc = f8_pick(fresh, proxy.x, kept->bc);
-            kept->bs = f8_pick(fresh, proxy.y, kept->bs);
-            td_keep_note(block, points, fresh, f8_min(proxy.z, proxy.w), f8_max(proxy.z, proxy.w),
-                         c);
+            touching |= i8_bits(collide_block(w, block, recomputed, c, points) & recomputed);
+            kept->dx = f8_pick(recomputed, (f8)x, kept->dx);
+            kept->dy = f8_pick(recomputed, (f8)y, kept->dy);
+            kept->bc = f8_pick(recomputed, proxy.x, kept->bc);
+            kept->bs = f8_pick(recomputed, proxy.y, kept->bs);
+            td_keep_note(block, points, recomputed, f8_min(proxy.z, proxy.w),
+                         f8_max(proxy.z, proxy.w), c);
         }
         td_keep_follow(block, points, keep, separation, c);
         td_set_touching(block, touching, c);

@@ -122,7 +122,7 @@ static bool has_no_impulses(const td_direct *d) {
  * number of rows. */
 static int warm_start(td_direct *d, double hysteresis) {
     int rows = 0;
-    double margin = d->fresh || has_no_impulses(d) ? hysteresis : -hysteresis;
+    double margin = d->soft_warm_start || has_no_impulses(d) ? hysteresis : -hysteresis;
     td_direct_update_speeds(d);
     for (int i = 0; i < d->constraint_count; i++) {
         td_direct_constraint *c = &d->constraints[i];
@@ -134,7 +134,7 @@ static int warm_start(td_direct *d, double hysteresis) {
                 r->active = r->impulse > 0.0 || r->speed < r->target_speed + margin;
             } else if (r->kind % 2) { /* equality and soft rows */
                 r->active = true;
-            } else if (d->fresh && c->friction > 0.0 &&
+            } else if (d->soft_warm_start && c->friction > 0.0 &&
                        magnitude(r->speed - r->target_speed) <= d->unit_speed) {
                 r->max_impulse = __builtin_inf();
             }
@@ -299,7 +299,7 @@ static bool reduce_residual(td_direct *d, double tolerance, int *changed, double
 bool td_direct_active(td_direct *d, double tolerance) {
     int factorings_max = td_min_int(d->factorings + FACTORINGS_MAX, d->factoring_budget);
     double hysteresis = HYSTERESIS * tolerance;
-    bool factored = false, unbounded_friction = d->fresh;
+    bool factored = false, unbounded_friction = d->soft_warm_start;
     int rows = warm_start(d, hysteresis);
     int changes_max = rows < CHANGED_ROWS_MIN ? rows : rows / CHANGED_PART;
     update_multipliers(d, hysteresis, FROM_LAST_STEP);

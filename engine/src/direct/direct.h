@@ -117,7 +117,7 @@ typedef struct td_direct {
     int factoring_budget; /* budget of factorisations */
     int64_t effort;       /* budget of work that is left, in operations on 3 x 3 blocks */
     bool spent;           /* the budget of work was too small, so that the solve failed */
-    bool fresh;           /* the warm start comes from the soft solver, or there is none */
+    bool soft_warm_start; /* the warm start comes from the soft solver, or there is none */
     bool factored;        /* the matrix holds the factor of the active rows */
 } td_direct;
 

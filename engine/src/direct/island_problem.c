@@ -171,6 +171,7 @@ td_island_work td_island_set_up(thud_world *w, const td_island *island) {
     }
     /* At qualities that solve every island directly, impulses are the direct solver's from the
      * first contact on. */
-    work.problem.fresh = w->quality.overlap_limit > 0.0f && 2 * soft > island->constraints;
+    work.problem.soft_warm_start =
+        w->quality.overlap_limit > 0.0f && 2 * soft > island->constraints;
     return work;
 }

@@ -160,7 +160,7 @@ static double solve_mean_velocity(td_island_work *work, double start, double tol
         if (!td_finite(missing)) {
             return missing;
         }
-        d->fresh = false; /* the next iteration starts from this one's active set */
+        d->soft_warm_start = false; /* the next iteration starts from this one's active set */
     }
     if (!velocities_are_valid(work)) {
         return __builtin_inf();
