@@ -36,7 +36,7 @@ static void create_whole_body(fuzz_session *s, const thud_body_def *def) {
     int room = SESSION_SHAPES_MOST - COUNTED(thud_stats_of(s->world)).shapes;
     int count = next_choice(&s->bytes, 4);
     for (int i = 0; i < count; i++) {
-        shapes[i].shape = pick_instance(s, false);
+        shapes[i].shape = pick_geometry(s);
     }
     count = count <= room ? count : 0;
     TRY(s, thud_body_create_with_shapes(s->world, def, shapes, count, &body, made));
@@ -230,7 +230,7 @@ void play_body_volume(fuzz_session *s) {
 
 /* thud_body_make with options, each of which is the default in half of the cases. */
 void play_make(fuzz_session *s) {
-    thud_geometry at = pick_instance(s, true);
+    thud_geometry at = pick_centred_geometry(s);
     thud_pos place = pick_place(s);
     at.x = place.x;
     at.y = place.y;

@@ -64,7 +64,7 @@ void play_grip(fuzz_session *s) {
 }
 
 void play_below(fuzz_session *s) {
-    thud_geometry shape = pick_instance(s, false);
+    thud_geometry shape = pick_geometry(s);
     struct {
         double area;
         thud_pos centroid;

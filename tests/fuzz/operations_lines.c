@@ -72,7 +72,7 @@ void play_line_sample(fuzz_session *s) {
 void play_line_shape(fuzz_session *s) {
     ground g;
     pick_ground(s, &g);
-    thud_geometry shape = pick_instance(s, false);
+    thud_geometry shape = pick_geometry(s);
     double margin = fabs(pick_coordinate(s)) / 4;
     thud_closest closest;
     thud_contacts contacts;
@@ -96,7 +96,7 @@ void play_line_shape(fuzz_session *s) {
 void play_line_impact(fuzz_session *s) {
     ground g;
     pick_ground(s, &g);
-    thud_geometry shape = pick_instance(s, false);
+    thud_geometry shape = pick_geometry(s);
     thud_motion motion = pick_motion(s);
     struct {
         bool hit;

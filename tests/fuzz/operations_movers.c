@@ -66,7 +66,7 @@ void play_mover_settings(fuzz_session *s) {
 
 void play_mover_place(fuzz_session *s) {
     thud_pos place = pick_place(s);
-    thud_geometry shape = pick_instance(s, true);
+    thud_geometry shape = pick_centred_geometry(s);
     shape.x = place.x;
     shape.y = place.y;
     thud_mover made = COUNTED(thud_default_mover(shape));

@@ -124,13 +124,13 @@ void play_ray_all(fuzz_session *s) {
 
 void play_cast_shape(fuzz_session *s) {
     way w = pick_way(s);
-    thud_geometry shape = pick_instance(s, true);
+    thud_geometry shape = pick_centred_geometry(s);
     FIRST(s, shape);
 }
 
 void play_cast_shape_all(fuzz_session *s) {
     way w = pick_way(s);
-    thud_geometry shape = pick_instance(s, true);
+    thud_geometry shape = pick_centred_geometry(s);
     ALL(s, shape);
 }
 
@@ -166,7 +166,7 @@ void play_cast_box_all(fuzz_session *s) {
 
 void play_overlap_shape(fuzz_session *s) {
     way w = pick_way(s);
-    thud_geometry shape = pick_instance(s, true);
+    thud_geometry shape = pick_centred_geometry(s);
     TRY(s, thud_world_overlap_shape(s->world, w.from, shape, FILTER(w), session_overlap, s));
 }
 
@@ -222,7 +222,7 @@ void play_ray_each(fuzz_session *s) {
 
 void play_cast_each(fuzz_session *s) {
     way w = pick_way(s);
-    thud_geometry shape = pick_instance(s, true);
+    thud_geometry shape = pick_centred_geometry(s);
     TRY(s, thud_world_cast_shape_each(s->world,
                                       &(thud_shape_cast){w.from, shape, w.dx, w.dy, FILTER(w)},
                                       session_cast, s));
@@ -266,7 +266,7 @@ void play_rays(fuzz_session *s) {
 void play_casts(fuzz_session *s) {
     way w = pick_way(s);
     int count = pick_many(s);
-    thud_geometry shapes[2] = {pick_instance(s, true), pick_instance(s, true)};
+    thud_geometry shapes[2] = {pick_centred_geometry(s), pick_centred_geometry(s)};
     thud_shape_cast casts[MANY];
     thud_ray_hit hits[MANY];
     for (int i = 0; i < MANY; i++) {

@@ -233,7 +233,7 @@ void session_close(fuzz_session *s) {
     thud_world_destroy(s->world);
     thud_world_destroy(s->other);
     free(s->snapshot);
-    free(s->image);
+    free(s->call_snapshots);
     if (s->memory_held != 0) {
         fuzz_fail(s, "%ld blocks of memory were not given back", s->memory_held);
     }

@@ -67,9 +67,10 @@ typedef struct session_call {
     uint64_t hash;
     thud_stats stats;
     int told;
-    bool again;   /* it has run out of memory once */
-    long outer;   /* memory_allowed of the call around it */
-    size_t image; /* bytes of the snapshot before the call, in the image; 0 if none was taken */
+    bool again;            /* it has run out of memory once */
+    long outer;            /* memory_allowed of the call around it */
+    size_t snapshot_bytes; /* of the snapshot before the call, in call_snapshots; 0 if none was
+                              taken */
 } session_call;
 
 typedef struct fuzz_session {
@@ -86,8 +87,9 @@ typedef struct fuzz_session {
     unsigned gone;
     char *snapshot; /* the snapshot to restore; `kept` is the state at its time */
     size_t snapshot_bytes;
-    char *image; /* a snapshot before a call in its first half, one after it in the second */
-    size_t image_room;
+    char *call_snapshots; /* first half: a snapshot before a call; second half: one after it, which
+                             must be the same where the call is refused */
+    size_t call_snapshots_room; /* bytes */
     double unit, shift_x, shift_y;
     thud_body_seen seen[SESSION_BODIES]; /* of thud_world_get_moved_bodies */
 
