@@ -383,7 +383,7 @@ static void write_result(const td_island_work *work) {
 
 /* Islands with joints of up to so many bodies have the short cooldown TD_PAUSE_STEPS, and are
  * solved directly in each step even if they are slow: under the soft solver their joints would
- * open. Chosen; the same as TD_LATE_BODIES_MAX. */
+ * open. Chosen; the same as TD_RESOLVE_BODIES_MAX. */
 enum { SMALL_ISLAND_BODIES_MAX = 128 };
 
 /* Begins the cooldown of an island whose result was refused, at qualities that have a patience;

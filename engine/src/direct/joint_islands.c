@@ -15,11 +15,11 @@ static bool reserve_system(thud_world *w) {
     td_sparse *s = &w->islands.matrix;
     td_memory *memory = &w->memory;
     td_system now = s->now;
-    bool room = td_sparse_reserve(memory, s, w->body_of.count + TD_LATE_BODIES_MAX) &&
-                td_sparse_begin(memory, s, TD_LATE_BODIES_MAX);
+    bool room = td_sparse_reserve(memory, s, w->body_of.count + TD_RESOLVE_BODIES_MAX) &&
+                td_sparse_begin(memory, s, TD_RESOLVE_BODIES_MAX);
     s->now = now;
-    return room && td_array_reserve(memory, &s->row, s->row.count + TD_LATE_ENTRIES_MAX) &&
-           td_array_reserve(memory, &s->entry, TD_LATE_ENTRIES_MAX);
+    return room && td_array_reserve(memory, &s->row, s->row.count + TD_RESOLVE_ENTRIES_MAX) &&
+           td_array_reserve(memory, &s->entry, TD_RESOLVE_ENTRIES_MAX);
 }
 
 /* thud_island_solver.find: lists the islands of 1., and reserves memory for one island of 2. and 3.
@@ -27,11 +27,11 @@ static bool reserve_system(thud_world *w) {
 static bool find(thud_world *w) {
     td_islands *s = &w->islands;
     return td_islands_find(w) && td_array_reserve(&w->memory, &s->start, w->body_of.count) &&
-           td_islands_room(w, &s->topology, s->topology.count + 2 * TD_LATE_CONSTRAINTS_MAX) &&
-           td_islands_room(w, &s->rows, TD_LATE_CONSTRAINTS_MAX) &&
-           td_islands_room(w, &s->bodies, TD_LATE_BODIES_MAX) &&
-           td_islands_room(w, &s->step, TD_LATE_BODIES_MAX) &&
-           td_islands_room(w, &s->work, TD_LATE_BODIES_MAX) && reserve_system(w);
+           td_islands_room(w, &s->topology, s->topology.count + 2 * TD_RESOLVE_CONSTRAINTS_MAX) &&
+           td_islands_room(w, &s->rows, TD_RESOLVE_CONSTRAINTS_MAX) &&
+           td_islands_room(w, &s->bodies, TD_RESOLVE_BODIES_MAX) &&
+           td_islands_room(w, &s->step, TD_RESOLVE_BODIES_MAX) &&
+           td_islands_room(w, &s->work, TD_RESOLVE_BODIES_MAX) && reserve_system(w);
 }
 
 /* Budget of work (td_direct.effort) of islands with joints in a step, whatever the quality allows,
@@ -49,7 +49,7 @@ static void begin(thud_world *w) {
     td_islands_begin(w);
     w->islands.effort = (int64_t)EFFORT_OF_BODY * td_max_int(w->body_of.count, EFFORT_BODIES_MIN);
     memcpy(w->islands.start.data, w->velocity.data, (size_t)w->body_of.count * sizeof(float[4]));
-    w->islands.adds_up = w->islands.island.count || td_joint_subsystems_possible(w);
+    w->islands.adds_up = w->islands.island.count || td_joint_subsystems_expected(w);
 }
 
 /* ---- after it ---- */

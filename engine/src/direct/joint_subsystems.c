@@ -31,7 +31,7 @@ enum { YIELDING_PART = 2 };
 /* The value of td_islands.local of bodies whose linkage is not fit to be solved. */
 enum { UNFIT = -5 };
 
-bool td_joint_subsystems_possible(const thud_world *w) {
+bool td_joint_subsystems_expected(const thud_world *w) {
     const uint8_t *direct_steps = w->direct_steps.data;
     const uint16_t *slow_steps = w->slow_steps.data;
     int any = 0;
@@ -68,7 +68,8 @@ static void note_outcome(thud_world *w, const td_island *linkage, bool solved) {
 static bool is_soft(const thud_world *w, td_awake_slot slot) {
     int local = *td_island_local_at(w, slot);
     bool left = *td_direct_steps_at(w, slot) > TD_DIRECT_COOLDOWN && local != UNFIT;
-    return td_row(&w->velocity, slot)[3] > 0.0f && local <= 0 && (left || local == TD_ISLAND_SOFT);
+    return td_row(&w->velocity, slot)[3] > 0.0f && local <= 0 &&
+           (left || local == TD_ISLAND_REFUSED);
 }
 
 /* Whether a joint yields by more than the quality allows. */
@@ -107,7 +108,8 @@ static bool add_joints_of(thud_world *w, td_island *linkage, td_awake_slot slot,
             *yielding += yields(w, at.block, at.lane, constraint->kind);
         }
     }
-    return linkage->bodies <= TD_LATE_BODIES_MAX && linkage->constraints <= TD_LATE_CONSTRAINTS_MAX;
+    return linkage->bodies <= TD_RESOLVE_BODIES_MAX &&
+           linkage->constraints <= TD_RESOLVE_CONSTRAINTS_MAX;
 }
 
 /* Collects the linkage of a body, breadth first. False, with its bodies marked as unfit, where it
@@ -169,7 +171,7 @@ static bool list_contacts(thud_world *w, td_island *linkage) {
             td_awake_slot other = td_island_neighbour(w, constraint, e & 1);
             bool first = !(e & 1) || !other.at || td_island_number(w, linkage, other) == TD_NONE;
             if (constraint->state == TD_TOUCHING && td_is_contact(constraint) && first) {
-                if (linkage->constraints == TD_LATE_CONSTRAINTS_MAX) {
+                if (linkage->constraints == TD_RESOLVE_CONSTRAINTS_MAX) {
                     return false;
                 }
                 td_push_int(&w->islands.constraints, e / 2);
@@ -244,7 +246,7 @@ static bool gains_energy(const td_island_work *work, double pushed) {
 static void solve_one(thud_world *w, td_awake_slot seed) {
     td_island linkage;
     bool counted = *td_island_local_at(w, seed) ==
-                   TD_ISLAND_SOFT; /* it is in the statistics of failed islands */
+                   TD_ISLAND_REFUSED; /* it is in the statistics of failed islands */
     if (!collect(w, seed, &linkage) || !list_contacts(w, &linkage) ||
         !td_joint_island_begin(w, &linkage)) {
         return;

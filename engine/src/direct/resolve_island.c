@@ -13,7 +13,7 @@ static bool order(thud_world *w, td_island *island) {
     int first = s->topology.count;
     td_island_list_ties(w, island);
     const int *ties = (const int *)s->topology.data + first;
-    bool ordered = td_island_order(w, island, ties, TD_LATE_ENTRIES_MAX);
+    bool ordered = td_island_order(w, island, ties, TD_RESOLVE_ENTRIES_MAX);
     s->topology.count = first;
     island->system = s->matrix.now;
     return ordered;
@@ -22,8 +22,8 @@ static bool order(thud_world *w, td_island *island) {
 /* Of this step only the soft solver's impulses are known, which serve as the warm start. */
 bool td_joint_island_begin(thud_world *w, td_island *island) {
     td_islands *s = &w->islands;
-    if (island->bodies > TD_LATE_BODIES_MAX || island->constraints > TD_LATE_CONSTRAINTS_MAX ||
-        !order(w, island)) {
+    if (island->bodies > TD_RESOLVE_BODIES_MAX ||
+        island->constraints > TD_RESOLVE_CONSTRAINTS_MAX || !order(w, island)) {
         return false;
     }
     for (int i = island->first_body; i < s->slots.count; i++) {
@@ -40,6 +40,6 @@ void td_joint_island_solve(thud_world *w, const td_island *island) {
     bool solved = td_island_solve(w, island);
     for (int i = 0; i < island->bodies && !solved; i++) {
         td_awake_slot slot = td_slot_in(&s->slots, island->first_body + i);
-        *td_island_local_at(w, slot) = TD_ISLAND_SOFT;
+        *td_island_local_at(w, slot) = TD_ISLAND_REFUSED;
     }
 }

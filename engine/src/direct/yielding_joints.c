@@ -8,7 +8,7 @@
 
 /* Whether the island of a body was marked as direct in this step (td_direct_steps is at its full
  * value) and has not been solved yet. */
-static bool is_late(const thud_world *w, td_awake_slot slot) {
+static bool is_newly_marked(const thud_world *w, td_awake_slot slot) {
     return *td_direct_steps_at(w, slot) == TD_DIRECT_STEPS &&
            td_row(&w->velocity, slot)[3] > 0.0f && *td_island_local_at(w, slot) == 0;
 }
@@ -40,7 +40,7 @@ static void solve_one(thud_world *w, td_awake_slot slot) {
 
 void td_yielding_islands_solve(thud_world *w, td_system last) {
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
-        if (is_late(w, slot)) {
+        if (is_newly_marked(w, slot)) {
             w->islands.matrix.now = last;
             solve_one(w, slot);
         }
