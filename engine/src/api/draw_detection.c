@@ -78,9 +78,9 @@ static int draw_intervals(const td_drawing *d, const td_proxy_set *set, int rows
     }
     for (int i = 0; i < set->keys.count; i++) {
         const td_shape_proxy *proxy = td_shape_proxy_at(d->w, keys[i].shape);
-        double min = keys[i].least;
+        double min = keys[i].min_x;
         double max = min + (double)td_wrap_sub(proxy->fat.max_x, proxy->fat.min_x);
-        bool overlaps = furthest >= min || (i + 1 < set->keys.count && keys[i + 1].least <= max);
+        bool overlaps = furthest >= min || (i + 1 < set->keys.count && keys[i + 1].min_x <= max);
         furthest = td_max_double(furthest, max);
         if (max < left || min > right) {
             continue;

@@ -31,7 +31,8 @@ thud_result thud_world_get_snapshot_size(const thud_world *w, size_t *out_bytes)
 /* The checksum is over all bytes from this offset on. */
 static const size_t SUMMED_FROM = offsetof(td_snapshot_head, checksum) + sizeof(uint64_t);
 
-thud_result thud_world_snapshot(const thud_world *w, void *buffer, size_t capacity, size_t *out_bytes) {
+thud_result thud_world_snapshot(const thud_world *w, void *buffer, size_t capacity,
+                                size_t *out_bytes) {
     if (!w || !buffer) {
         return td_refuse(w, THUD_ERROR_NULL, "snapshot: world or buffer is null");
     }
@@ -78,7 +79,7 @@ static bool counts_valid(const td_snapshot_head *head) {
     for (int i = 0; i < TD_CONSTRAINT_KINDS; i++) {
         valid = valid && head->contacts[i] >= 0 && head->contacts[i] <= max;
     }
-    return valid && head->ruled.rules >= 0 && head->ruled.rules <= TD_RULES_MOST &&
+    return valid && head->ruled.rules >= 0 && head->ruled.rules <= TD_RULES_MAX &&
            head->ruled.impulses >= 0 && head->ruled.impulses <= max;
 }
 

@@ -10,7 +10,7 @@
 
 /* Sort key of plane_sweep.c. */
 typedef struct td_sweep_key {
-    double least; /* min_x of the shape's fat bounds, bounds quanta from td_proxy_set.reference */
+    double min_x; /* of the shape's fat bounds, bounds quanta from td_proxy_set.reference */
     int32_t shape, padding;
 } td_sweep_key;
 

@@ -141,9 +141,9 @@ typedef struct td_drive_rows {
     f8 limit_side;   /* 1: `limit` is the lower one, -1: the upper one, 0: no limits */
     f8 locked;       /* 1: both limits are equal, so that the row is an equality row; else 0 */
     f8 target, frequency, damping; /* of the spring; frequency in Hz, 0: none; damping ratio */
-    f8 spring_most;                /* bound of the spring's force (or torque) */
+    f8 max_spring_force;           /* bound of the spring's force (or torque) */
     f8 motor_speed;                /* target speed of the motor */
-    f8 motor_most;                 /* bound of the motor's force (or torque); 0: no motor */
+    f8 max_motor_force;            /* bound of the motor's force (or torque); 0: no motor */
     f8 lower, upper;               /* limits of the coordinate */
     i8 limited, across; /* masks: there are limits; the direction is THUD_DIRECTION_ACROSS */
     td_anchor_rows anchor;

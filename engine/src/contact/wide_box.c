@@ -158,7 +158,6 @@ TD_INLINE i8 collide_block(td_block *block, const td_pairs8 *pairs, const i8 *re
     return valid0 | valid1;
 }
 
-/* Stores the poses of the lanes in `recomputed` in the manifold cache. */
 /* Stores the poses and limits of the lanes in `recomputed` in the manifold cache. */
 TD_INLINE void note_poses(td_block *block, const td_pairs8 *p, i8 recomputed, f8 dx, f8 dy,
                           const td_collide_context *context) {

@@ -82,9 +82,9 @@ static void set_drive(const thud_world *w, td_block *block, int lane, const td_j
     rows->target[lane] = td_joint_target(joint, direction);
     rows->frequency[lane] = d->frequency;
     rows->damping[lane] = d->damping;
-    rows->spring_most[lane] = d->spring_force;
+    rows->max_spring_force[lane] = d->spring_force;
     rows->motor_speed[lane] = d->motor_speed;
-    rows->motor_most[lane] = d->motor_force;
+    rows->max_motor_force[lane] = d->motor_force;
 }
 
 void td_joint_update_anchors(const thud_world *w, td_block *block) {

@@ -44,7 +44,7 @@ static double cap_of(const td_drive *d, bool motor) {
 /* The lanes' bounds of the force. */
 static f8 *bounds_of(td_lane at, bool motor) {
     td_drive_rows *r = td_drive_rows_of(at.block);
-    return motor ? &r->motor_most : &r->spring_most;
+    return motor ? &r->max_motor_force : &r->max_spring_force;
 }
 
 /* Sets the bounds of both directions of a joint's springs or motors. Bounds stay the caps

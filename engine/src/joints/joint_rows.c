@@ -304,8 +304,8 @@ static double update_spring(const thud_world *w, const td_block *block, int lane
            damping = 2.0 * (double)r->damping[lane] * mass * omega;
     double resistance = 0.5 * time * stiffness + damping;
     row->weight = 0.5 * time * resistance;
-    bool capped = r->spring_most[lane] < THUD_JOINT_FORCE_MAX;
-    row->max_impulse = capped ? 0.5 * time * (double)r->spring_most[lane] : __builtin_inf();
+    bool capped = r->max_spring_force[lane] < THUD_JOINT_FORCE_MAX;
+    row->max_impulse = capped ? 0.5 * time * (double)r->max_spring_force[lane] : __builtin_inf();
     return resistance > 0.0
                ? -stiffness * ((double)block->point[1].start_separation[lane] + moved) / resistance
                : 0.0;
@@ -339,7 +339,7 @@ bool td_drive_take_rows(const thud_world *w, td_block *block, int lane, const fl
     c->row[1] = c->row[2] = along;
     take_limit(w, block, lane, impulses, &c->row[0], &along);
     take_spring(w, block, lane, impulses, &c->row[1]);
-    c->bound = 0.5 * w->def.time_step * (double)r->motor_most[lane];
+    c->bound = 0.5 * w->def.time_step * (double)r->max_motor_force[lane];
     c->row[2].used = c->bound > 0.0;
     c->row[2].target_speed = (double)r->motor_speed[lane];
     c->row[2].impulse = 0.5 * (double)impulses[TD_DIRECT_TANGENT];
@@ -384,7 +384,7 @@ void td_drive_update_rows(const thud_world *w, const td_block *block, int lane, 
                                  ? (displacement_along(&c->row[0], s) - gap[1]) / s->time
                                  : -gap[1] / w->def.time_step;
     if (s->time > 0.0) {
-        c->bound = 0.5 * s->time * (double)r->motor_most[lane];
+        c->bound = 0.5 * s->time * (double)r->max_motor_force[lane];
         double moved = value[0] - (double)r->start_value[lane];
         c->row[1].target_speed = update_spring(w, block, lane, &c->row[1], moved, s->time);
     }

@@ -309,7 +309,7 @@ static row_direction drive_direction(const td_lane *at, int kind) {
 /* Whether a motor's impulse in the last substep was below its maximum force. False for drives
  * without a motor. */
 static bool motor_below_max_force(const thud_world *w, const td_lane *at) {
-    float max_force = td_drive_rows_at(at->block)->motor_most[at->lane];
+    float max_force = td_drive_rows_at(at->block)->max_motor_force[at->lane];
     return td_joint_abs(at->block->tangent_impulse[at->lane]) <
            max_force * (float)(w->def.time_step / w->substeps);
 }

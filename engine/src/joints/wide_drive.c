@@ -77,7 +77,7 @@ TD_INLINE void solve_spring(td_block *block, const td_drive_rows *r, const td_so
     f8 a1 = f8_all(2.0f) * r->damping + h * omega, a2 = h * omega * a1, a3 = one / (one + a2);
     f8 speed =
         speed_along(n, v, a_static) + q->separation * f8_keep(acts, omega / f8_pick(acts, a1, one));
-    f8 old = q->normal_impulse, max = r->spring_most * h;
+    f8 old = q->normal_impulse, max = r->max_spring_force * h;
     f8 now = f8_clamp(old - a2 * a3 * n->mass * speed - a3 * old, -max, max);
     now = f8_keep(acts, now);
     q->normal_impulse = now;
@@ -87,7 +87,7 @@ TD_INLINE void solve_spring(td_block *block, const td_drive_rows *r, const td_so
 /* Solves motors. */
 TD_INLINE void solve_motor(td_block *block, const td_drive_rows *r, const td_solve_context *c,
                            const direction8 *n, bool a_static, sides *v) {
-    f8 max = r->motor_most / f8_all(c->inv_h);
+    f8 max = r->max_motor_force / f8_all(c->inv_h);
     if (!i8_bits(max > f8_all(0.0f))) {
         return;
     }

@@ -191,7 +191,7 @@ TD_INLINE void set_values(td_block *block, td_drive_rows *rows, f8 value) {
     rows->start_value = value;
     q->start_separation = q->separation = f8_keep(springs, value - rows->target);
     q->normal_impulse = f8_keep(springs, q->normal_impulse);
-    block->tangent_impulse = f8_keep(rows->motor_most > zero, block->tangent_impulse);
+    block->tangent_impulse = f8_keep(rows->max_motor_force > zero, block->tangent_impulse);
 }
 
 /* The rows of a driven direction. */

@@ -186,7 +186,7 @@ static void snapshot_is_longer_by_what_is_set_alone(void **unused) {
     assert_int_equal(one - none, 3 * sizeof(td_kept_rule));
     set(w, UINT32_MAX, UINT32_MAX, &ignore);
     OK(thud_world_get_snapshot_size(w, &one));
-    assert_int_equal(one - none, TD_RULES_MOST * sizeof(td_kept_rule));
+    assert_int_equal(one - none, TD_RULES_MAX * sizeof(td_kept_rule));
     saved s = save(w);
     set(w, UINT32_MAX, UINT32_MAX, NULL);
     OK(thud_world_get_snapshot_size(w, &gone));
