@@ -100,7 +100,7 @@ static int stamp_partners(thud_world *w, int a) {
     uint32_t stamp = w->scratch.stamp;
     int count = 0, e = td_body_at(w, td_shape_at(w, a)->body)->first_constraint;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *contact = td_constraint_at(w, e / 2);
+        const td_constraint *contact = td_constraint_at(w, td_edge_constraint(e));
         if (contact->shape_a == a || contact->shape_b == a) {
             stamps[contact->shape_a == a ? contact->shape_b : contact->shape_a] = stamp;
             count++;

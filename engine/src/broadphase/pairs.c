@@ -91,7 +91,7 @@ bool td_pair_has_contact(const thud_world *w, const td_new_pair *p) {
     int e = td_body_at(w, a->body)->first_constraint;
     int f = td_body_at(w, b->body)->first_constraint;
     while (e != TD_NONE && f != TD_NONE) {
-        const td_constraint *c = td_constraint_at(w, e / 2);
+        const td_constraint *c = td_constraint_at(w, td_edge_constraint(e));
         if (c->shape_a == p->a && c->shape_b == p->b && c->child == p->child) {
             return true;
         }

@@ -111,7 +111,7 @@ static int open_elsewhere(const thud_world *w, int contact_index) {
     }
     int e = td_body_at(w, contact->body[ground_first])->first_constraint;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *other = td_constraint_at(w, e / 2);
+        const td_constraint *other = td_constraint_at(w, td_edge_constraint(e));
         if (other != contact && other->open && other->shape_a == contact->shape_a &&
             other->shape_b == contact->shape_b) {
             return other->open;

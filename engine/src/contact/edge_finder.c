@@ -20,7 +20,7 @@ static void set_masks(thud_world *w, int shape, unsigned internal_edges, unsigne
     s->hidden = (uint8_t)hidden;
     int e = same ? TD_NONE : td_body_at(w, s->body)->first_constraint;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *contact = td_constraint_at(w, e / 2);
+        const td_constraint *contact = td_constraint_at(w, td_edge_constraint(e));
         if (td_is_contact(contact) && contact->state == TD_TOUCHING) {
             td_lane at = td_lane_of(w, contact);
             at.block->mark[at.lane].internal_edges =

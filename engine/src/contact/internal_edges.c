@@ -321,7 +321,7 @@ static void transfer_impulses(thud_world *w, td_block *block, int kind, int lane
     int points = td_form_points(w->kinds[kind]->form);
     int e = td_body_at(w, from->body[1])->first_constraint;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *to = td_constraint_at(w, e / 2);
+        const td_constraint *to = td_constraint_at(w, td_edge_constraint(e));
         bool continues = (to->shape_b == from->shape_b && same_surface(w, to, from, 0)) ||
                          (to->shape_a == from->shape_a && same_surface(w, to, from, 1));
         if (to == from || to->kind != kind || to->state != TD_TOUCHING || !continues) {

@@ -58,7 +58,7 @@ thud_result thud_body_get_contacts(thud_world *w, thud_body_id id, thud_manifold
         return td_refuse(w, THUD_ERROR_LOCKED, "body contacts: not inside a callback");
     }
     for (int e = td_body_at(w, index)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *contact = td_constraint_at(w, e / 2);
+        const td_constraint *contact = td_constraint_at(w, td_edge_constraint(e));
         if (!td_is_contact(contact) || contact->state != TD_TOUCHING ||
             td_contact_is_ending(w, contact)) {
             continue;

@@ -72,7 +72,7 @@ static bool is_joined(const thud_world *w, const td_body *body) {
     bool joined = false;
     for (int e = w->joint_hooks ? body->first_constraint : TD_NONE; e != TD_NONE && !joined;
          e = td_next_edge(w, e)) {
-        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
         joined = !td_is_contact(constraint) && constraint->state == TD_TOUCHING;
     }
     return joined;

@@ -77,7 +77,7 @@ static bool is_vetoed(const sweep *s, int other, double time) {
     bool asked = false, vetoed = true;
     int e = td_surface_asks(w) ? td_body_at(w, s->body)->first_constraint : TD_NONE;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *contact = td_constraint_at(w, e / 2);
+        const td_constraint *contact = td_constraint_at(w, td_edge_constraint(e));
         if (contact->state == TD_TOUCHING && contact->shape_a == other &&
             contact->shape_b == s->shape) {
             asked = true;

@@ -159,7 +159,7 @@ static bool was_open(const thud_world *w, int a, int b) {
     int e = td_body_at(w, td_shape_at(w, b)->body)->first_constraint;
     bool open = false;
     for (; e != TD_NONE && !open; e = td_next_edge(w, e)) {
-        const td_constraint *c = td_constraint_at(w, e / 2);
+        const td_constraint *c = td_constraint_at(w, td_edge_constraint(e));
         open = c->kind == TD_PAIR_SENSOR && c->open &&
                ((c->shape_a == a && c->shape_b == b) || (c->shape_a == b && c->shape_b == a));
     }

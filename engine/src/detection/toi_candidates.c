@@ -13,12 +13,12 @@ static bool is_listed(const thud_world *w, int shape_a, int shape_b) {
     int e = slot.at > 0 ? td_trajectory_at(w, slot)->extras : TD_NONE;
     while (e != TD_NONE) {
         const td_toi_candidate *extra =
-            TD_AT(td_toi_candidate, &w->scratch.extra_candidates, e / 2);
+            TD_AT(td_toi_candidate, &w->scratch.extra_candidates, td_edge_candidate(e));
         if ((extra->shape[0] == shape_a && extra->shape[1] == shape_b) ||
             (extra->shape[0] == shape_b && extra->shape[1] == shape_a)) {
             break;
         }
-        e = extra->next[e & 1];
+        e = extra->next[td_edge_side(e)];
     }
     return e != TD_NONE;
 }
@@ -44,7 +44,7 @@ static bool add_extra(thud_world *w, int shape_a, int shape_b) {
         if (slot.at > 0) {
             td_trajectory *f = td_trajectory_at(w, slot);
             e->next[side] = f->extras;
-            f->extras = index * 2 + side;
+            f->extras = td_edge_of(index, side);
         }
     }
     return true;

@@ -158,15 +158,15 @@ bool td_toi_queue_accepts(const thud_world *w, int contact) {
 
 void td_toi_queue_update_body(thud_world *w, const td_trajectory *f) {
     for (int e = td_body_at(w, f->body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        if (td_toi_queue_accepts(w, e / 2)) {
-            td_toi_queue_set(w, e / 2);
+        if (td_toi_queue_accepts(w, td_edge_constraint(e))) {
+            td_toi_queue_set(w, td_edge_constraint(e));
         }
     }
     for (int e = f->extras; e != TD_NONE;) {
         const td_toi_candidate *extra =
-            TD_AT(td_toi_candidate, &w->scratch.extra_candidates, e / 2);
-        int next = extra->next[e & 1];
-        td_toi_queue_set(w, w->constraints.count + e / 2);
+            TD_AT(td_toi_candidate, &w->scratch.extra_candidates, td_edge_candidate(e));
+        int next = extra->next[td_edge_side(e)];
+        td_toi_queue_set(w, w->constraints.count + td_edge_candidate(e));
         e = next;
     }
 }

@@ -26,7 +26,7 @@ typedef struct td_trajectory {
     td_position place; /* of the centre of mass, at `since` */
     uint32_t angle;    /* at `since`; 2^32 is a full turn */
     td_body_index body;
-    int32_t extras;   /* first of the body's extra candidates, as an edge: candidate * 2 + side, or
+    int32_t extras;   /* first of the body's extra candidates, as an edge: td_edge_of, or
                          TD_NONE */
     int32_t impacts;  /* of the body in this step so far */
     double since;     /* in [0, 1] of the step */
@@ -77,6 +77,11 @@ typedef struct td_toi_candidate {
                         TD_NONE */
     bool vetoed;     /* the prologue refused the pair in this step */
 } td_toi_candidate;
+
+/* The extra candidate of an edge. */
+static inline int td_edge_candidate(int edge) {
+    return edge / 2;
+}
 
 /* Upper bound of the turn of a body in a step, radians. With the bound of its motion,
  * THUD_PLACE_MAX length scales, it keeps places in the range of 64 bits and angles in that of

@@ -46,7 +46,7 @@ bool td_island_sinks(const td_island_work *work, double slack) {
     for (int i = 0; i < work->island->bodies; i++) {
         int e = td_body_at(w, td_body_of(w, work->slots[i]))->first_constraint;
         for (; e != TD_NONE; e = td_next_edge(w, e)) {
-            const td_constraint *constraint = td_constraint_at(w, e / 2);
+            const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
             if (constraint->state == TD_TOUCHING && td_is_contact(constraint) &&
                 sinks_in(work, td_lane_of(w, constraint), td_island_points(w, constraint), slack)) {
                 return true;

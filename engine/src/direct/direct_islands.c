@@ -134,18 +134,18 @@ void td_islands_settle(thud_world *w) {
 static bool add_constraints_of(thud_world *w, td_island *island, td_awake_slot slot) {
     td_body_index body = td_body_of(w, slot);
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
         if (constraint->state != TD_TOUCHING) {
             continue;
         }
-        td_awake_slot other = td_island_neighbour(w, constraint, e & 1);
+        td_awake_slot other = td_island_neighbour(w, constraint, td_edge_side(e));
         bool is_new = other.at && *td_island_local_at(w, other) == 0;
         if (other.at && (*td_island_local_at(w, other) == TOO_MANY ||
                          (is_new && island->bodies == w->quality.island_limit))) {
             return false;
         }
-        if (!other.at || !(e & 1)) {
-            td_push_int(&w->islands.constraints, e / 2);
+        if (!other.at || !td_edge_side(e)) {
+            td_push_int(&w->islands.constraints, td_edge_constraint(e));
         }
         if (is_new) {
             td_island_add(w, island, other);

@@ -86,11 +86,11 @@ static bool add_joints_of(thud_world *w, td_island *linkage, td_awake_slot slot,
                           int *yielding) {
     td_body_index body = td_body_of(w, slot);
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
         if (constraint->state != TD_TOUCHING) {
             continue;
         }
-        td_awake_slot other = td_island_neighbour(w, constraint, e & 1);
+        td_awake_slot other = td_island_neighbour(w, constraint, td_edge_side(e));
         if (td_is_contact(constraint)) {
             *contacts += other.at > 0;
             continue;
@@ -101,9 +101,9 @@ static bool add_joints_of(thud_world *w, td_island *linkage, td_awake_slot slot,
         if (other.at && *td_island_local_at(w, other) <= 0) {
             td_island_add(w, linkage, other);
         }
-        if (!other.at || !(e & 1)) {
+        if (!other.at || !td_edge_side(e)) {
             td_lane at = td_lane_of(w, constraint);
-            td_push_int(&w->islands.constraints, e / 2);
+            td_push_int(&w->islands.constraints, td_edge_constraint(e));
             linkage->constraints++;
             *yielding += yields(w, at.block, at.lane, constraint->kind);
         }
@@ -167,14 +167,15 @@ static bool list_contacts(thud_world *w, td_island *linkage) {
     for (int i = 0; i < linkage->bodies; i++) {
         td_body_index body = td_body_of(w, td_slot_in(&w->islands.slots, i));
         for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-            const td_constraint *constraint = td_constraint_at(w, e / 2);
-            td_awake_slot other = td_island_neighbour(w, constraint, e & 1);
-            bool first = !(e & 1) || !other.at || td_island_number(w, linkage, other) == TD_NONE;
+            const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
+            td_awake_slot other = td_island_neighbour(w, constraint, td_edge_side(e));
+            bool first =
+                !td_edge_side(e) || !other.at || td_island_number(w, linkage, other) == TD_NONE;
             if (constraint->state == TD_TOUCHING && td_is_contact(constraint) && first) {
                 if (linkage->constraints == TD_RESOLVE_CONSTRAINTS_MAX) {
                     return false;
                 }
-                td_push_int(&w->islands.constraints, e / 2);
+                td_push_int(&w->islands.constraints, td_edge_constraint(e));
                 linkage->constraints++;
             }
         }
@@ -208,7 +209,7 @@ static void add_contacts(td_island_work *work) {
         td_awake_slot slot = work->slots[i];
         int e = td_body_at(w, td_body_of(w, slot))->first_constraint;
         for (; e != TD_NONE; e = td_next_edge(w, e)) {
-            const td_constraint *constraint = td_constraint_at(w, e / 2);
+            const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
             if (constraint->state == TD_TOUCHING && td_is_contact(constraint)) {
                 add_contact(&work->problem.bodies[i], slot, td_lane_of(w, constraint),
                             td_island_points(w, constraint));

@@ -40,7 +40,7 @@ static const char *shape_error(const thud_world *w, const td_body *body, int kin
 static const char *joint_error(const thud_world *w, td_body_index index, int kind) {
     const td_body *body = td_body_at(w, index);
     for (int e = body->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *part = td_constraint_at(w, e / 2);
+        const td_constraint *part = td_constraint_at(w, td_edge_constraint(e));
         if (td_is_contact(part)) {
             continue;
         }

@@ -18,7 +18,7 @@
 /* The joint that locks a body, or TD_NONE. */
 static int lock_of(const thud_world *w, td_body_index body) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *part = td_constraint_at(w, e / 2);
+        const td_constraint *part = td_constraint_at(w, td_edge_constraint(e));
         if (!td_is_contact(part) && td_joint_is_lock(w, td_joint_of(w, part), body)) {
             return part->joint;
         }

@@ -17,7 +17,7 @@ typedef struct rolling_sum {
 
 /* Adds the contact of an edge to the sums, if it touches a circle of the body. */
 static void add_contact(const thud_world *w, td_body_index body, int edge, rolling_sum *sum) {
-    const td_constraint *contact = td_constraint_at(w, edge / 2);
+    const td_constraint *contact = td_constraint_at(w, td_edge_constraint(edge));
     if (!td_is_contact(contact) || contact->state != TD_TOUCHING ||
         td_contact_is_ending(w, contact)) {
         return;

@@ -23,16 +23,17 @@ static bool in_world(const td_body *body) {
 static bool end_contacts(thud_world *w, td_body_index a, td_body_index b) {
     int count = 0;
     for (int e = td_body_at(w, a)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        count +=
-            is_solid_contact(td_constraint_at(w, e / 2)) && td_same_body(td_other_body(w, e), b);
+        count += is_solid_contact(td_constraint_at(w, td_edge_constraint(e))) &&
+                 td_same_body(td_other_body(w, e), b);
     }
     if (count && !td_contact_end_reserve(w, count)) {
         return false;
     }
     for (int e = td_body_at(w, a)->first_constraint; count && e != TD_NONE;) {
         int next = td_next_edge(w, e);
-        if (is_solid_contact(td_constraint_at(w, e / 2)) && td_same_body(td_other_body(w, e), b)) {
-            td_contact_destroy(w, e / 2);
+        if (is_solid_contact(td_constraint_at(w, td_edge_constraint(e))) &&
+            td_same_body(td_other_body(w, e), b)) {
+            td_contact_destroy(w, td_edge_constraint(e));
         }
         e = next;
     }
@@ -139,10 +140,10 @@ bool td_joints_engage(thud_world *w) {
 
 void td_joints_suspend(thud_world *w, td_body_index body) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
         if (!td_is_contact(constraint) && constraint->state == TD_TOUCHING) {
-            td_lane_remove(w, e / 2);
-            td_constraint_wait(w, e / 2);
+            td_lane_remove(w, td_edge_constraint(e));
+            td_constraint_wait(w, td_edge_constraint(e));
         }
     }
 }
@@ -155,7 +156,7 @@ void td_joints_follow(thud_world *w, td_body_index index) {
     const td_body *body = td_body_at(w, index);
     const td_position *center = &td_pose_at(w, index)->center;
     for (int e = body->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *part = td_constraint_at(w, e / 2);
+        const td_constraint *part = td_constraint_at(w, td_edge_constraint(e));
         td_joint *joint = td_is_contact(part) ? NULL : td_joint_of(w, part);
         if (!joint || !td_joint_is_lock(w, joint, index)) {
             continue;
@@ -166,7 +167,7 @@ void td_joints_follow(thud_world *w, td_body_index index) {
         joint->anchor[1][0] = body->center_x;
         joint->anchor[1][1] = body->center_y;
         if (part->state == TD_TOUCHING) {
-            td_lane_renew(w, e / 2);
+            td_lane_renew(w, td_edge_constraint(e));
         }
     }
 }
@@ -180,7 +181,7 @@ bool td_joints_keep_apart(const thud_world *w, td_body_index a, td_body_index b)
     int e = body_a->first_constraint, f = body_b->first_constraint;
     td_body_index other = b;
     while (e != TD_NONE && f != TD_NONE) {
-        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
         if (!td_is_contact(constraint) && td_same_body(td_other_body(w, e), other) &&
             !td_joint_of(w, constraint)->collides) {
             return true;

@@ -93,8 +93,9 @@ static void for_each_constraint(const tied_group *g,
     do {
         int e = td_body_at(w, td_body_of(w, slot))->first_constraint;
         for (; e != TD_NONE; e = td_next_edge(w, e)) {
-            const td_constraint *constraint = td_constraint_at(w, e / 2);
-            bool first = !(e & 1) || !td_island_neighbour(w, constraint, e & 1).at;
+            const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
+            bool first =
+                !td_edge_side(e) || !td_island_neighbour(w, constraint, td_edge_side(e)).at;
             if (constraint->state == TD_TOUCHING && first) {
                 visit(g, constraint);
             }
@@ -364,7 +365,7 @@ static void mark_yielded(const tied_group *g, const td_constraint *constraint) {
 /* Sets the impulses of a body's contacts with static shapes to 0. */
 static void clear_static_contacts(const thud_world *w, td_body_index body) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
         if (constraint->state == TD_TOUCHING && td_is_contact(constraint)) {
             td_lane at = td_lane_of(w, constraint);
             if (is_static_contact(constraint, &at)) {
@@ -514,7 +515,7 @@ static bool has_joints(const thud_world *w, td_awake_slot slot, bool *yielded) {
     *yielded = false;
     int e = td_body_at(w, td_body_of(w, slot))->first_constraint;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
         if (constraint->state == TD_TOUCHING && !td_is_contact(constraint)) {
             td_lane at = td_lane_of(w, constraint);
             any = true;

@@ -10,7 +10,7 @@
 /* The other shape's slot, if this edge of the sensor's body is an open contact of the sensor and
  * the other body is enabled; else TD_NONE. */
 static int overlapped_by(const thud_world *w, int edge, int sensor) {
-    const td_constraint *contact = td_constraint_at(w, edge / 2);
+    const td_constraint *contact = td_constraint_at(w, td_edge_constraint(edge));
     if (contact->kind != TD_PAIR_SENSOR || !contact->open ||
         (contact->shape_a != sensor && contact->shape_b != sensor)) {
         return TD_NONE;

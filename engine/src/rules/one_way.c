@@ -38,7 +38,7 @@ static void decide_lane(thud_world *w, td_block *block, int lane, const td_rule 
             const td_point *p = &block->point[k];
             if (p->normal_mass[lane] != 0.0f && p->separation[lane] + w->skin < separation) {
                 separation = p->separation[lane] + w->skin;
-                closing = td_contact_closing(w, block, p, lane);
+                closing = td_contact_closing_speed(w, block, p, lane);
             }
         }
         if (!(contact->vetoed & TD_PASSING) && closing > 0.0f) {
@@ -91,7 +91,7 @@ bool td_rules_hide(const thud_world *w, int shape, int other) {
     }
     int e = td_body_at(w, td_shape_at(w, other)->body)->first_constraint;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *c = td_constraint_at(w, e / 2);
+        const td_constraint *c = td_constraint_at(w, td_edge_constraint(e));
         if (c->vetoed & TD_HELD && ((c->shape_a == shape && c->shape_b == other) ||
                                     (c->shape_a == other && c->shape_b == shape))) {
             return true;

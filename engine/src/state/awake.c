@@ -76,11 +76,11 @@ static void move_slot(thud_world *w, td_awake_slot from, td_awake_slot to) {
     td_body *body = td_body_at(w, td_body_of(w, to));
     body->awake = to;
     for (int edge = body->first_constraint; edge != TD_NONE;) {
-        const td_constraint *constraint = td_constraint_at(w, edge / 2);
+        const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(edge));
         if (constraint->state == TD_TOUCHING) {
-            td_lane_refresh(w, edge / 2);
+            td_lane_refresh(w, td_edge_constraint(edge));
         }
-        edge = constraint->next[edge & 1];
+        edge = constraint->next[td_edge_side(edge)];
     }
 }
 

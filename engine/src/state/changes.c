@@ -18,10 +18,10 @@
  * sleep on; their resting sensor contacts wait to be tested again. False when memory is short. */
 static bool wake_touching(thud_world *w, td_body_index body) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *constraint = td_constraint_at(w, e / 2);
+        const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
         if (constraint->kind == TD_PAIR_SENSOR) {
             if (constraint->state == TD_RESTING) {
-                td_constraint_wait(w, e / 2);
+                td_constraint_wait(w, td_edge_constraint(e));
             }
         } else if ((constraint->open || !td_is_contact(constraint)) &&
                    !td_wake(w, td_other_body(w, e))) {
@@ -45,10 +45,10 @@ static bool reserve_ends(thud_world *w, td_body_index body) {
 static void destroy_contacts(thud_world *w, td_body_index body, int shape, bool joints) {
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE;) {
         int next = td_next_edge(w, e);
-        const td_constraint *c = td_constraint_at(w, e / 2);
+        const td_constraint *c = td_constraint_at(w, td_edge_constraint(e));
         if (td_is_contact(c) ? shape == TD_NONE || c->shape_a == shape || c->shape_b == shape
                              : joints) {
-            td_contact_destroy(w, e / 2);
+            td_contact_destroy(w, td_edge_constraint(e));
         }
         e = next;
     }
@@ -115,8 +115,8 @@ static void update_shapes(thud_world *w, td_body_index index) {
     }
     td_awake_refresh(w, index);
     for (int e = body->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        if (td_constraint_at(w, e / 2)->state == TD_TOUCHING) {
-            td_lane_renew(w, e / 2);
+        if (td_constraint_at(w, td_edge_constraint(e))->state == TD_TOUCHING) {
+            td_lane_renew(w, td_edge_constraint(e));
         }
     }
 }
@@ -159,8 +159,8 @@ static void apply_enabled(thud_world *w, td_body_index index) {
 static void destroy_contacts_of_removed_segments(thud_world *w, td_body_index index) {
     for (int e = td_body_at(w, index)->first_constraint; e != TD_NONE;) {
         int next = td_next_edge(w, e);
-        if (td_constraint_at(w, e / 2)->child == TD_NONE) {
-            td_contact_destroy(w, e / 2);
+        if (td_constraint_at(w, td_edge_constraint(e))->child == TD_NONE) {
+            td_contact_destroy(w, td_edge_constraint(e));
         }
         e = next;
     }

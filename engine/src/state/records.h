@@ -43,7 +43,7 @@ typedef struct td_body {
     uint8_t kind, flags, changes, aabbs; /* aabbs: number of AABB shapes, which fix rotation */
     td_awake_slot awake;                 /* TD_NONE: static, asleep, or waits for the next step */
     int32_t first_shape, shape_count;
-    int32_t first_constraint; /* first edge of the list: constraint * 2 + side */
+    int32_t first_constraint; /* first edge of the list (td_edge_of) */
     float velocity[3];        /* while the body has no awake slot: x, y, turn */
     float force[3];           /* in the next step: x, y, torque */
     float mass, inertia, inv_mass, inv_inertia;
@@ -142,6 +142,19 @@ typedef struct td_constraint {
     uint8_t live;   /* the record is in use */
     uint8_t vetoed; /* by a prologue or a rule, see above */
 } td_constraint;
+
+/* An edge: a constraint in the list of one of its bodies, a number. Side 0 is body[0]. */
+static inline int td_edge_of(int constraint, int side) {
+    return constraint * 2 + side;
+}
+
+static inline int td_edge_constraint(int edge) {
+    return edge / 2;
+}
+
+static inline int td_edge_side(int edge) {
+    return edge & 1;
+}
 
 /* td_constraint.open of a contact. The contacts of a shape with several segments of a terrain have
  * the same value. */

@@ -53,9 +53,9 @@ static void wake_and_renew(thud_world *w, int terrain_shape, int shape) {
     td_shape_mark_moved(w, shape);
     *td_marks_at(w, shape) |= TD_MARK_WOKEN;
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
-        const td_constraint *contact = td_constraint_at(w, e / 2);
+        const td_constraint *contact = td_constraint_at(w, td_edge_constraint(e));
         if (contact->state == TD_TOUCHING && has_shape(contact, terrain_shape)) {
-            td_lane_renew(w, e / 2);
+            td_lane_renew(w, td_edge_constraint(e));
         }
     }
 }
@@ -65,7 +65,7 @@ static void wake_and_renew(thud_world *w, int terrain_shape, int shape) {
 static void update_contacts(thud_world *w, int terrain_shape, const splice *s) {
     int e = td_body_at(w, td_shape_at(w, terrain_shape)->body)->first_constraint;
     for (; e != TD_NONE; e = td_next_edge(w, e)) {
-        td_constraint *contact = td_constraint_at(w, e / 2);
+        td_constraint *contact = td_constraint_at(w, td_edge_constraint(e));
         if (!has_shape(contact, terrain_shape) || contact->child == TD_NONE) {
             continue;
         }
