@@ -2,6 +2,7 @@
  * once bodies have moved, so that it cannot fail from then on. */
 #include "engine_support.h"
 #include "every_choice.h"
+#include "share.h"
 
 #include <thud/thud_detection.h>
 
@@ -102,7 +103,7 @@ static void set_off(const scene *s, const crowd *c, double way) {
 /* Calls `check` for so many sensors and balls, with every detection and broadphase, and either
  * group moving. */
 static void for_crowds(void (*check)(const crowd *), int zones, int balls) {
-    for (int i = 0; i < 4 * 3 * 2; i++) {
+    for (int i = 0; i < 4 * 3 * 2; i += TEST_SHARE) {
         crowd c = {zones, balls, i % 2, i / 2 % 4, i / 8};
         check(&c);
     }
@@ -131,7 +132,7 @@ static void come_in(const crowd *c) {
 
 static void crowd_that_comes_into_sensors_asks_for_no_memory_late(void **state) {
     (void)state;
-    for (int i = 0; i < 4 * 3; i++) {
+    for (int i = 0; i < 4 * 3; i += TEST_SHARE) {
         come_in(&(crowd){1, 3000, false, i % 4, i / 4});
         come_in(&(crowd){3000, 1, true, i % 4, i / 4});
     }
@@ -180,7 +181,7 @@ static void pass(const crowd *c) {
 
 static void crowd_that_passes_sensors_asks_for_no_memory_late(void **state) {
     (void)state;
-    for (int i = 0; i < 4 * 3; i++) {
+    for (int i = 0; i < 4 * 3; i += TEST_SHARE) {
         pass(&(crowd){1, 3000, false, i % 4, i / 4});
         pass(&(crowd){3000, 1, true, i % 4, i / 4});
     }
