@@ -5,12 +5,12 @@
 #define GEOMETRY_RANDOM_H
 
 #include "share.h"
-/* State of the generator. */
 #include "thud/thud_geometry.h"
 
 #include <math.h>
 #include <stdlib.h>
 
+/* State of the generator. */
 typedef struct source {
     uint64_t state; /* not 0 */
 } source;

@@ -345,8 +345,8 @@ static bool open_contact(const td_internal_edge_pair *p, td_internal_edge_contac
     const thud_geometry *a = &p->placed[0], *b = &p->placed[1];
     sides s = sides_of(p);
     return td_kind_is_box(a->kind) && td_kind_is_box(b->kind) &&
-           td_internal_edge_boxes(a, b, (double)(TD_SPECULATIVE * p->w->unit), is_hidden, &s,
-                                  contact);
+           td_box_contact_on_open_axis(a, b, (double)(TD_SPECULATIVE * p->w->unit), is_hidden, &s,
+                                       contact);
 }
 
 /* Replaces the manifold of a lane that is at a hidden feature, or clears the lane. */
