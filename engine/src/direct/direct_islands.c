@@ -72,7 +72,7 @@ static bool is_seed(const thud_world *w, td_awake_slot slot) {
     int direct_steps = *td_direct_steps_at(w, slot);
     return direct_steps <= TD_DIRECT_COOLDOWN &&
            (direct_steps > 0 || w->quality.overlap_limit == 0.0f) &&
-           *td_island_local_at(w, slot) == 0 && td_row(&w->velocity, slot)[3] > 0.0f;
+           *td_island_local_at(w, slot) == 0 && td_inv_mass_of(w, slot) > 0.0f;
 }
 
 static bool any_direct(const thud_world *w) {
@@ -234,7 +234,7 @@ enum {
 static void mark_direct(thud_world *w, uint32_t record) {
     td_awake_slot slot = td_slot_of_side(record);
     uint8_t *direct_steps = td_direct_steps_at(w, slot);
-    if (td_row(&w->velocity, slot)[3] > 0.0f && *direct_steps <= TD_DIRECT_COOLDOWN) {
+    if (td_inv_mass_of(w, slot) > 0.0f && *direct_steps <= TD_DIRECT_COOLDOWN) {
         *direct_steps = TD_DIRECT_STEPS;
     }
 }
@@ -279,7 +279,7 @@ static bool watch_block(thud_world *w, td_block *block, int kind) {
     bool contact = kind < TD_PAIR_COUNT, joint_marked = false;
     for (int lane = 0; lane < block->used; lane++) {
         td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
-        float inverse_a = td_row(&w->velocity, a)[3], inverse_b = td_row(&w->velocity, b)[3];
+        float inverse_a = td_inv_mass_of(w, a), inverse_b = td_inv_mass_of(w, b);
         float light = td_max_float(inverse_a, inverse_b),
               other = td_min_float(inverse_a, inverse_b);
         float size = td_islands_size(w, a, b), threshold = td_islands_load_max(w, size);

@@ -78,7 +78,7 @@ static int side_of(const td_island_work *work, uint32_t record, double known[3])
     const thud_world *w = work->w;
     td_awake_slot slot = td_slot_of_side(record);
     const float *v = td_row(&w->velocity, slot), *delta = td_row(&w->delta, slot);
-    bool moves = v[3] > 0.0f;
+    bool moves = td_inv_mass_of(w, slot) > 0.0f;
     for (int k = 0; k < 3; k++) {
         known[k] = moves ? (double)delta[k] / work->time : (double)v[k];
     }

@@ -68,8 +68,7 @@ static void note_outcome(thud_world *w, const td_island *linkage, bool solved) {
 static bool is_soft(const thud_world *w, td_awake_slot slot) {
     int local = *td_island_local_at(w, slot);
     bool left = *td_direct_steps_at(w, slot) > TD_DIRECT_COOLDOWN && local != UNFIT;
-    return td_row(&w->velocity, slot)[3] > 0.0f && local <= 0 &&
-           (left || local == TD_ISLAND_REFUSED);
+    return td_inv_mass_of(w, slot) > 0.0f && local <= 0 && (left || local == TD_ISLAND_REFUSED);
 }
 
 /* Whether a joint yields by more than the quality allows. */

@@ -9,8 +9,8 @@
 /* Whether the island of a body was marked as direct in this step (td_direct_steps is at its full
  * value) and has not been solved yet. */
 static bool is_newly_marked(const thud_world *w, td_awake_slot slot) {
-    return *td_direct_steps_at(w, slot) == TD_DIRECT_STEPS &&
-           td_row(&w->velocity, slot)[3] > 0.0f && *td_island_local_at(w, slot) == 0;
+    return *td_direct_steps_at(w, slot) == TD_DIRECT_STEPS && td_inv_mass_of(w, slot) > 0.0f &&
+           *td_island_local_at(w, slot) == 0;
 }
 
 static bool has_joints(const thud_world *w, const td_island *island) {

@@ -139,8 +139,8 @@ static void prepare_lane(const thud_world *w, td_block *block, int lane) {
 float td_gear_inverse_mass(const thud_world *w, const td_block *block, int lane) {
     const td_gear_rows *rows = td_gear_rows_of((td_block *)block);
     const td_point *p = &block->point[0];
-    float a = td_row(&w->velocity, td_slot_of_side(block->a[lane]))[3];
-    float b = td_row(&w->velocity, td_slot_of_side(block->b[lane]))[3];
+    float a = td_inv_mass_of(w, td_slot_of_side(block->a[lane]));
+    float b = td_inv_mass_of(w, td_slot_of_side(block->b[lane]));
     float x = rows->a_x[lane], y = rows->a_y[lane], u = block->nx[lane], v = block->ny[lane];
     return a * (x * x + y * y) + block->inv_inertia_a[lane] * p->cross_a[lane] * p->cross_a[lane] +
            b * (u * u + v * v) + block->inv_inertia_b[lane] * p->cross_b[lane] * p->cross_b[lane];

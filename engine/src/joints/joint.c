@@ -195,8 +195,8 @@ float td_joint_speed(const thud_world *w, const td_block *block, int lane, doubl
 
 float td_joint_inverse_mass(const thud_world *w, const td_block *block, int lane, float linear,
                             float cross_a, float cross_b) {
-    float mass_a = td_row(&w->velocity, td_slot_of_side(block->a[lane]))[3];
-    float mass_b = td_row(&w->velocity, td_slot_of_side(block->b[lane]))[3];
+    float mass_a = td_inv_mass_of(w, td_slot_of_side(block->a[lane]));
+    float mass_b = td_inv_mass_of(w, td_slot_of_side(block->b[lane]));
     return linear * (mass_a + mass_b) + block->inv_inertia_a[lane] * cross_a * cross_a +
            block->inv_inertia_b[lane] * cross_b * cross_b;
 }

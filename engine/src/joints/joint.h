@@ -211,8 +211,8 @@ TD_DECLARE_WIDE(td_place_fn, td_place_joints);
 /* Inverse mass of the lighter side of a lane. */
 static inline float td_joint_max_inverse_mass(const thud_world *w, const td_block *block,
                                               int lane) {
-    return td_max_float(td_row(&w->velocity, td_slot_of_side(block->a[lane]))[3],
-                        td_row(&w->velocity, td_slot_of_side(block->b[lane]))[3]);
+    return td_max_float(td_inv_mass_of(w, td_slot_of_side(block->a[lane])),
+                        td_inv_mass_of(w, td_slot_of_side(block->b[lane])));
 }
 
 static inline float td_joint_abs(float x) {

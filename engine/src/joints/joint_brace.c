@@ -105,7 +105,7 @@ static bool number_lanes(thud_world *w, td_block *block) {
     *same_group(block) = 1.0f;
     for (int lane = 0; lane < block->used; lane++) {
         td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
-        group[lane] = group_number(w, td_row(&w->velocity, b)[3] > 0.0f ? b : a);
+        group[lane] = group_number(w, td_inv_mass_of(w, b) > 0.0f ? b : a);
         *same_group(block) = group[lane] == group[0] ? *same_group(block) : 0.0f;
         if (is_wide_open(w, block, lane)) {
             group_sums(w, group[lane])[WIDE_OPEN] = 1.0;

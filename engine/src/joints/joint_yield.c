@@ -140,8 +140,8 @@ static void change_row_value(const tied_group *g, const td_lane *at, const row_d
                              double change) {
     const td_block *block = at->block;
     uint32_t a = block->a[at->lane], b = block->b[at->lane];
-    double mass_a = (double)td_row(&g->w->velocity, td_slot_of_side(a))[3];
-    double mass_b = (double)td_row(&g->w->velocity, td_slot_of_side(b))[3];
+    double mass_a = (double)td_inv_mass_of(g->w, td_slot_of_side(a));
+    double mass_b = (double)td_inv_mass_of(g->w, td_slot_of_side(b));
     double inertia_a = (double)block->inv_inertia_a[at->lane];
     double inertia_b = (double)block->inv_inertia_b[at->lane];
     double k = (mass_a + mass_b) * (n->x * n->x + n->y * n->y) +

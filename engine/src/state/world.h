@@ -197,4 +197,10 @@ static inline float *td_row(const td_array *rows, td_awake_slot slot) {
     return td_at(rows, slot.at);
 }
 
+/* The inverse mass of an awake body, the fourth float of its velocity; 0: constraints do not move
+ * it (a kinematic body; slot 0, which stands for all static ones). */
+static inline float td_inv_mass_of(const thud_world *w, td_awake_slot slot) {
+    return td_row(&w->velocity, slot)[3];
+}
+
 #endif
