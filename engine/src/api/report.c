@@ -107,7 +107,7 @@ thud_result thud_world_get_step_error(const thud_world *w, thud_step_error *out)
     if (!w || !out) {
         return THUD_ERROR_NULL;
     }
-    td_errors step = td_error_of_step(w), *e = &step;
+    td_errors step = td_errors_of_step(w), *e = &step;
     td_joint_gaps gaps = {0};
     if (w->joint_hooks) {
         w->joint_hooks->measure(w, &gaps);
@@ -118,7 +118,7 @@ thud_result thud_world_get_step_error(const thud_world *w, thud_step_error *out)
         .residual = (double)e->residual,
         .energy_change = e->energy_change,
         .overlaps = (int)e->overlaps,
-        .shortfall = __builtin_sqrt((double)e->shortfall),
+        .shortfall = __builtin_sqrt((double)e->shortfall_squared),
         .joint_gap_max = gaps.worst,
         .joint_gap_mean = gaps.mean,
         .joint_angle_max = gaps.angle,
@@ -128,11 +128,11 @@ thud_result thud_world_get_step_error(const thud_world *w, thud_step_error *out)
 
 /* Maximum and mean penetration over the points of touching contacts, length. Separations are stored
  * with the skin taken off. Where detection moved bodies after the solver they are computed anew
- * from the poses (td_error_separation). */
+ * from the poses (td_errors_separation). */
 static void measure_penetration(const thud_world *w, thud_measure *m) {
     int points = 0;
     double sum = 0.0;
-    bool moved = td_error_has_moved(w);
+    bool moved = td_errors_points_stale(w);
     for (int i = 0; i < w->constraints.count; i++) {
         const td_constraint *contact = td_constraint_at(w, i);
         if (!td_is_contact(contact) || !contact->live || contact->state != TD_TOUCHING) {
@@ -145,7 +145,7 @@ static void measure_penetration(const thud_world *w, thud_measure *m) {
                 continue;
             }
             float separation =
-                (moved ? td_error_separation(w, contact, k) : p->separation[at.lane]) + w->skin;
+                (moved ? td_errors_separation(w, contact, k) : p->separation[at.lane]) + w->skin;
             double depth = separation < 0.0f ? -(double)separation : 0.0;
             m->penetration_max = depth > m->penetration_max ? depth : m->penetration_max;
             sum += depth;

@@ -37,7 +37,7 @@ static float exact_distance(const thud_world *w, const td_constraint *contact, f
     return (float)closest.distance;
 }
 
-float td_error_separation(const thud_world *w, const td_constraint *contact, int point) {
+float td_errors_separation(const thud_world *w, const td_constraint *contact, int point) {
     td_lane at = td_lane_of(w, contact);
     const td_block *block = at.block;
     /* No side has an awake slot: both bodies sleep, or one sleeps and the other is static. */
@@ -58,9 +58,9 @@ static bool is_awake(const thud_world *w, const td_constraint *contact) {
            td_body_at(w, contact->body[1])->awake.at > 0;
 }
 
-td_errors td_error_of_step(const thud_world *w) {
+td_errors td_errors_of_step(const thud_world *w) {
     td_errors e = w->errors;
-    if (!td_error_has_moved(w)) {
+    if (!td_errors_points_stale(w)) {
         return e;
     }
     e.points = e.overlaps = 0;
@@ -75,10 +75,10 @@ td_errors td_error_of_step(const thud_world *w) {
         td_lane at = td_lane_of(w, contact);
         for (int k = 0; k < td_form_points(w->kinds[contact->kind]->form); k++) {
             if (at.block->point[k].normal_mass[at.lane] > 0.0f) {
-                float depth = -(td_error_separation(w, contact, k) + w->skin);
+                float depth = -(td_errors_separation(w, contact, k) + w->skin);
                 depth = td_max_float(depth, 0.0f);
                 e.points++;
-                e.overlaps += depth > td_error_overlap(w);
+                e.overlaps += depth > td_overlap_depth_min(w);
                 e.depth += (double)depth * w->to_fixed;
                 e.deepest = td_max_float(e.deepest, depth);
             }

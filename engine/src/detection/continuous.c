@@ -263,8 +263,8 @@ void td_hold_at(thud_world *w, td_awake_slot slot, double time) {
     float *delta = td_row(&w->delta, slot), *velocity = td_row(&w->velocity, slot);
     const float *substep_gain = td_row(&w->substep_gain, slot);
     float x = (float)remaining * delta[0], y = (float)remaining * delta[1];
-    td_error_fall_short(w, x, y);
-    td_error_follow(w, slot, x, y);
+    td_errors_note_shortfall(w, x, y);
+    td_errors_undo_gravity_work(w, slot, x, y);
     for (int k = 0; k < 3; k++) {
         delta[k] = (float)((double)delta[k] * time);
         velocity[k] -=
@@ -348,7 +348,7 @@ static void run(thud_world *w) {
         }
     }
     if (w->stats.held_bodies) {
-        td_error_settle(w);
+        td_errors_resum_kinetic(w);
         if (w->scratch.sensed_room > 0) {
             append_held_legs(w);
         }

@@ -60,8 +60,8 @@ static void hold_body(thud_world *w, td_trajectory *f) {
     if (!f->held) {
         double remaining = 1.0 - f->since, fall = 0.5 * remaining;
         f->held = true;
-        td_error_fall_short(w, (float)((f->motion[0] + fall * f->fall[0]) * remaining),
-                            (float)((f->motion[1] + fall * f->fall[1]) * remaining));
+        td_errors_note_shortfall(w, (float)((f->motion[0] + fall * f->fall[0]) * remaining),
+                                 (float)((f->motion[1] + fall * f->fall[1]) * remaining));
         td_held_count(w, td_body_at(w, f->body)->awake, f->since);
     }
     td_trajectory_reduce_fall(w, f, f->fall[0], f->fall[1]);
@@ -256,7 +256,7 @@ static bool end_trajectory(thud_world *w, td_awake_slot slot) {
     delta[0] = (float)((double)(f->place.x - start.x) / w->to_fixed);
     delta[1] = (float)((double)(f->place.y - start.y) / w->to_fixed);
     delta[2] = (float)(int32_t)(f->angle - angle) * (float)TD_RADIANS_A_QUANTUM;
-    td_error_follow(w, slot, x - delta[0], y - delta[1]);
+    td_errors_undo_gravity_work(w, slot, x - delta[0], y - delta[1]);
     td_body_place_shapes(w, f->body);
     return true;
 }
@@ -390,7 +390,7 @@ static void run_after_moving(thud_world *w) {
         }
     }
     if (changed) {
-        td_error_settle(w);
+        td_errors_resum_kinetic(w);
     }
     hit_events(w);
 }

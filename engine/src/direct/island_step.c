@@ -434,7 +434,7 @@ static void end(thud_world *w) {
     }
     td_islands_watch(w);
     if (w->stats.direct_islands > w->stats.soft_islands) {
-        td_error_recount(w);
+        td_errors_recount(w);
     }
 }
 

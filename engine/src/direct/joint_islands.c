@@ -14,10 +14,10 @@
 static bool reserve_system(thud_world *w) {
     td_sparse *s = &w->islands.matrix;
     td_memory *memory = &w->memory;
-    td_system now = s->now;
+    td_system now = s->current;
     bool room = td_sparse_reserve(memory, s, w->body_of.count + TD_RESOLVE_BODIES_MAX) &&
                 td_sparse_begin(memory, s, TD_RESOLVE_BODIES_MAX);
-    s->now = now;
+    s->current = now;
     return room && td_array_reserve(memory, &s->row, s->row.count + TD_RESOLVE_ENTRIES_MAX) &&
            td_array_reserve(memory, &s->entry, TD_RESOLVE_ENTRIES_MAX);
 }
@@ -26,7 +26,8 @@ static bool reserve_system(thud_world *w) {
  * False when memory is short. */
 static bool find(thud_world *w) {
     td_islands *s = &w->islands;
-    return td_islands_find(w) && td_array_reserve(&w->memory, &s->start, w->body_of.count) &&
+    return td_islands_find(w) &&
+           td_array_reserve(&w->memory, &s->start_velocity, w->body_of.count) &&
            td_islands_room(w, &s->topology, s->topology.count + 2 * TD_RESOLVE_CONSTRAINTS_MAX) &&
            td_islands_room(w, &s->rows, TD_RESOLVE_CONSTRAINTS_MAX) &&
            td_islands_room(w, &s->bodies, TD_RESOLVE_BODIES_MAX) &&
@@ -48,7 +49,8 @@ enum { EFFORT_OF_BODY = 4000, EFFORT_BODIES_MIN = 1000 };
 static void begin(thud_world *w) {
     td_islands_begin(w);
     w->islands.effort = (int64_t)EFFORT_OF_BODY * td_max_int(w->body_of.count, EFFORT_BODIES_MIN);
-    memcpy(w->islands.start.data, w->velocity.data, (size_t)w->body_of.count * sizeof(float[4]));
+    memcpy(w->islands.start_velocity.data, w->velocity.data,
+           (size_t)w->body_of.count * sizeof(float[4]));
     w->islands.adds_up = w->islands.island.count || td_joint_subsystems_expected(w);
 }
 
@@ -88,7 +90,7 @@ static void end(thud_world *w) {
         s->adds_up = false;
     }
     if (w->stats.direct_islands > w->stats.soft_islands) {
-        td_error_recount(w);
+        td_errors_recount(w);
     }
 }
 

@@ -659,6 +659,6 @@ void td_joints_yield(thud_world *w) {
         } while (i.at != slot.at);
     }
     if (any) {
-        td_error_recount(w);
+        td_errors_recount(w);
     }
 }

@@ -14,15 +14,16 @@
 
 /* Before the solver: resets the statistics. The energy change begins at minus the kinetic energy
  * that bodies have now; td_finalize adds that at the end of the step. */
-void td_error_begin(thud_world *w);
+void td_errors_begin(thud_world *w);
 
 /* Adds the statistics of the contact points and joints that one worker has solved. */
-void td_error_add(thud_world *w, const td_tally *tally);
+void td_errors_add_tally(thud_world *w, const td_tally *tally);
 
 /* The energy change is the gain of kinetic energy less the work of gravity along the whole motion
  * of the step. (x, y) is the part of a body's motion that detection has cut off, in world axes:
  * adds the work of gravity along it, which was not done. */
-static inline void td_error_follow(thud_world *w, td_awake_slot slot, float x, float y) {
+static inline void td_errors_undo_gravity_work(thud_world *w, td_awake_slot slot, float x,
+                                               float y) {
     float work_per_mass = w->def.gravity.x * x + w->def.gravity.y * y;
     float undone_work = *TD_AT(float, &w->gravity_mass, slot.at) * work_per_mass;
     w->errors.energy_change +=
@@ -30,15 +31,16 @@ static inline void td_error_follow(thud_world *w, td_awake_slot slot, float x, f
 }
 
 /* After detection has changed velocities: sums up the kinetic energy anew, and adds its change to
- * the energy change. The corrections of td_error_follow stay, whichever is called first. */
-void td_error_settle(thud_world *w);
+ * the energy change. The corrections of td_errors_undo_gravity_work stay, whichever is called
+ * first. */
+void td_errors_resum_kinetic(thud_world *w);
 
 /* Detection stopped a body (x, y) before the end of its motion: keeps the longest such distance,
  * squared. */
-static inline void td_error_fall_short(thud_world *w, float x, float y) {
+static inline void td_errors_note_shortfall(thud_world *w, float x, float y) {
     float missed_squared = x * x + y * y;
-    if (missed_squared > w->errors.shortfall) {
-        w->errors.shortfall = missed_squared;
+    if (missed_squared > w->errors.shortfall_squared) {
+        w->errors.shortfall_squared = missed_squared;
     }
 }
 
@@ -46,25 +48,25 @@ static inline void td_error_fall_short(thud_world *w, float x, float y) {
  * statistics and the separations of lanes are out of date: gaps.c projected the motions so that
  * touching shapes do not overlap (errors.projected), a body was held back (held_bodies), or an
  * impact changed velocities within the step (impacts). */
-static inline bool td_error_has_moved(const thud_world *w) {
+static inline bool td_errors_points_stale(const thud_world *w) {
     return w->errors.projected || w->stats.held_bodies > 0 || w->stats.impacts > 0;
 }
 
 /* step_error.c: the separation of a point of a touching contact for the poses at the end of the
- * step. Unless td_error_has_moved, the lane's separation is that already. */
-float td_error_separation(const thud_world *w, const td_constraint *contact, int point);
-/* step_error.c: the statistics of the step; if td_error_has_moved, with contact points counted
+ * step. Unless td_errors_points_stale, the lane's separation is that already. */
+float td_errors_separation(const thud_world *w, const td_constraint *contact, int point);
+/* step_error.c: the statistics of the step; if td_errors_points_stale, with contact points counted
  * anew, which is a pass over all contacts. */
-td_errors td_error_of_step(const thud_world *w);
+td_errors td_errors_of_step(const thud_world *w);
 
 /* Counts all contact points and joints anew from the present separations of their lanes and the
  * present velocities: after the direct solver, or yielding joints (joint_yield.c), have replaced
  * results of the soft solver. It is a pass over all blocks. The residual is final then:
- * td_error_of_step does not count it anew. */
-void td_error_recount(thud_world *w);
+ * td_errors_of_step does not count it anew. */
+void td_errors_recount(thud_world *w);
 
 /* The penetration depth above which a contact point counts as an overlap, length: max_error, or
  * TD_SLOP length scales where that is 0. */
-float td_error_overlap(const thud_world *w);
+float td_overlap_depth_min(const thud_world *w);
 
 #endif

@@ -395,7 +395,7 @@ void td_solve(thud_world *w) {
                    .count = w->body_of.count,
                    .h = h,
                    .max_speed = w->def.maximum_speed * w->unit},
-        .tally = {.skin = w->skin, .overlap = td_error_overlap(w), .to_fixed = w->to_fixed},
+        .tally = {.skin = w->skin, .overlap = td_overlap_depth_min(w), .to_fixed = w->to_fixed},
         .tallies = tallies,
         .task = &task,
         .bounced = bounced,
@@ -404,9 +404,9 @@ void td_solve(thud_world *w) {
     s.contacts.torn = &torn;
     s.contacts.adds = adds;
     memset(tallies, 0, (size_t)task.workers * sizeof *tallies);
-    td_error_begin(w);
+    td_errors_begin(w);
     td_job_run(w, &task, run_passes, &s);
     for (int i = 0; i < task.workers; i++) {
-        td_error_add(w, &tallies[i]);
+        td_errors_add_tally(w, &tallies[i]);
     }
 }

@@ -29,12 +29,12 @@ enum {
     TD_BODY_FIXED = 2,    /* rotation is fixed by its def */
     TD_BODY_RESTLESS = 4, /* may not sleep */
     TD_BODY_QUARANTINED = 8,
-    TD_BODY_DISABLED = 16,   /* has no contacts and no awake slot */
-    TD_BODY_CHOSE = 32,      /* has a detection of its own, not the world's */
-    TD_BODY_MASS_GIVEN = 64, /* mass, inertia and centre of mass are the caller's; shapes do not
-                                change them */
-    TD_BODY_ANCHOR = 128     /* static, without shapes, made by the engine to lock a body:
-                                edits/locks.c */
+    TD_BODY_DISABLED = 16,      /* has no contacts and no awake slot */
+    TD_BODY_OWN_DETECTION = 32, /* has a detection of its own, not the world's */
+    TD_BODY_MASS_GIVEN = 64,    /* mass, inertia and centre of mass are the caller's; shapes do not
+                                   change them */
+    TD_BODY_ANCHOR = 128        /* static, without shapes, made by the engine to lock a body:
+                                   edits/locks.c */
 };
 
 typedef struct td_body {
@@ -275,9 +275,9 @@ typedef struct td_errors {
     double depth;            /* sum of penetration depths, in whole position quanta */
     float deepest, residual; /* greatest depth, length; greatest approach speed left, length/s */
     double energy_change;
-    float shortfall;   /* greatest motion that detection has cut off, length, squared */
+    float shortfall_squared; /* of the greatest motion that detection has cut off, length^2 */
     int64_t projected; /* 1: gaps.c changed motions after points were counted, which are counted
-                          anew by td_error_of_step; else 0 */
+                          anew by td_errors_of_step; else 0 */
 } td_errors;
 
 enum { TD_BUDGET_STEPS = 9 }; /* steps between two decisions of solver/budget.c. Chosen. */

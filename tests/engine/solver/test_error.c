@@ -83,7 +83,7 @@ static void penetration_agrees_with_the_measure_in_every_scene(void **state) {
     }
 }
 
-/* td_error_recount, which computes the report from the final state, agrees with what the step has
+/* td_errors_recount, which computes the report from the final state, agrees with what the step has
  * counted. */
 static void recount_finds_what_the_step_found(void **state) {
     (void)state;
@@ -94,7 +94,7 @@ static void recount_finds_what_the_step_found(void **state) {
         thud_world *world = world_of(names[i], i ? 300 : 20, def);
         run(world, 100);
         thud_step_error step = error_of_step(world);
-        td_error_recount(world);
+        td_errors_recount(world);
         thud_step_error again = thud_step_error_of(world);
         assert_true(again.penetration_max == step.penetration_max);
         near_to(again.penetration_mean, step.penetration_mean, 1e-7);
