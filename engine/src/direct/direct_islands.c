@@ -23,7 +23,7 @@ static const td_array_place ARRAYS[] = {
     ARRAY(slots, td_awake_slot),
     ARRAY(constraints, int),
     ARRAY(local, int),
-    ARRAY(before, float[4]),
+    ARRAY(island_start_velocity, float[4]),
     ARRAY(impulses, float[TD_DIRECT_ROWS + 1]),
     ARRAY(rows, td_direct_constraint),
     ARRAY(bodies, td_direct_body),
@@ -32,7 +32,7 @@ static const td_array_place ARRAYS[] = {
     ARRAY(topology, int),
     ARRAY(topology_before, int),
     ARRAY(systems, td_system),
-    ARRAY(start, float[4]),
+    ARRAY(start_velocity, float[4]),
 };
 enum { ARRAY_COUNT = sizeof ARRAYS / sizeof *ARRAYS };
 
@@ -51,7 +51,8 @@ static bool reserve_lists(thud_world *w) {
     td_islands *s = &w->islands;
     int bodies = w->body_of.count, constraints = w->touching + TD_JOINT_PARTS * w->joints.live;
     return td_islands_room(w, &s->local, bodies) && td_islands_room(w, &s->island, bodies) &&
-           td_islands_room(w, &s->slots, bodies) && td_islands_room(w, &s->before, bodies) &&
+           td_islands_room(w, &s->slots, bodies) &&
+           td_islands_room(w, &s->island_start_velocity, bodies) &&
            td_islands_room(w, &s->constraints, constraints) &&
            td_islands_room(w, &s->impulses, constraints) &&
            td_sparse_reserve(&w->memory, &s->matrix, bodies);

@@ -25,20 +25,21 @@ typedef struct td_islands {
     td_array constraints; /* int: constraints, island by island */
     td_array local;       /* int, by awake slot: 1 + the body's number in its island; 0: in none;
                              negative: direct_islands.c says why it is in none */
-    td_array before;      /* float[4], parallel to `slots`: velocity before the soft solver */
-    td_array impulses;    /* float[4], parallel to `constraints`: warm-start impulses of points and
-                             tangent; 1 where they are the soft solver's, else 0 */
+    td_array island_start_velocity; /* float[4], parallel to `slots`: rows of thud_world.velocity
+                                       as they were before the soft solver */
+    td_array impulses; /* float[4], parallel to `constraints`: warm-start impulses of points and
+                          tangent; 1 where they are the soft solver's, else 0 */
     td_array rows; /* td_direct_constraint: of the island that is being solved, as the next three */
     td_array bodies;     /* td_direct_body */
     td_array step, work; /* double[4] */
     td_array topology,
-        topology_before; /* int: the graph of all islands, on which their orders depend,
-                      and the graph for which the present orders were found */
-    td_array systems;    /* td_system, parallel to `island`: the present orders */
-    td_array
-        start; /* float[4], by awake slot, in worlds with joints: velocity before the soft solver */
-    bool adds_up; /* the soft solver sums up the contacts' impulses of the step, for
-                     joint_subsystems.c */
+        topology_before;     /* int: the graph of all islands, on which their orders depend,
+                          and the graph for which the present orders were found */
+    td_array systems;        /* td_system, parallel to `island`: the present orders */
+    td_array start_velocity; /* float[4], by awake slot, in worlds with joints: thud_world.velocity
+                                as it was before the soft solver */
+    bool adds_up;            /* the soft solver sums up the contacts' impulses of the step, for
+                                joint_subsystems.c */
     int64_t
         effort; /* budget of work (td_direct.effort) left for islands with joints in this step */
     td_sparse matrix;

@@ -88,7 +88,7 @@ static bool order_all(thud_world *w) {
         if (!td_island_order(w, island, topology + 2, INT_MAX)) {
             return false;
         }
-        *TD_AT(td_system, &s->systems, i) = s->matrix.now;
+        *TD_AT(td_system, &s->systems, i) = s->matrix.current;
         topology += 2 + 2 * island->constraints;
     }
     if (!td_islands_room(w, &s->topology_before, s->topology.count)) {

@@ -20,14 +20,15 @@ enum { FACTORINGS_MAX = 200 }; /* of an island in a step, whatever the quality a
 void td_island_store_start(thud_world *w) {
     td_islands *s = &w->islands;
     for (int i = 0; i < s->slots.count; i++) {
-        memcpy(td_at(&s->before, i), td_row(&w->velocity, td_slot_in(&s->slots, i)),
+        memcpy(td_at(&s->island_start_velocity, i), td_row(&w->velocity, td_slot_in(&s->slots, i)),
                sizeof(float[4]));
     }
     for (int i = 0; i < s->constraints.count; i++) {
         const td_constraint *constraint = td_constraint_at(w, td_int_at(&s->constraints, i));
         td_lane at = td_lane_of(w, constraint);
-        float kept = at.block->mark[at.lane].loaded & TD_DIRECT ? 0.0f : 1.0f;
-        td_island_store_impulses(w, i, kept);
+        bool from_soft = !(at.block->mark[at.lane].loaded & TD_DIRECT);
+        float kept = from_soft ? 1.0f : 0.0f;
+        td_island_store_impulses(w, i, from_soft);
         for (int k = 0; k < td_island_points(w, constraint); k++) {
             at.block->point[k].normal_impulse[at.lane] *= kept;
         }
@@ -36,7 +37,7 @@ void td_island_store_start(thud_world *w) {
     }
 }
 
-void td_island_store_impulses(thud_world *w, int i, float soft) {
+void td_island_store_impulses(thud_world *w, int i, bool from_soft) {
     const td_constraint *constraint = td_constraint_at(w, td_int_at(&w->islands.constraints, i));
     td_lane at = td_lane_of(w, constraint);
     float *impulses = td_at(&w->islands.impulses, i), steps = (float)w->substeps;
@@ -44,7 +45,7 @@ void td_island_store_impulses(thud_world *w, int i, float soft) {
         impulses[k] = steps * at.block->point[k].normal_impulse[at.lane];
     }
     impulses[TD_DIRECT_TANGENT] = steps * at.block->tangent_impulse[at.lane];
-    impulses[TD_DIRECT_ROWS] = soft;
+    impulses[TD_DIRECT_ROWS] = from_soft ? 1.0f : 0.0f;
 }
 
 /* ---- the problem ---- */
@@ -54,7 +55,7 @@ static void take_body(td_island_work *work, int i) {
     thud_world *w = work->w;
     td_awake_slot slot = work->slots[i];
     const td_body *body = td_body_at(w, td_body_of(w, slot));
-    const float *before = td_at(&w->islands.before, work->island->first_body + i);
+    const float *before = td_at(&w->islands.island_start_velocity, work->island->first_body + i);
     const float *substep_gain = td_row(&w->substep_gain, slot);
     double h = work->time / w->substeps;
     double linear = 1.0 / (1.0 + h * (double)body->linear_damping);
@@ -134,7 +135,7 @@ int td_island_factoring_budget(const thud_world *w, const td_island *island) {
 
 static td_direct problem_of(thud_world *w, const td_island *island) {
     td_islands *s = &w->islands;
-    s->matrix.now = island->system;
+    s->matrix.current = island->system;
     double x = (double)w->def.gravity.x, y = (double)w->def.gravity.y;
     return (td_direct){.bodies = s->bodies.data,
                        .constraints = s->rows.data,

@@ -14,10 +14,10 @@
 static bool reserve_system(thud_world *w) {
     td_sparse *s = &w->islands.matrix;
     td_memory *memory = &w->memory;
-    td_system now = s->current;
+    td_system saved = s->current;
     bool room = td_sparse_reserve(memory, s, w->body_of.count + TD_RESOLVE_BODIES_MAX) &&
                 td_sparse_begin(memory, s, TD_RESOLVE_BODIES_MAX);
-    s->current = now;
+    s->current = saved;
     return room && td_array_reserve(memory, &s->row, s->row.count + TD_RESOLVE_ENTRIES_MAX) &&
            td_array_reserve(memory, &s->entry, TD_RESOLVE_ENTRIES_MAX);
 }

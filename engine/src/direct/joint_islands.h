@@ -29,9 +29,9 @@ enum {
 };
 
 /* Prepares an island of 2. or 3.: takes the velocities at the start of the step as those before it
- * (td_islands.before), and the soft solver's impulses as the warm start, and adds a system with the
- * island's elimination order to td_islands.matrix, behind the present one. Velocities and impulses
- * of the world do not change. False where a size above is exceeded. */
+ * (td_islands.island_start_velocity), and the soft solver's impulses as the warm start, and adds a
+ * system with the island's elimination order to td_islands.matrix, behind the present one.
+ * Velocities and impulses of the world do not change. False where a size above is exceeded. */
 bool td_joint_island_begin(thud_world *w, td_island *island);
 
 /* Solves an island of 1., or one that td_joint_island_begin has prepared (td_island_solve), and

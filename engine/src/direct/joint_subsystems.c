@@ -232,7 +232,7 @@ static bool gains_energy(const td_island_work *work, double pushed) {
     for (int i = 0; i < work->island->bodies; i++) {
         const td_direct_body *b = &work->problem.bodies[i];
         const float *v = td_row(&work->w->velocity, work->slots[i]);
-        const float *start = td_row(&work->w->islands.start, work->slots[i]);
+        const float *start = td_row(&work->w->islands.start_velocity, work->slots[i]);
         before += energy_of(b, (double[]){(double)start[0], (double)start[1], (double)start[2]});
         soft += energy_of(b, (double[]){(double)v[0], (double)v[1], (double)v[2]});
         after += energy_of(b, b->velocity);
@@ -292,7 +292,7 @@ void td_joint_subsystems_solve(thud_world *w, td_system last) {
     bool few = list_seeds(w, seeds, &count);
     for (int i = 0; few && i < count; i++) {
         if (is_soft(w, seeds[i]) && !backs_off(w, seeds[i])) {
-            s->matrix.now = last;
+            s->matrix.current = last;
             solve_one(w, seeds[i]);
             s->matrix.row.count = rows;
         }

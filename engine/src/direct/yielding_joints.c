@@ -41,7 +41,7 @@ static void solve_one(thud_world *w, td_awake_slot slot) {
 void td_yielding_islands_solve(thud_world *w, td_system last) {
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         if (is_newly_marked(w, slot)) {
-            w->islands.matrix.now = last;
+            w->islands.matrix.current = last;
             solve_one(w, slot);
         }
     }
