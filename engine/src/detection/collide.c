@@ -11,9 +11,9 @@
 #include "contact/contact.h"
 #include "geometry/shape_instance.h"
 
-/* In multiples of TD_MEET: a change of `fall` of a whole step by less does not change times of
- * impact noticeably. Chosen equal to CLOSING_MIN of toi_queue.c, motion below which touching shapes
- * do not collide. */
+/* In multiples of TD_IMPACT_DISTANCE: a change of `fall` of a whole step by less does not change
+ * times of impact noticeably. Chosen equal to CLOSING_MIN of toi_queue.c, motion below which
+ * touching shapes do not collide. */
 #define FALL_MIN 0.01
 /* Bound of velocities, length/s or rad/s: below FLT_MAX, 3.4e38, so that the conversion is finite.
  */
@@ -199,7 +199,7 @@ static outcome apply_collision(side *a, side *b, bool use_motion, const surface 
  * more than FALL_MIN. */
 static void stop_mutual_fall(const thud_world *w, const side *a, const side *b, const surface *u,
                              bool fall_reduced[2]) {
-    double fall_min = FALL_MIN * (double)(TD_MEET * w->unit);
+    double fall_min = FALL_MIN * (double)(TD_IMPACT_DISTANCE * w->unit);
     double x = u->nx, y = u->ny;
     double fall_a = a->trajectory ? a->trajectory->fall[0] * x + a->trajectory->fall[1] * y : 0.0;
     double fall_b = b->trajectory ? b->trajectory->fall[0] * x + b->trajectory->fall[1] * y : 0.0;

@@ -31,29 +31,29 @@ TD_DECLARE_WIDE(td_find_open_fn, td_find_open_points);
 enum { PLAIN_PASSES = 2, PASSES_MAX = 40, FINAL_PASSES = 2 };
 #define OVER_RELAXATION 1.8f
 
-/* In multiples of TD_MEET. td_gaps_project leaves no gap below TARGET_DISTANCE, or below that of
- * the start if that is smaller; it stops where no gap falls short of this by more than
+/* In multiples of TD_IMPACT_DISTANCE. td_gaps_project leaves no gap below TARGET_DISTANCE, or below
+ * that of the start if that is smaller; it stops where no gap falls short of this by more than
  * SHORTFALL_TOLERANCE. A gap that is left below COLLISION_DISTANCE and is smaller than that of the
  * start by more than TD_LOAD_CLOSING_MAX is a collision, for time of impact tests. All chosen.
- * TARGET_DISTANCE is below 1, so that gaps that come from times of impact (1 TD_MEET) are not
- * changed. At half of it, and at half and twice the other two, the times of impact in smash, as
- * above, change by less than 7 %. */
+ * TARGET_DISTANCE is below 1, so that gaps that come from times of impact (1 TD_IMPACT_DISTANCE)
+ * are not changed. At half of it, and at half and twice the other two, the times of impact in
+ * smash, as above, change by less than 7 %. */
 #define TARGET_DISTANCE 0.8f
 #define SHORTFALL_TOLERANCE 0.05f
 #define COLLISION_DISTANCE 0.05f
 
 /* The inputs of the wide kernels, with lengths in the caller's unit. */
 static td_project_context context_of(const thud_world *w) {
-    float meet = TD_MEET * w->unit;
+    float impact_distance = TD_IMPACT_DISTANCE * w->unit;
     return (td_project_context){.delta = w->delta.data,
                                 .velocity = w->velocity.data,
                                 .reach = w->reach.data,
                                 .over_relaxation = 1.0f,
                                 .skin = w->skin,
-                                .target_distance = TARGET_DISTANCE * meet,
-                                .tolerance = SHORTFALL_TOLERANCE * meet,
-                                .collision_distance = COLLISION_DISTANCE * meet,
-                                .closing_max = (float)TD_LOAD_CLOSING_MAX * meet,
+                                .target_distance = TARGET_DISTANCE * impact_distance,
+                                .tolerance = SHORTFALL_TOLERANCE * impact_distance,
+                                .collision_distance = COLLISION_DISTANCE * impact_distance,
+                                .closing_max = (float)TD_LOAD_CLOSING_MAX * impact_distance,
                                 .margin = TD_SPECULATIVE * w->unit,
                                 .next_tied = w->scratch.next_tied.count > 0
                                                  ? w->scratch.next_tied.data
@@ -208,7 +208,7 @@ static bool are_centred_circles(const thud_world *w, const td_contact *contact) 
 bool td_gap_stays_open(const thud_world *w, const td_contact *contact, double now) {
     td_lane at = td_lane_of(w, (const td_constraint *)contact);
     const td_block *block = at.block;
-    double unit = (double)(TD_MEET * w->unit), skin = (double)w->skin;
+    double unit = (double)(TD_IMPACT_DISTANCE * w->unit), skin = (double)w->skin;
     relative_motion start = relative_motion_at(w, contact, block, at.lane, now);
     relative_motion end = relative_motion_at(w, contact, block, at.lane, 1.0);
     int points = td_form_points(w->kinds[contact->kind]->form), present = 0;

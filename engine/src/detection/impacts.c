@@ -209,7 +209,7 @@ static void resolve_candidate(thud_world *w, int number, double time) {
 /* Whether the body is dynamic and its detection finds times of impact. */
 static bool is_bisected_or_swept(const thud_world *w, td_awake_slot slot) {
     const td_body *body = td_body_at(w, td_body_of(w, slot));
-    return body->kind == THUD_BODY_DYNAMIC && body->detection->meet;
+    return body->kind == THUD_BODY_DYNAMIC && body->detection->time_of_impact;
 }
 
 /* Sets a trajectory to the motion that the solver gave the body, from the start of the step. Of

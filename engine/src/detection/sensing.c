@@ -140,7 +140,7 @@ static bool is_detected(const thud_world *w, int a, int b) {
         fixed |= (shapes[i]->flags & TD_SHAPE_SENSOR) &&
                  td_body_at(w, shapes[i]->body)->kind == THUD_BODY_STATIC;
     }
-    return detection->meet || (detection->rank == TD_RANK_CONTINUOUS && fixed);
+    return detection->time_of_impact || (detection->rank == TD_RANK_CONTINUOUS && fixed);
 }
 
 float td_sensing_time(const thud_world *w, int a, int b, bool begins) {

@@ -124,7 +124,8 @@ static td_far_bounds bounds_ahead(const thud_world *w, const td_trajectory *f, i
     thud_geometry end = td_trajectory_shape(w, f, index, 1.0, f->place);
     double turn = 0.5 * td_abs(f->motion[2]) * (1.0 - f->since);
     double slack =
-        (td_reach(&now) + td_abs(now.x) + td_abs(now.y)) * turn + (double)(TD_MEET * w->unit) +
+        (td_reach(&now) + td_abs(now.x) + td_abs(now.y)) * turn +
+        (double)(TD_IMPACT_DISTANCE * w->unit) +
         td_trajectories_chord_error(&(td_trajectory){.body = {TD_NONE}}, f, 1.0 - f->since);
     double huge = (double)__builtin_inf();
     td_far_bounds b = {huge, huge, -huge, -huge};
@@ -155,7 +156,7 @@ static bool append_overlapping(thud_world *w, const td_proxy_set *set, const td_
 static bool is_detected(const thud_world *w, int shape, int other) {
     const td_shape *a = td_shape_at(w, shape), *b = td_shape_at(w, other);
     return !((a->flags | b->flags) & TD_SHAPE_HOLLOW) && td_pair_allowed(w, shape, other) &&
-           td_detection_of(w, a->body, b->body)->meet;
+           td_detection_of(w, a->body, b->body)->time_of_impact;
 }
 
 /* Adds candidates for the shapes that a query found, in the order of their numbers, which does not
@@ -212,7 +213,7 @@ static bool add_stray_record(thud_world *w, td_trajectory *f, const td_stray *s)
 
 bool td_toi_candidates_find(thud_world *w, td_trajectory *f) {
     const td_body *body = td_body_at(w, f->body);
-    bool detects = body->kind == THUD_BODY_DYNAMIC && body->detection->meet;
+    bool detects = body->kind == THUD_BODY_DYNAMIC && body->detection->time_of_impact;
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
         td_stray s = {bounds_at_start(w, i), bounds_ahead(w, f, i), i, f->strays, detects};
         if (contains(&s.start, &s.ahead) || (td_shape_at(w, i)->flags & TD_SHAPE_HOLLOW)) {

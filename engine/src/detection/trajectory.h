@@ -14,11 +14,11 @@
 #include "solver/motion.h"
 #include "state/world.h"
 
-/* In multiples of TD_MEET: how much nearer to each other touching shapes may come in a step before
- * it is a collision. The contact solver is soft, so that a load presses shapes together; up to
- * this much it is left to that solver. Chosen: at half and twice of it the times of impact in the
- * scene smash change by 3 %. thud_detection.h promises at most 0.00035 length scales a step from
- * all causes (tests/guarantees/passing.c). */
+/* In multiples of TD_IMPACT_DISTANCE: how much nearer to each other touching shapes may come in a
+ * step before it is a collision. The contact solver is soft, so that a load presses shapes
+ * together; up to this much it is left to that solver. Chosen: at half and twice of it the times of
+ * impact in the scene smash change by 3 %. thud_detection.h promises at most 0.00035 length scales
+ * a step from all causes (tests/guarantees/passing.c). */
 #define TD_LOAD_CLOSING_MAX 0.15
 
 /* The path of an awake body from `since` to the end of the step. */

@@ -170,7 +170,7 @@ static void destroy_contacts_of_removed_segments(thud_world *w, td_body_index in
  * shapes over its expected motion in this step. */
 static void extend_bounds(thud_world *w, td_body_index index) {
     const td_body *body = td_body_at(w, index);
-    if (body->awake.at < 0 || !body->detection->meet) {
+    if (body->awake.at < 0 || !body->detection->time_of_impact) {
         return;
     }
     const float *v = td_row(&w->velocity, body->awake);
