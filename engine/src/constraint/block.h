@@ -353,7 +353,7 @@ typedef enum td_brace {
 enum { TD_BRACE_STAGES = TD_BRACE_KEEP + 1, TD_BRACE_TASKS = 2 };
 
 /* Greatest speed at which the gap of a joint closes, length scales/s, or rad/s of a rotation: in
- * the direct solver, and in the soft solver in rings that are braced. Chosen, the same as the
+ * the direct solver, and in the soft solver in groups that are braced. Chosen, the same as the
  * default of push_speed for contacts. */
 #define TD_JOINT_CLOSING_SPEED 3.0f
 /* In the soft solver otherwise, gaps close at up to so many times TD_JOINT_CLOSING_SPEED. The

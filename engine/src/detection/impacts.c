@@ -70,7 +70,7 @@ static void hold_body(thud_world *w, td_trajectory *f) {
     f->changed = true;
 }
 
-/* Removes from the velocity of a body in a ring (constraint/tied_bodies.h) what gravity and forces
+/* Removes from the velocity of a tied body (constraint/tied_bodies.h) what gravity and forces
  * gave it in the rest of the step, since it does not move there; as td_hold_at does. The
  * trajectory of a body in free flight has that part in its `fall`, which hold_body cancels. */
 static void remove_remaining_gain(thud_world *w, td_awake_slot slot, const td_trajectory *f) {
@@ -356,7 +356,7 @@ static bool reserve(thud_world *w) {
            td_event_queue_reserve(&w->memory, &w->scratch.queue, w->constraints.count + extras);
 }
 
-/* Before the solver: ties bodies of joints into rings, saves velocities, and mutes the contacts
+/* Before the solver: ties bodies of joints into groups, saves velocities, and mutes the contacts
  * that bounce on the way (solver/bounces.h). */
 static void run_before_solving(thud_world *w) {
     if (w->joint_hooks) {

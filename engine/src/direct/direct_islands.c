@@ -247,12 +247,12 @@ static void mark_direct(thud_world *w, uint32_t record) {
  * for the present one: sinking is proportional to h^2. */
 float td_islands_load_max(const thud_world *w, float size) {
     float steps = (float)w->substeps, own = td_max_float(steps, (float)w->quality.substeps);
-    float sag = w->quality.overlap_limit * size * (own * own);
+    float depth = w->quality.overlap_limit * size * (own * own);
     float omega = 2.0f * (float)TD_PI * w->quality.contact_stiffness; /* rad a substep */
     if (w->def.max_error > 0.0) {
-        sag = td_min_float(sag, (float)w->def.max_error * (steps * steps));
+        depth = td_min_float(depth, (float)w->def.max_error * (steps * steps));
     }
-    return sag * omega * omega / (steps * (float)w->def.time_step);
+    return depth * omega * omega / (steps * (float)w->def.time_step);
 }
 
 /* Thickness of a body's thinnest shape; static bodies have none. */
@@ -295,8 +295,8 @@ static bool watch_block(thud_world *w, td_block *block, int kind) {
             before = block->mark[lane].loaded - direct;
         /* A contact between moving bodies may be an impact, which passes; a joint's load stays. */
         bool impact = contact && !is_nearly_at_rest(w, a, b);
-        bool yields = (load > threshold && !impact) || off > deep;
-        int seen = yields ? td_min_int(before + 1, TIMES_SEEN) : 0;
+        bool overloaded = (load > threshold && !impact) || off > deep;
+        int seen = overloaded ? td_min_int(before + 1, TIMES_SEEN) : 0;
         if (sinks || seen >= (contact ? TIMES_SEEN : 1)) {
             mark_direct(w, block->a[lane]);
             mark_direct(w, block->b[lane]);

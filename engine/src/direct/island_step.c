@@ -29,7 +29,7 @@
 /* An island that is nearly at rest may be slow for so many times as many steps in succession as
  * thud_quality.island_slow_steps allows: bodies that are still being pushed apart need the time,
  * and then rest. Chosen. */
-#define CALM_PATIENCE_FACTOR 20
+#define CALM_SLOW_STEPS_FACTOR 20
 /* A result is refused where a body's motion is longer than SPEED_RATIO_MAX times the greatest speed
  * without constraints times h, corrections of overlaps included (moves_too_far). Chosen; not tuned.
  * Levers may multiply a speed; a body that escapes from a wedge exceeds any factor. */
@@ -320,12 +320,12 @@ static bool is_calm(const td_island_work *work) {
 }
 
 /* Counts the slow steps of the island in succession, at its bodies (slow_steps), and returns
- * whether there were more than the quality's patience allows, which is CALM_PATIENCE_FACTOR times
+ * whether there were more than the quality allows, which is CALM_SLOW_STEPS_FACTOR times
  * as many for an island nearly at rest. An island that needs many factorisations in each step is in
  * motion, and would need them for long. Quality.island_slow_steps 0: any number is allowed. */
 static bool is_slow(const td_island_work *work) {
-    int patience = work->w->quality.island_slow_steps * (is_calm(work) ? CALM_PATIENCE_FACTOR : 1);
-    bool easy = work->problem.factorings <= EASY_FACTORINGS_MAX || patience == 0;
+    int allowed = work->w->quality.island_slow_steps * (is_calm(work) ? CALM_SLOW_STEPS_FACTOR : 1);
+    bool easy = work->problem.factorings <= EASY_FACTORINGS_MAX || allowed == 0;
     int steps_max = 0;
     for (int i = 0; i < work->island->bodies; i++) {
         uint16_t *slow_steps = td_slow_steps_at(work->w, work->slots[i]);
@@ -333,7 +333,7 @@ static bool is_slow(const td_island_work *work) {
         *slow_steps = easy ? 0 : steps < TD_SLOW_STEPS ? *slow_steps + 1 : *slow_steps;
         steps_max = easy ? 0 : td_max_int(steps_max, steps + 1);
     }
-    return patience > 0 && steps_max > td_min_int(patience, TD_SLOW_STEPS);
+    return allowed > 0 && steps_max > td_min_int(allowed, TD_SLOW_STEPS);
 }
 
 /* An island with joints is jammed when its result was refused in so many steps in succession:
@@ -341,9 +341,9 @@ static bool is_slow(const td_island_work *work) {
  * ragdolls in a pit took 2983 ms in 300 steps instead of 1164, at exact. */
 enum { JAMMED_STEPS = 8 };
 
-/* Counts a step without a usable result, at qualities whose patience is 0, so that is_slow counts
- * none. Returns whether the island is jammed: after JAMMED_STEPS of them in succession, and after
- * one where the island has had a cooldown and was not solved since. */
+/* Counts a step without a usable result, at qualities whose island_slow_steps is 0, so that is_slow
+ * counts none. Returns whether the island is jammed: after JAMMED_STEPS of them in succession, and
+ * after one where the island has had a cooldown and was not solved since. */
 static bool is_jammed(const td_island_work *work) {
     bool jammed = false;
     for (int i = 0; i < work->island->bodies; i++) {
@@ -386,7 +386,7 @@ static void write_result(const td_island_work *work) {
  * open. Chosen; the same as TD_RESOLVE_BODIES_MAX. */
 enum { SMALL_ISLAND_BODIES_MAX = 128 };
 
-/* Begins the cooldown of an island whose result was refused, at qualities that have a patience;
+/* Begins the cooldown of an island whose result was refused, at qualities with island_slow_steps;
  * with `always`, at any quality. An island for which EASY_FACTORINGS_MAX factorisations cost more
  * than the quality's island_work has the longest cooldown at once. `joints`: the cooldown is short.
  */

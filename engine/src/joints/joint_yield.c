@@ -77,7 +77,7 @@ typedef struct tied_group {
     td_awake_slot first;   /* any of its bodies */
     bool on_velocities;    /* rows act on velocities; false: on the motions of the step */
     struct finding *found; /* out: what inspect_constraint found */
-    float core;            /* smallest half extent of its bodies, a length */
+    float min_half_extent; /* of its bodies, a length */
     float depth_share;     /* DEPTH_SHARE_DETECT, or DEPTH_SHARE_MAX after a step in which one of
                               its joints yielded */
 } tied_group;
@@ -173,10 +173,11 @@ static row_direction contact_normal(const td_lane *at, int k) {
  * the extent; where the step began below that, what it began with plus the recovery of a step. */
 static double min_separation(const thud_world *w, const td_lane *at, int k, float share) {
     const td_block *block = at->block;
-    float core = td_row(&w->reach, td_slot_of_side(block->b[at->lane]))[0];
+    float min_half_extent = td_row(&w->reach, td_slot_of_side(block->b[at->lane]))[0];
     const td_shape *shape = td_shape_at(w, block->shape_a[at->lane]);
-    float half_thickness = td_kind_is_line(shape->kind) ? core : td_half_thickness(shape);
-    double limit = -(double)(share * td_min_float(core, half_thickness));
+    float half_thickness =
+        td_kind_is_line(shape->kind) ? min_half_extent : td_half_thickness(shape);
+    double limit = -(double)(share * td_min_float(min_half_extent, half_thickness));
     double recovery = RECOVERY_SHARE * (double)(w->def.push_speed * w->unit) * w->def.time_step;
     return td_min_double(limit, (double)block->point[k].start_separation[at->lane] + recovery);
 }
@@ -610,9 +611,9 @@ static void inspect_constraint(const tied_group *g, const td_constraint *constra
     }
     for (int k = 0; k < points && locks; k++) {
         const td_point *p = &block->point[k];
-        found->locks_open |=
-            p->normal_mass[lane] > 0.0f &&
-            opened_wider(p->separation[lane], p->start_separation[lane], g->depth_share * g->core);
+        found->locks_open |= p->normal_mass[lane] > 0.0f &&
+                             opened_wider(p->separation[lane], p->start_separation[lane],
+                                          g->depth_share * g->min_half_extent);
     }
 }
 
@@ -620,14 +621,17 @@ static void inspect_constraint(const tied_group *g, const td_constraint *constra
 static bool group_must_yield(thud_world *w, td_awake_slot slot) {
     const td_awake_slot *marks = w->scratch.parents.data;
     finding found = {false, false, false};
-    tied_group g = {
-        .w = w, .first = slot, .found = &found, .core = 3e38f, .depth_share = DEPTH_SHARE_DETECT};
+    tied_group g = {.w = w,
+                    .first = slot,
+                    .found = &found,
+                    .min_half_extent = 3e38f,
+                    .depth_share = DEPTH_SHARE_DETECT};
     int mark = 0;
     td_awake_slot i = slot;
     do {
         bool yielded;
         mark |= marks[i.at].at;
-        g.core = td_min_float(g.core, td_row(&w->reach, i)[0]);
+        g.min_half_extent = td_min_float(g.min_half_extent, td_row(&w->reach, i)[0]);
         g.depth_share = has_joints(w, i, &yielded) && yielded ? DEPTH_SHARE_MAX : g.depth_share;
         i = td_next_tied(w, i);
     } while (i.at != slot.at);

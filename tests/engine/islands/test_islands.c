@@ -197,9 +197,9 @@ static int direct_steps(int factoring_budget, int *longest) {
     return steps;
 }
 
-/* With a patience of one step, islands that exceed the budget of factorisations are solved directly
- * in fewer steps, and fewer in succession, than with unlimited patience. */
-static void islands_that_strain_are_left_alone_once_patience_is_out(void **state) {
+/* With island_slow_steps 1, islands that exceed the budget of factorisations are solved directly
+ * in fewer steps, and fewer in succession, than without that limit. */
+static void islands_that_strain_are_left_alone_after_slow_steps(void **state) {
     (void)state;
     int long_one, short_one;
     int any = direct_steps(0, &long_one), few = direct_steps(1, &short_one);
@@ -307,7 +307,7 @@ int main(void) {
         cmocka_unit_test(islands_of_more_bodies_than_the_limit_stay_soft),
         cmocka_unit_test(islands_for_which_no_work_is_left_stay_soft),
         cmocka_unit_test(islands_without_any_work_stay_soft),
-        cmocka_unit_test(islands_that_strain_are_left_alone_once_patience_is_out),
+        cmocka_unit_test(islands_that_strain_are_left_alone_after_slow_steps),
         cmocka_unit_test(heap_takes_no_more_work_at_fewer_substeps),
         cmocka_unit_test(islands_follow_a_copy_of_the_callers_quality),
         cmocka_unit_test(islands_follow_the_quality_back_and_forth),
