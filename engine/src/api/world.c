@@ -105,7 +105,7 @@ static double power_below(double x) {
 
 /* The arrays of a world, with the type of their elements. */
 #define ARRAY(name, element) TD_ARRAY_PLACE(thud_world, name, element)
-#define BY_SLOT(name, element, kept) ARRAY(name, element),
+#define BY_SLOT(name, element, is_state) ARRAY(name, element),
 #define EVENTS(list)                                                                              \
     ARRAY(list.begin, thud_contact_event), ARRAY(list.end, thud_contact_event),                   \
         ARRAY(list.sensor_begin, thud_contact_event), ARRAY(list.sensor_end, thud_contact_event), \
@@ -115,7 +115,7 @@ static double power_below(double x) {
 static const td_array_place ARRAYS[] = {
     TD_AWAKE_ARRAYS(BY_SLOT) ARRAY(pose, td_pose),
     ARRAY(proxy, td_shape_proxy),
-    ARRAY(was, td_bounds),
+    ARRAY(previous_fat, td_bounds),
     ARRAY(marks, uint8_t),
     ARRAY(moved, int),
     ARRAY(changed, td_body_index),
@@ -142,7 +142,7 @@ static const td_array_place ARRAYS[] = {
     ARRAY(scratch.lane_bins, int),
     ARRAY(scratch.trajectories, td_trajectory),
     ARRAY(scratch.extra_candidates, td_toi_candidate),
-    ARRAY(scratch.strays, td_stray),
+    ARRAY(scratch.escaped, td_escaped_shape),
     ARRAY(scratch.impacts, td_impact),
     ARRAY(scratch.test_list, td_block *),
     ARRAY(scratch.fast, td_awake_slot),
@@ -161,7 +161,7 @@ static const td_array_place ARRAYS[] = {
     EVENTS(gathered.lists),
     ARRAY(gathered.broken, thud_joint_event),
     ARRAY(gathered.impulses, thud_impulse_event),
-    ARRAY(pulls, td_pull),
+    ARRAY(force_records, td_force_record),
 };
 enum { ARRAY_COUNT = sizeof ARRAYS / sizeof *ARRAYS };
 

@@ -4,9 +4,9 @@
  *
  * It runs after the solver. Each awake body has a trajectory, at first the motion that the solver
  * gave it. Pairs that may meet are candidates: contacts, whose fat bounds reach as far as the
- * bodies were expected to move; each body and the ground; and pairs with strays, shapes that leave
- * those bounds. A queue has the time of impact of each candidate. The earliest is taken out, both
- * bodies are moved to that time, they get new velocities and trajectories (collide.c), and the
+ * bodies were expected to move; each body and the ground; and pairs with escaped shapes, which
+ * leave those bounds. A queue has the time of impact of each candidate. The earliest is taken out,
+ * both bodies are moved to that time, they get new velocities and trajectories (collide.c), and the
  * times of all their candidates are computed anew. At the end poses, motions and bounds of changed
  * bodies follow, and hit events are made.
  *
@@ -229,7 +229,7 @@ static void begin_trajectory(thud_world *w, td_awake_slot slot) {
                         .angle = pose->angle - td_angle_between(delta[2]),
                         .body = index,
                         .extras = TD_NONE,
-                        .strays = TD_NONE,
+                        .escaped = TD_NONE,
                         .motion = {(double)delta[0] - 0.5 * f.fall[0],
                                    (double)delta[1] - 0.5 * f.fall[1], (double)delta[2]},
                         .fall = {f.fall[0], f.fall[1]},
@@ -285,7 +285,7 @@ static void count_contacts(thud_world *w, const td_constraint *contact) {
 /* Sets all trajectories to the start of the step, and queues all candidates by their times of
  * impact. */
 static void schedule_candidates(thud_world *w) {
-    w->scratch.extra_candidates.count = w->scratch.strays.count = w->scratch.impacts.count = 0;
+    w->scratch.extra_candidates.count = w->scratch.escaped.count = w->scratch.impacts.count = 0;
     td_event_queue_clear(&w->scratch.queue, w->constraints.count);
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         begin_trajectory(w, slot);
@@ -348,7 +348,7 @@ static bool reserve(thud_world *w) {
     return td_held_reserve(w) && td_array_reserve(&w->memory, &w->scratch.legs, legs) &&
            td_array_reserve(&w->memory, &w->scratch.found_shapes, 2 * shapes + 4 * TD_LANES) &&
            td_array_reserve(&w->memory, &w->scratch.trajectories, awake) &&
-           td_array_reserve(&w->memory, &w->scratch.strays, awake) &&
+           td_array_reserve(&w->memory, &w->scratch.escaped, awake) &&
            td_array_reserve(&w->memory, &w->scratch.impacts,
                             td_max_int(impacts_max, td_gaps_room(w))) &&
            td_array_reserve(&w->memory, &w->scratch.extra_candidates, extras) &&

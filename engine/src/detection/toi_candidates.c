@@ -7,7 +7,7 @@
 #include "state/body.h"
 #include "state/shape.h"
 
-/* Whether the pair is an extra candidate already: of two strays each may find the other. */
+/* Whether the pair is an extra candidate already: of two escaped shapes each may find the other. */
 static bool is_listed(const thud_world *w, int shape_a, int shape_b) {
     td_awake_slot slot = td_body_at(w, td_shape_at(w, shape_b)->body)->awake;
     int e = slot.at > 0 ? td_trajectory_at(w, slot)->extras : TD_NONE;
@@ -55,7 +55,7 @@ static bool add_extra(thud_world *w, int shape_a, int shape_b) {
 /* A shape's fat bounds at the start of the step, unwrapped about the place of its body there. */
 static td_far_bounds bounds_at_start(const thud_world *w, int shape) {
     const td_bounds *b =
-        *td_marks_at(w, shape) & TD_MARK_MOVED ? td_was_at(w, shape) : td_fat_at(w, shape);
+        *td_marks_at(w, shape) & TD_MARK_MOVED ? td_previous_fat_at(w, shape) : td_fat_at(w, shape);
     td_body_index body = td_shape_at(w, shape)->body;
     td_awake_slot slot = td_body_at(w, body)->awake;
     td_position p = td_pose_at(w, body)->center;
@@ -162,7 +162,7 @@ static bool is_detected(const thud_world *w, int shape, int other) {
 /* Adds candidates for the shapes that a query found, in the order of their numbers, which does not
  * depend on the broadphase. The exact bounds are compared again, since those of the broadphase
  * wrap around. */
-static bool add_found(thud_world *w, const td_stray *s) {
+static bool add_found(thud_world *w, const td_escaped_shape *s) {
     const td_array *found = &w->scratch.found_shapes;
     td_sort_ints(&w->scratch.found_shapes);
     for (int i = 0; i < found->count; i++) {
@@ -176,12 +176,12 @@ static bool add_found(thud_world *w, const td_stray *s) {
     return true;
 }
 
-/* Adds candidates for the strays of other bodies, which the broadphase has at their old places.
- * One body of the pair at least finds times of impact by its own detection. */
-static bool add_strays(thud_world *w, const td_stray *s) {
-    const td_array *strays = &w->scratch.strays;
-    for (int i = 0; i < strays->count; i++) {
-        const td_stray *other = TD_AT(td_stray, strays, i);
+/* Adds candidates for the escaped shapes of other bodies, which the broadphase has at their old
+ * places. One body of the pair at least finds times of impact by its own detection. */
+static bool add_strays(thud_world *w, const td_escaped_shape *s) {
+    const td_array *escaped = &w->scratch.escaped;
+    for (int i = 0; i < escaped->count; i++) {
+        const td_escaped_shape *other = TD_AT(td_escaped_shape, escaped, i);
         if ((s->detects || other->detects) && overlap(&s->ahead, &other->ahead) &&
             !overlap(&s->start, &other->start) && is_detected(w, s->shape, other->shape) &&
             !add_extra(w, s->shape, other->shape)) {
@@ -191,23 +191,23 @@ static bool add_strays(thud_world *w, const td_stray *s) {
     return true;
 }
 
-/* Adds a stray to scratch.strays and to its body, or updates the path of one that is there. False
- * when memory is short. */
-static bool add_stray_record(thud_world *w, td_trajectory *f, const td_stray *s) {
-    td_array *strays = &w->scratch.strays;
-    int i = f->strays;
-    while (i != TD_NONE && TD_AT(td_stray, strays, i)->shape != s->shape) {
-        i = TD_AT(td_stray, strays, i)->next;
+/* Adds an escaped shape to scratch.escaped and to its body, or updates the path of one that is
+ * there. False when memory is short. */
+static bool add_stray_record(thud_world *w, td_trajectory *f, const td_escaped_shape *s) {
+    td_array *escaped = &w->scratch.escaped;
+    int i = f->escaped;
+    while (i != TD_NONE && TD_AT(td_escaped_shape, escaped, i)->shape != s->shape) {
+        i = TD_AT(td_escaped_shape, escaped, i)->next;
     }
     if (i != TD_NONE) {
-        TD_AT(td_stray, strays, i)->ahead = s->ahead;
+        TD_AT(td_escaped_shape, escaped, i)->ahead = s->ahead;
         return true;
     }
-    if (!td_array_reserve(&w->memory, strays, strays->count + 1)) {
+    if (!td_array_reserve(&w->memory, escaped, escaped->count + 1)) {
         return false;
     }
-    f->strays = strays->count;
-    TD_PUSH(td_stray, strays) = *s;
+    f->escaped = escaped->count;
+    TD_PUSH(td_escaped_shape, escaped) = *s;
     return true;
 }
 
@@ -215,7 +215,7 @@ bool td_toi_candidates_find(thud_world *w, td_trajectory *f) {
     const td_body *body = td_body_at(w, f->body);
     bool detects = body->kind == THUD_BODY_DYNAMIC && body->detection->time_of_impact;
     for (int i = body->first_shape; i != TD_NONE; i = td_shape_at(w, i)->next) {
-        td_stray s = {bounds_at_start(w, i), bounds_ahead(w, f, i), i, f->strays, detects};
+        td_escaped_shape s = {bounds_at_start(w, i), bounds_ahead(w, f, i), i, f->escaped, detects};
         if (contains(&s.start, &s.ahead) || (td_shape_at(w, i)->flags & TD_SHAPE_HOLLOW)) {
             continue;
         }

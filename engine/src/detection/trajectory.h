@@ -40,7 +40,7 @@ typedef struct td_trajectory {
     bool changed;          /* its path differs from the one that td_finalize took */
     bool held;             /* it stays at its place until the end of the step */
     bool ring_held;        /* so do all bodies that joints tie to it: constraint/tied_bodies.h */
-    int32_t strays;        /* first of its shapes in scratch.strays, or TD_NONE */
+    int32_t escaped;       /* first of its shapes in scratch.escaped, or TD_NONE */
 } td_trajectory;
 
 /* Bounds of paths that may be too long for td_bounds, whose 32-bit numbers wrap around. In bounds
@@ -57,19 +57,19 @@ typedef struct td_leg {
     int32_t next; /* next leg of the same body in scratch.legs, or TD_NONE */
 } td_leg;
 
-/* A stray: a shape that may leave the fat bounds by which the broadphase paired it at the start of
+/* An escaped shape: it may leave the fat bounds by which the broadphase paired it at the start of
  * the step. */
-typedef struct td_stray {
+typedef struct td_escaped_shape {
     td_far_bounds start; /* those fat bounds */
     td_far_bounds ahead; /* of the rest of its path */
-    int32_t shape, next; /* `next`: the next stray of the same body, or TD_NONE */
+    int32_t shape, next; /* `next`: the next one of the same body, or TD_NONE */
     bool detects;        /* its body's own detection finds times of impact */
-} td_stray;
+} td_escaped_shape;
 
 /* A time-of-impact candidate: two shapes that may meet in the step; a terrain is shape[0].
  * Candidates have numbers. One below w->constraints.count is that of a contact. From there on they
- * are extra candidates, in scratch.extra_candidates: a shape and a terrain, or a pair with a stray,
- * which has no contact. */
+ * are extra candidates, in scratch.extra_candidates: a shape and a terrain, or a pair with an
+ * escaped shape, which has no contact. */
 typedef struct td_toi_candidate {
     int32_t shape[2];
     td_body_index body[2];
