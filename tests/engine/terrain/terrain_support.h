@@ -1,10 +1,11 @@
-/* terrain_support.h: terrains that tests edit, and bodies on them. */
+/* terrain_support.h: terrains that tests edit, and bodies on them. The line of a terrain is the
+ * polyline of its points. */
 #ifndef TERRAIN_SUPPORT_H
 #define TERRAIN_SUPPORT_H
 
 #include "engine_support.h"
 
-enum { ROOM = 4000 }; /* vertices of a copied line at most */
+enum { POINTS_MAX = 4000 }; /* of a copied line */
 
 /* A world with a terrain. */
 typedef struct ground {
@@ -13,11 +14,10 @@ typedef struct ground {
     thud_shape_id shape;
 } ground;
 
-static inline thud_shape_id add_line(thud_world *world, thud_body_id body, const thud_terrain *line,
-                                     bool sensor) {
+static inline thud_shape_id add_terrain(thud_world *world, thud_body_id body,
+                                        const thud_terrain *line) {
     thud_shape_def def = thud_default_shape_def();
     thud_shape_id shape;
-    def.sensor = sensor;
     OK(thud_shape_create_terrain(world, body, &def, line, &shape));
     return shape;
 }
@@ -31,7 +31,7 @@ static inline ground level_ground(thud_terrain_kind kind, thud_world_def def) {
     ground g = {.world = make_world(def)};
     thud_terrain line = {.kind = kind, .x0 = -50, .spacing = 0.5, .points = points, .count = 201};
     g.body = add_body(g.world, THUD_BODY_STATIC, 0, 0, 0);
-    g.shape = add_line(g.world, g.body, &line, false);
+    g.shape = add_terrain(g.world, g.body, &line);
     return g;
 }
 
@@ -54,17 +54,17 @@ static inline double height_at(const ground *g, double x) {
     return height_of(&line, x);
 }
 
-/* A copy of the line that stays valid after edits, with its points in `room`. */
-static inline thud_terrain keep_line(const ground *g, thud_pos room[ROOM]) {
+/* A copy of the line that stays valid after edits, with its points in `points`. */
+static inline thud_terrain copy_line(const ground *g, thud_pos points[POINTS_MAX]) {
     thud_terrain line = line_of(g);
-    assert_in_range(line.count, 2, ROOM);
-    memcpy(room, line.points, (size_t)line.count * sizeof *room);
-    line.points = room;
+    assert_in_range(line.count, 2, POINTS_MAX);
+    memcpy(points, line.points, (size_t)line.count * sizeof *points);
+    line.points = points;
     return line;
 }
 
-/* Asserts that the ground's line has these vertices exactly. */
-static inline void line_is(const ground *g, const thud_terrain *wanted) {
+/* Asserts that the ground's line has these points exactly. */
+static inline void assert_line_is(const ground *g, const thud_terrain *wanted) {
     thud_terrain line = line_of(g);
     assert_int_equal(line.count, wanted->count);
     assert_memory_equal(line.points, wanted->points, (size_t)line.count * sizeof *line.points);
