@@ -4,8 +4,8 @@
 
 #include "state/awake.h"
 
-#define KEPT(name, element, kept) kept,
-const uint8_t td_awake_kept[TD_AWAKE_ARRAY_COUNT] = {TD_AWAKE_ARRAYS(KEPT)};
+#define IS_STATE(name, element, is_state) is_state,
+const uint8_t td_awake_is_state[TD_AWAKE_ARRAY_COUNT] = {TD_AWAKE_ARRAYS(IS_STATE)};
 
 /* `used` is held to the capacity, since arrays that were never filled are shorter than their
  * padding. */
@@ -27,7 +27,7 @@ static int padded_count(int count) {
 /* Arrays by awake slot. Those that each step computes anew get room, but are not in the bytes. */
 static void list_awake(thud_world *w, int live, td_part *parts) {
     for (int i = 0; i < TD_AWAKE_ARRAY_COUNT; i++) {
-        parts[i] = part_of(&w->awake[i], td_awake_kept[i] * padded_count(w->body_of.count),
+        parts[i] = part_of(&w->awake[i], td_awake_is_state[i] * padded_count(w->body_of.count),
                            td_awake_capacity(live));
     }
 }
@@ -61,7 +61,7 @@ static void list_proxy_set(const thud_world *w, td_proxy_set *p, td_part *parts)
         parts[TD_SNAPSHOT_IDS + i] = part_of(rows[i], padded, 0);
     }
     parts[TD_SNAPSHOT_STARTS] = part_of(&p->starts, count ? starts_of(p) : 0, 0);
-    parts[TD_SNAPSHOT_SPOT] = part_of(&p->spot, p->loose ? w->shapes.count : 0, 0);
+    parts[TD_SNAPSHOT_INDEX_OF] = part_of(&p->index_of, p->loose ? w->shapes.count : 0, 0);
     parts[TD_SNAPSHOT_ANCHOR_X] = part_of(&p->anchor_x, loose, 0);
     parts[TD_SNAPSHOT_ANCHOR_Y] = part_of(&p->anchor_y, loose, 0);
     parts[TD_SNAPSHOT_KEYS] = list_of(&p->keys, 0);
@@ -72,7 +72,7 @@ void td_snapshot_list_parts(thud_world *w, const td_snapshot_head *head,
     int bodies = td_slots_capacity(&w->bodies), shapes = td_slots_capacity(&w->shapes);
     parts[TD_SNAPSHOT_POSE] = part_of(&w->pose, w->bodies.count, bodies);
     parts[TD_SNAPSHOT_PROXY] = part_of(&w->proxy, w->shapes.count, shapes);
-    parts[TD_SNAPSHOT_WAS] = part_of(&w->was, w->shapes.count, shapes);
+    parts[TD_SNAPSHOT_PREVIOUS_FAT] = part_of(&w->previous_fat, w->shapes.count, shapes);
     parts[TD_SNAPSHOT_MARKS] = part_of(&w->marks, w->shapes.count, shapes);
     list_awake(w, head->slots[TD_SNAPSHOT_BODIES].live, parts + TD_SNAPSHOT_AWAKE);
     parts[TD_SNAPSHOT_MOVED] = list_of(&w->moved, shapes);
@@ -80,7 +80,7 @@ void td_snapshot_list_parts(thud_world *w, const td_snapshot_head *head,
     parts[TD_SNAPSHOT_DEFERRED] = list_of(&w->deferred, 0);
     for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
         /* The narrowphase may move every contact of the kind to this list. */
-        parts[TD_SNAPSHOT_WAITING + kind] = list_of(&w->waiting[kind], head->contacts[kind]);
+        parts[TD_SNAPSHOT_WAITING + kind] = list_of(&w->waiting[kind], head->constraints[kind]);
     }
     list_events(&w->events, parts + TD_SNAPSHOT_EVENTS);
     list_events(&w->published, parts + TD_SNAPSHOT_PUBLISHED);
@@ -88,7 +88,7 @@ void td_snapshot_list_parts(thud_world *w, const td_snapshot_head *head,
     list_events(&w->gathered.lists, parts + TD_SNAPSHOT_GATHERED);
     parts[TD_SNAPSHOT_GATHERED_BROKEN] = list_of(&w->gathered.broken, 0);
     parts[TD_SNAPSHOT_GATHERED_IMPULSES] = list_of(&w->gathered.impulses, 0);
-    parts[TD_SNAPSHOT_PULLS] = list_of(&w->pulls, 0);
+    parts[TD_SNAPSHOT_FORCE_RECORDS] = list_of(&w->force_records, 0);
     list_proxy_set(w, &w->awake_shapes, parts + TD_SNAPSHOT_PROXY_SETS);
     list_proxy_set(w, &w->rest_shapes,
                    parts + TD_SNAPSHOT_PROXY_SETS + TD_SNAPSHOT_PROXY_SET_PARTS);
@@ -97,7 +97,7 @@ void td_snapshot_list_parts(thud_world *w, const td_snapshot_head *head,
 void td_snapshot_list_slots(thud_world *w, td_slots *slots[TD_SNAPSHOT_SLOTS]) {
     slots[TD_SNAPSHOT_BODIES] = &w->bodies;
     slots[TD_SNAPSHOT_SHAPES] = &w->shapes;
-    slots[TD_SNAPSHOT_CONTACTS] = &w->constraints;
+    slots[TD_SNAPSHOT_CONSTRAINTS] = &w->constraints;
     slots[TD_SNAPSHOT_JOINTS] = &w->joints;
     slots[TD_SNAPSHOT_TERRAINS] = &w->terrains;
     for (int form = 0; form < TD_FORM_COUNT; form++) {
@@ -105,7 +105,7 @@ void td_snapshot_list_slots(thud_world *w, td_slots *slots[TD_SNAPSHOT_SLOTS]) {
     }
 }
 
-int td_snapshot_table_of(const td_snapshot_head *head) {
+int td_snapshot_table_count(const td_snapshot_head *head) {
     int count = head->slots[TD_SNAPSHOT_TERRAINS].count;
     for (int form = 0; form < TD_FORM_COUNT; form++) {
         count += head->slots[TD_SNAPSHOT_POOLS + form].count;

@@ -57,22 +57,22 @@ static void begin(thud_world *w) {
 /* ---- after it ---- */
 
 /* Solves the islands of 1. An island may spend EFFORT_OF_BODY for each body of its own, and what
- * the islands before it have not spent: `kept` is the share of the islands after it. Without it, a
- * heap that spent the whole budget sent all islands after it to the soft solver. Returns the last
- * system, behind which further ones are put. */
+ * the islands before it have not spent: `reserved` is the share of the islands after it. Without
+ * it, a heap that spent the whole budget sent all islands after it to the soft solver. Returns the
+ * last system, behind which further ones are put. */
 static td_system solve_found(thud_world *w) {
     td_islands *s = &w->islands;
     td_system last = {0};
-    int64_t kept = 0;
+    int64_t reserved = 0;
     for (int i = 0; i < s->island.count; i++) {
-        kept += (int64_t)EFFORT_OF_BODY * TD_AT(td_island, &s->island, i)->bodies;
+        reserved += (int64_t)EFFORT_OF_BODY * TD_AT(td_island, &s->island, i)->bodies;
     }
     for (int i = 0; i < s->island.count; i++) {
         const td_island *island = TD_AT(td_island, &s->island, i);
-        kept -= (int64_t)EFFORT_OF_BODY * island->bodies;
-        s->effort -= kept;
+        reserved -= (int64_t)EFFORT_OF_BODY * island->bodies;
+        s->effort -= reserved;
         td_joint_island_solve(w, island);
-        s->effort += kept;
+        s->effort += reserved;
         last = island->system;
     }
     return last;

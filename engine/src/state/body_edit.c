@@ -87,7 +87,7 @@ static void apply_edit(thud_world *w, td_body_index index, td_deferred_kind what
 
 /* Applies what callbacks have deferred, in the order of the calls. */
 void td_deferred_apply(thud_world *w) {
-    int kept = 0;
+    int kept_count = 0;
     for (int i = 0; i < w->deferred.count; i++) {
         td_deferred_edit edit = *TD_AT(td_deferred_edit, &w->deferred, i);
         const td_body *body = td_body_at(w, edit.body);
@@ -99,12 +99,12 @@ void td_deferred_apply(thud_world *w) {
          * for the elapsed time; so it stays deferred, and only wakes the body. */
         if (edit.what == TD_PUT_FORCE && !w->locked) {
             apply_edit(w, edit.body, TD_PUT_AWAKE, (double[4]){1.0});
-            *TD_AT(td_deferred_edit, &w->deferred, kept++) = edit;
+            *TD_AT(td_deferred_edit, &w->deferred, kept_count++) = edit;
         } else {
             apply_edit(w, edit.body, (td_deferred_kind)edit.what, edit.value);
         }
     }
-    w->deferred.count = kept;
+    w->deferred.count = kept_count;
 }
 
 bool td_deferred_reserve(thud_world *w, int count) {
