@@ -42,9 +42,10 @@
 #define RESIDUAL_SHARE 1e-4
 
 enum {
-    FACTORINGS_MAX = 6,    /* factorisations before the method gives up; at rest it takes one */
-    UPDATES_MAX = 12,      /* updates of multipliers and friction bounds */
-    UPDATES_AGAIN = 4,     /* the same in td_direct_again, which has no new factorisation */
+    FACTORINGS_MAX = 6, /* factorisations before the method gives up; at rest it takes one */
+    UPDATES_MAX = 12,   /* updates of multipliers and friction bounds */
+    UPDATES_AGAIN =
+        4, /* the same in td_direct_solve_same_active_set, which has no new factorisation */
     CHANGED_PART = 6,      /* with more than one in so many rows changing in a Newton step, ... */
     CHANGED_ROWS_MIN = 100 /* ... of at least so many rows, the warm start is given up as useless */
 };
@@ -296,7 +297,7 @@ static bool reduce_residual(td_direct *d, double tolerance, int *changed, double
     return done;
 }
 
-bool td_direct_active(td_direct *d, double tolerance) {
+bool td_direct_solve_active_set(td_direct *d, double tolerance) {
     int factorings_max = td_min_int(d->factorings + FACTORINGS_MAX, d->factoring_budget);
     double hysteresis = HYSTERESIS * tolerance;
     bool factored = false, unbounded_friction = d->soft_warm_start;
@@ -323,7 +324,7 @@ bool td_direct_active(td_direct *d, double tolerance) {
     return false;
 }
 
-bool td_direct_again(td_direct *d, double tolerance) {
+bool td_direct_solve_same_active_set(td_direct *d, double tolerance) {
     double hysteresis = HYSTERESIS * tolerance, error;
     bool same_set = d->factored && update_multipliers(d, hysteresis, KEEP_ACTIVE_SET);
     for (int n = 0; n < UPDATES_AGAIN && same_set; n++) {

@@ -130,13 +130,13 @@ double td_direct_solve(td_direct *d, double tolerance);
 /* ---- the two methods ---- */
 
 /* Active set. False where it did not converge within its budget of factorisations. */
-bool td_direct_active(td_direct *d, double tolerance);
+bool td_direct_solve_active_set(td_direct *d, double tolerance);
 /* Solves once more after free velocities and target speeds have changed, with the active set and
- * the factor of the last td_direct_active. False, with the impulses as they were, where the active
- * set does not stay the same. */
-bool td_direct_again(td_direct *d, double tolerance);
+ * the factor of the last td_direct_solve_active_set. False, with the impulses as they were, where
+ * the active set does not stay the same. */
+bool td_direct_solve_same_active_set(td_direct *d, double tolerance);
 /* Interior point. False where a factorisation failed or iterations ran out. */
-bool td_direct_interior(td_direct *d, double tolerance);
+bool td_direct_solve_interior_point(td_direct *d, double tolerance);
 
 /* ---- what they share ---- */
 

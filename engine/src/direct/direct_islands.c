@@ -1,13 +1,13 @@
 /* direct_islands.c: finds the islands that are solved directly in this step.
  *
  * An island is a connected component of dynamic bodies and the constraints that act between them.
- * It is direct if one of its bodies is marked (direct_steps). td_islands_watch marks the bodies of
- * a contact whose load is above the threshold of td_islands_load_max twice in succession, while
- * both bodies are nearly at rest: an impact is as heavy, but passes, and a heap in motion is solved
- * as well by the soft solver for less. It looks at an eighth of the blocks in each step. Where a
- * heavy body lies on a light one, which sinks in at once, half the load found once is enough. A
- * joint is marked when its load is found once, and its island is solved directly in the same step
- * (direct/yielding_joints.c). With overlap_limit 0 every island is direct. */
+ * It is direct if one of its bodies is marked (direct_steps). td_islands_mark_loaded marks the
+ * bodies of a contact whose load is above the threshold of td_islands_load_max twice in succession,
+ * while both bodies are nearly at rest: an impact is as heavy, but passes, and a heap in motion is
+ * solved as well by the soft solver for less. It looks at an eighth of the blocks in each step.
+ * Where a heavy body lies on a light one, which sinks in at once, half the load found once is
+ * enough. A joint is marked when its load is found once, and its island is solved directly in the
+ * same step (direct/yielding_joints.c). With overlap_limit 0 every island is direct. */
 #include "direct/direct_islands.h"
 
 #include "constraint/constraint.h"
@@ -50,11 +50,11 @@ void td_islands_free(td_memory *memory, td_islands *s) {
 static bool reserve_lists(thud_world *w) {
     td_islands *s = &w->islands;
     int bodies = w->body_of.count, constraints = w->touching + TD_JOINT_PARTS * w->joints.live;
-    return td_islands_room(w, &s->local, bodies) && td_islands_room(w, &s->island, bodies) &&
-           td_islands_room(w, &s->slots, bodies) &&
-           td_islands_room(w, &s->island_start_velocity, bodies) &&
-           td_islands_room(w, &s->constraints, constraints) &&
-           td_islands_room(w, &s->impulses, constraints) &&
+    return td_islands_reserve(w, &s->local, bodies) && td_islands_reserve(w, &s->island, bodies) &&
+           td_islands_reserve(w, &s->slots, bodies) &&
+           td_islands_reserve(w, &s->island_start_velocity, bodies) &&
+           td_islands_reserve(w, &s->constraints, constraints) &&
+           td_islands_reserve(w, &s->impulses, constraints) &&
            td_sparse_reserve(&w->memory, &s->matrix, bodies);
 }
 
@@ -105,7 +105,7 @@ static int direct_after_step(const thud_world *w, td_awake_slot slot) {
     return left == TD_DIRECT_COOLDOWN ? 0 : left;
 }
 
-void td_islands_leave(thud_world *w, const td_island *island, int steps, bool for_long) {
+void td_islands_begin_cooldown(thud_world *w, const td_island *island, int steps, bool for_long) {
     for (int i = 0; i < island->bodies; i++) {
         td_awake_slot slot = td_slot_in(&w->islands.slots, island->first_body + i);
         int times = TD_SLOW_LEFT(*td_slow_steps_at(w, slot)) + 1;
@@ -113,7 +113,7 @@ void td_islands_leave(thud_world *w, const td_island *island, int steps, bool fo
     }
 }
 
-void td_islands_settle(thud_world *w) {
+void td_islands_count_down(thud_world *w) {
     uint8_t *direct_steps = w->direct_steps.data;
     for (td_awake_slot slot = {1}; slot.at < w->islands.local.count; slot.at++) {
         int after = direct_after_step(w, slot);
@@ -176,7 +176,7 @@ static bool cools_down(const thud_world *w, const td_island *island) {
     return 2 * cooling > island->bodies;
 }
 
-void td_islands_follow(thud_world *w, td_awake_slot seed) {
+void td_islands_list_from(thud_world *w, td_awake_slot seed) {
     td_islands *s = &w->islands;
     td_island island = {.first_body = s->slots.count, .first_constraint = s->constraints.count};
     bool whole = true;
@@ -214,7 +214,7 @@ bool td_islands_find(thud_world *w) {
     memset(s->local.data, 0, (size_t)slots * sizeof(int));
     for (td_awake_slot slot = {1}; slot.at < slots; slot.at++) {
         if (is_seed(w, slot)) {
-            td_islands_follow(w, slot);
+            td_islands_list_from(w, slot);
         }
     }
     return td_islands_order(w);
@@ -307,7 +307,7 @@ static bool watch_block(thud_world *w, td_block *block, int kind) {
     return joint_marked;
 }
 
-bool td_islands_watch(thud_world *w) {
+bool td_islands_mark_loaded(thud_world *w) {
     bool joint_marked = false;
     if (w->quality.overlap_limit == 0.0f) {
         return joint_marked;

@@ -34,7 +34,7 @@ typedef struct td_islands {
     td_array step, work; /* double[4] */
     td_array topology,
         topology_before;     /* int: the graph of all islands, on which their orders depend,
-                          and the graph for which the present orders were found */
+                                and the graph for which the present orders were found */
     td_array systems;        /* td_system, parallel to `island`: the present orders */
     td_array start_velocity; /* float[4], by awake slot, in worlds with joints: thud_world.velocity
                                 as it was before the soft solver */
@@ -63,7 +63,7 @@ void td_islands_free(td_memory *memory, td_islands *islands);
 bool td_islands_find(struct thud_world *w);
 /* Counts thud_world.direct_steps down, and begins the cooldown of islands with too many bodies. It
  * is called when the step can no longer fail, so that a step that is made again counts once. */
-void td_islands_settle(struct thud_world *w);
+void td_islands_count_down(struct thud_world *w);
 /* The threshold of a contact's load: the impulse of a substep over the lighter body's mass,
  * length/s, under which the contact sinks in by max_error, or by overlap_limit times `size`, the
  * size of the smaller body. With fewer substeps than the quality's, the quality's number counts:
@@ -73,17 +73,18 @@ float td_islands_load_max(const struct thud_world *w, float size);
 float td_islands_size(const struct thud_world *w, td_awake_slot a, td_awake_slot b);
 /* Looks for constraints whose load is above the threshold, in a part of them each step, and marks
  * their islands as direct. True where a joint is among them. */
-bool td_islands_watch(struct thud_world *w);
+bool td_islands_mark_loaded(struct thud_world *w);
 /* Lists the island of a body, unless it has no constraints, too many bodies, or is in its cooldown.
  */
-void td_islands_follow(struct thud_world *w, td_awake_slot seed);
+void td_islands_list_from(struct thud_world *w, td_awake_slot seed);
 
 /* The speed below which bodies count as nearly at rest, length/s: 4 g h, or four times the sleep
  * speed. */
 float td_calm_speed(const struct thud_world *w);
 /* Begins the cooldown of an island for which the direct solver was of no use: it is not tried for
  * so many steps. The time doubles each time; with `for_long` it has its maximum at once. */
-void td_islands_leave(struct thud_world *w, const td_island *island, int steps, bool for_long);
+void td_islands_begin_cooldown(struct thud_world *w, const td_island *island, int steps,
+                               bool for_long);
 /* The cost of a factorisation of the island, with what comes before and after it, in operations on
  * 3 x 3 blocks: the unit of thud_quality.island_work. */
 int64_t td_island_cost(const td_island *island);

@@ -302,7 +302,7 @@ static bool iterate(td_direct *d, double tolerance) {
     return false;
 }
 
-bool td_direct_interior(td_direct *d, double tolerance) {
+bool td_direct_solve_interior_point(td_direct *d, double tolerance) {
     bool done = iterate(d, tolerance);
     for (int i = 0; i < d->constraint_count; i++) {
         for (int k = 0; k < TD_DIRECT_ROWS; k++) {

@@ -7,7 +7,7 @@
  * 2. The velocity at the end of the step, which starts from 2 v - v_before. Its target speeds leave
  *    out the correction of overlaps, so that correction adds no velocity. Where no contact corrects
  *    an overlap or closes a gap, the extrapolated velocity solves it already, and no further
- *    factorisation is needed (td_direct_again).
+ *    factorisation is needed (td_direct_solve_same_active_set).
  * Islands with joints take island_step_joints.c in place of the two.
  *
  * The result is checked. It is refused, so that the soft solver's result stands, where it moves or
@@ -235,8 +235,9 @@ static double solve_contacts(td_island_work *work, double tolerance) {
     td_island_add_motion(work);
     if (td_finite(residual)) {
         td_island_extrapolate(work);
-        double end_residual =
-            td_direct_again(d, tolerance) ? td_direct_residual(d) : td_direct_solve(d, tolerance);
+        double end_residual = td_direct_solve_same_active_set(d, tolerance)
+                                  ? td_direct_residual(d)
+                                  : td_direct_solve(d, tolerance);
         residual = td_max_double(residual, end_residual);
     }
     return residual;
@@ -393,7 +394,8 @@ enum { SMALL_ISLAND_BODIES_MAX = 128 };
 static void begin_cooldown(thud_world *w, const td_island *island, bool joints, bool always) {
     if (w->quality.island_slow_steps > 0 || always) {
         bool dear = EASY_FACTORINGS_MAX * td_island_cost(island) > w->quality.island_work;
-        td_islands_leave(w, island, joints ? TD_PAUSE_STEPS : TD_COOLDOWN_STEPS, !joints && dear);
+        td_islands_begin_cooldown(w, island, joints ? TD_PAUSE_STEPS : TD_COOLDOWN_STEPS,
+                                  !joints && dear);
     }
 }
 
@@ -422,7 +424,7 @@ bool td_island_solve(thud_world *w, const td_island *island) {
 }
 
 void td_islands_begin(thud_world *w) {
-    td_islands_settle(w);
+    td_islands_count_down(w);
     td_island_store_start(w);
 }
 
@@ -432,7 +434,7 @@ static void end(thud_world *w) {
     for (int i = 0; i < w->islands.island.count; i++) {
         td_island_solve(w, TD_AT(td_island, &w->islands.island, i));
     }
-    td_islands_watch(w);
+    td_islands_mark_loaded(w);
     if (w->stats.direct_islands > w->stats.soft_islands) {
         td_errors_recount(w);
     }

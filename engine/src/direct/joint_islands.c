@@ -28,11 +28,12 @@ static bool find(thud_world *w) {
     td_islands *s = &w->islands;
     return td_islands_find(w) &&
            td_array_reserve(&w->memory, &s->start_velocity, w->body_of.count) &&
-           td_islands_room(w, &s->topology, s->topology.count + 2 * TD_RESOLVE_CONSTRAINTS_MAX) &&
-           td_islands_room(w, &s->rows, TD_RESOLVE_CONSTRAINTS_MAX) &&
-           td_islands_room(w, &s->bodies, TD_RESOLVE_BODIES_MAX) &&
-           td_islands_room(w, &s->step, TD_RESOLVE_BODIES_MAX) &&
-           td_islands_room(w, &s->work, TD_RESOLVE_BODIES_MAX) && reserve_system(w);
+           td_islands_reserve(w, &s->topology,
+                              s->topology.count + 2 * TD_RESOLVE_CONSTRAINTS_MAX) &&
+           td_islands_reserve(w, &s->rows, TD_RESOLVE_CONSTRAINTS_MAX) &&
+           td_islands_reserve(w, &s->bodies, TD_RESOLVE_BODIES_MAX) &&
+           td_islands_reserve(w, &s->step, TD_RESOLVE_BODIES_MAX) &&
+           td_islands_reserve(w, &s->work, TD_RESOLVE_BODIES_MAX) && reserve_system(w);
 }
 
 /* Budget of work (td_direct.effort) of islands with joints in a step, whatever the quality allows,
@@ -82,7 +83,7 @@ static td_system solve_found(thud_world *w) {
 static void end(thud_world *w) {
     td_islands *s = &w->islands;
     td_system last = solve_found(w);
-    if (td_islands_watch(w)) {
+    if (td_islands_mark_loaded(w)) {
         td_yielding_islands_solve(w, last);
     }
     if (s->adds_up) {

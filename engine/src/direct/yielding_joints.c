@@ -1,6 +1,6 @@
-/* yielding_joints.c: islands in which td_islands_watch has found a joint that yields under its load
- * in this step. They are solved directly in the same step, from its start, so that the joint never
- * opens. */
+/* yielding_joints.c: islands in which td_islands_mark_loaded has found a joint that yields under
+ * its load in this step. They are solved directly in the same step, from its start, so that the
+ * joint never opens. */
 #include "direct/joint_islands.h"
 
 #include "constraint/constraint.h"
@@ -27,7 +27,7 @@ static bool has_joints(const thud_world *w, const td_island *island) {
 static void solve_one(thud_world *w, td_awake_slot slot) {
     td_islands *s = &w->islands;
     int islands = s->island.count, rows = s->matrix.row.count;
-    td_islands_follow(w, slot);
+    td_islands_list_from(w, slot);
     if (s->island.count == islands) {
         return;
     }
