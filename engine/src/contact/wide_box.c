@@ -168,8 +168,8 @@ TD_INLINE void note_poses(td_block *block, const td_pairs8 *p, i8 recomputed, f8
     kept->as = f8_pick(recomputed, p->as, kept->as);
     kept->bc = f8_pick(recomputed, p->bc, kept->bc);
     kept->bs = f8_pick(recomputed, p->bs, kept->bs);
-    td_keep_note(block, 2, recomputed, f8_min(f8_min(p->ahx, p->ahy), f8_min(p->bhx, p->bhy)),
-                 f8_max(f8_max(p->ahx, p->ahy), f8_max(p->bhx, p->bhy)), context);
+    td_cache_store(block, 2, recomputed, f8_min(f8_min(p->ahx, p->ahy), f8_min(p->bhx, p->bhy)),
+                   f8_max(f8_max(p->ahx, p->ahy), f8_max(p->bhx, p->bhy)), context);
 }
 
 /* A td_collide_fn: keeps the manifolds that are still good, and computes the others. */
@@ -183,7 +183,7 @@ static void box_box(td_block *const *blocks, int count, const td_collide_context
         td_moved moved = {.dx = dx - kept->dx, .dy = dy - kept->dy};
         moved.small_turn = small_turn(p.ac, p.as, kept->ac, kept->as, &moved.turn_a) &
                            small_turn(p.bc, p.bs, kept->bc, kept->bs, &moved.turn_b);
-        i8 keep = td_keep_mask(block, 2, &moved, context, separation), recomputed = ~keep;
+        i8 keep = td_cached_lanes(block, 2, &moved, context, separation), recomputed = ~keep;
         unsigned bits = i8_bits(keep), touching = bits;
         if (bits != i8_bits(td_used_mask(block))) {
             i8 valid = bits ? collide_block(block, &p, &recomputed, context) & recomputed
@@ -192,7 +192,7 @@ static void box_box(td_block *const *blocks, int count, const td_collide_context
             note_poses(block, &p, recomputed, dx, dy, context);
         }
         if (bits) {
-            td_keep_follow(block, 2, keep, separation, context);
+            td_cache_update_points(block, 2, keep, separation, context);
         }
         td_set_touching(block, touching, context);
     }

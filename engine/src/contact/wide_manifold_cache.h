@@ -8,8 +8,8 @@
  * add up:
  *     separation = kept separation + n . (relative motion of the centres)
  *                  + turn_b (r_b x n) - turn_a (r_a x n) */
-#ifndef TD_WIDE_KEEP_H
-#define TD_WIDE_KEEP_H
+#ifndef TD_WIDE_MANIFOLD_CACHE_H
+#define TD_WIDE_MANIFOLD_CACHE_H
 
 #include "contact/wide_collide.h"
 
@@ -39,8 +39,8 @@ TD_INLINE i8 small_turn(f8 c, f8 s, f8 old_c, f8 old_s, f8 *turn) {
 
 /* The lanes whose manifold may be kept, and their separations for the present poses. Separations of
  * other lanes are written, too, and mean nothing. */
-TD_INLINE i8 td_keep_mask(td_block *block, int points, const td_moved *moved,
-                          const td_collide_context *c, f8 *separation) {
+TD_INLINE i8 td_cached_lanes(td_block *block, int points, const td_moved *moved,
+                             const td_collide_context *c, f8 *separation) {
     const td_manifold_cache *kept = td_manifold_cache_of(block, points);
     f8 zero = f8_all(0.0f), margin = f8_all(c->margin);
     f8 motion =
@@ -61,8 +61,8 @@ TD_INLINE i8 td_keep_mask(td_block *block, int points, const td_moved *moved,
 }
 
 /* Writes the separations of kept lanes, and the normal velocities of blocks with restitution. */
-TD_INLINE void td_keep_follow(td_block *block, int points, i8 keep, const f8 *separation,
-                              const td_collide_context *c) {
+TD_INLINE void td_cache_update_points(td_block *block, int points, i8 keep, const f8 *separation,
+                                      const td_collide_context *c) {
     for (int k = 0; k < points; k++) {
         td_point *point = &block->point[k];
         i8 here = keep & (point->normal_mass > f8_all(0.0f));
@@ -85,8 +85,8 @@ TD_INLINE void td_keep_follow(td_block *block, int points, i8 keep, const f8 *se
 /* Stores separations and motion limits of the lanes in `recomputed`, whose manifold has just been
  * computed; `min_extent` and `max_extent` are the smallest and the largest half extent of the pair.
  */
-TD_INLINE void td_keep_note(td_block *block, int points, i8 recomputed, f8 min_extent,
-                            f8 max_extent, const td_collide_context *c) {
+TD_INLINE void td_cache_store(td_block *block, int points, i8 recomputed, f8 min_extent,
+                              f8 max_extent, const td_collide_context *c) {
     td_manifold_cache *kept = td_manifold_cache_of(block, points);
     /* The contact point of a rolling circle moves over its rim: its arm is computed anew much
      * sooner. */
