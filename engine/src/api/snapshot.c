@@ -77,7 +77,7 @@ static bool counts_valid(const td_snapshot_head *head) {
         valid = valid && p->count >= 0 && p->count <= max && p->used >= 0 && p->used <= max;
     }
     for (int i = 0; i < TD_CONSTRAINT_KINDS; i++) {
-        valid = valid && head->contacts[i] >= 0 && head->contacts[i] <= max;
+        valid = valid && head->constraints[i] >= 0 && head->constraints[i] <= max;
     }
     return valid && head->ruled.rules >= 0 && head->ruled.rules <= TD_RULES_MAX &&
            head->ruled.impulses >= 0 && head->ruled.impulses <= max;
@@ -98,10 +98,10 @@ static bool lengths_valid(thud_world *w, const td_snapshot_head *head) {
         valid = valid && parts[i].used == head->slots[TD_SNAPSHOT_SHAPES].count;
     }
     for (int i = 0; i < TD_AWAKE_ARRAY_COUNT; i++) {
-        valid = valid && parts[TD_SNAPSHOT_AWAKE + i].used >= td_awake_kept[i] * slots;
+        valid = valid && parts[TD_SNAPSHOT_AWAKE + i].used >= (td_awake_is_state[i] ? slots : 0);
     }
     for (int kind = 0; kind < TD_CONSTRAINT_KINDS; kind++) {
-        valid = valid && parts[TD_SNAPSHOT_WAITING + kind].count <= head->contacts[kind];
+        valid = valid && parts[TD_SNAPSHOT_WAITING + kind].count <= head->constraints[kind];
     }
     for (int p = 0; p < 2; p++) {
         const td_snapshot_part *set =

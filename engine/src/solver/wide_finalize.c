@@ -80,7 +80,7 @@ TD_INLINE void renew_bounds(thud_world *w, int shape, f4 fat) {
     td_bounds *bounds = td_fat_at(w, shape);
     uint8_t *marks = td_marks_at(w, shape);
     if (!(*marks & TD_MARK_MOVED)) {
-        *td_was_at(w, shape) = *bounds;
+        *td_previous_fat_at(w, shape) = *bounds;
         *marks |= TD_MARK_MOVED;
         td_push_int(&w->moved, shape);
     }

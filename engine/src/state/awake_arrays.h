@@ -36,10 +36,10 @@ enum {
     X(colours, td_colours, TD_STATE)
 
 /* Numbers of the arrays in thud_world.awake: TD_AWAKE_velocity and so on. */
-#define TD_AWAKE_NUMBER(name, element, kept) TD_AWAKE_##name,
+#define TD_AWAKE_NUMBER(name, element, is_state) TD_AWAKE_##name,
 enum { TD_AWAKE_ARRAYS(TD_AWAKE_NUMBER) TD_AWAKE_ARRAY_COUNT };
 
 /* The arrays by name, in the order of their numbers. */
-#define TD_AWAKE_FIELD(name, element, kept) td_array name;
+#define TD_AWAKE_FIELD(name, element, is_state) td_array name;
 
 #endif

@@ -244,12 +244,12 @@ typedef struct td_gathered {
 } td_gathered;
 
 /* Forces on a body for the steps that thud_world_advance will make: x, y, torque. */
-typedef struct td_pull {
+typedef struct td_force_record {
     uint32_t generation; /* of the body; the forces are 0 for a body of another generation */
     float mean[3];       /* mean force over the time that has not been stepped yet */
     float now[3];        /* force over the time of the present call */
     float due[3];        /* force over the whole next step, and not longer */
-} td_pull;
+} td_force_record;
 
 typedef enum td_change_kind {
     TD_CHANGE_ENTER = 1,  /* created: takes its awake slot and enters the broadphase */

@@ -59,8 +59,9 @@ static thud_result check_half(const thud_world *w, td_body_index body, thud_vec2
 #define ARRAY(name, element) TD_ARRAY_PLACE(thud_world, name, element)
 
 /* The arrays of the world that have an element for each shape, or room for all. */
-static const td_array_place BY_SHAPE[] = {ARRAY(proxy, td_shape_proxy), ARRAY(was, td_bounds),
-                                          ARRAY(marks, uint8_t), ARRAY(moved, int)};
+static const td_array_place BY_SHAPE[] = {ARRAY(proxy, td_shape_proxy),
+                                          ARRAY(previous_fat, td_bounds), ARRAY(marks, uint8_t),
+                                          ARRAY(moved, int)};
 
 bool td_shape_reserve(thud_world *w, int count) {
     return td_slots_reserve(&w->memory, &w->shapes, count) && td_deferred_reserve(w, count) &&

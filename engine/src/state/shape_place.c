@@ -52,7 +52,7 @@ float td_thinnest(thud_world *w) {
 void td_shape_mark_moved(thud_world *w, int index) {
     uint8_t *marks = td_marks_at(w, index);
     if (!(*marks & TD_MARK_MOVED)) {
-        *td_was_at(w, index) = *td_fat_at(w, index);
+        *td_previous_fat_at(w, index) = *td_fat_at(w, index);
         *marks |= TD_MARK_MOVED;
         td_push_int(&w->moved, index);
     }

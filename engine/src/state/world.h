@@ -56,21 +56,24 @@ struct thud_world {
     int substeps;         /* of the next step */
     const thud_detection *detections[TD_RANK_COUNT]; /* by rank: those that the world or a body ever
                                                         chose; else null */
-    float skin; /* distance at which contacts rest, caller's unit: 0 or TD_SKIN */
+    float skin; /* distance at which contacts rest, caller's unit: 0, or TD_SKIN or
+                   TD_IMPACT_DISTANCE times unit (solver/quality.c) */
 
     /* State. */
-    uint64_t steps;      /* made so far */
-    double spare_time;   /* of thud_world_advance: time that has not been stepped yet, s */
-    uint64_t begun;      /* of thud_world_advance: number of the step that has failed; 0: none */
-    td_array pulls;      /* of thud_world_advance: td_pull, by body; empty without forces */
+    uint64_t steps;    /* made so far */
+    double spare_time; /* of thud_world_advance: time that has not been stepped yet, s */
+    uint64_t begun;    /* of thud_world_advance: number of the step that has failed; 0: none */
+    td_array
+        force_records;   /* of thud_world_advance: td_force_record, by body; empty without forces */
     uint32_t rest_epoch; /* counts changes of the resting set: islands that fell asleep before one
                             search pairs again when they wake */
     td_slots bodies, shapes, constraints, joints, terrains;
     td_array pose;  /* td_pose, by body */
     td_array proxy; /* td_shape_proxy, by shape */
-    td_array was;   /* td_bounds, by shape: fat bounds before it moved, while TD_MARK_MOVED */
-    td_array marks; /* uint8_t, by shape: TD_MARK_MOVED and so on */
-    union {         /* arrays by awake slot; by their number, and by name */
+    td_array
+        previous_fat; /* td_bounds, by shape: fat bounds before it moved, while TD_MARK_MOVED */
+    td_array marks;   /* uint8_t, by shape: TD_MARK_MOVED and so on */
+    union {           /* arrays by awake slot; by their number, and by name */
         td_array awake[TD_AWAKE_ARRAY_COUNT];
         struct {
             TD_AWAKE_ARRAYS(TD_AWAKE_FIELD)
@@ -170,8 +173,8 @@ static inline uint8_t *td_marks_at(const thud_world *w, int shape) {
     return (uint8_t *)w->marks.data + shape;
 }
 
-static inline td_bounds *td_was_at(const thud_world *w, int shape) {
-    return TD_AT(td_bounds, &w->was, shape);
+static inline td_bounds *td_previous_fat_at(const thud_world *w, int shape) {
+    return TD_AT(td_bounds, &w->previous_fat, shape);
 }
 
 /* ---- by awake slot ---- */

@@ -49,7 +49,8 @@ static bool has_contact(const thud_world *w, int a, int b) {
 
 /* The bounds that the broadphase used in the last step. */
 static const td_bounds *bounds_seen(const thud_world *w, int shape) {
-    return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_at(&w->was, shape) : td_fat_at(w, shape);
+    return *td_marks_at(w, shape) & TD_MARK_MOVED ? td_at(&w->previous_fat, shape)
+                                                  : td_fat_at(w, shape);
 }
 
 /* Asserts that contacts and overlapping bounds are the same pairs. Bounds may have grown after the
