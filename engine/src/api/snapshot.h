@@ -26,7 +26,7 @@ enum { TD_SNAPSHOT_VERSION = 9 }; /* to be raised whenever the meaning of the by
 enum {
     TD_SNAPSHOT_BODIES,
     TD_SNAPSHOT_SHAPES,
-    TD_SNAPSHOT_CONSTRAINTS,
+    TD_SNAPSHOT_CONSTRAINTS, /* contacts and parts of joints */
     TD_SNAPSHOT_JOINTS,
     TD_SNAPSHOT_TERRAINS,
     TD_SNAPSHOT_POOLS, /* of blocks, by td_block_form */
@@ -129,7 +129,7 @@ typedef struct td_snapshot_head {
 
 /* ---- snapshot_parts.c ---- */
 
-/* By array of awake_arrays.h: 1 where it is state, 0 where each step computes it anew. */
+/* By array of awake_arrays.h: true where it is state, false where each step computes it anew. */
 extern const bool td_awake_is_state[TD_AWAKE_ARRAY_COUNT];
 
 /* An array of the world, and how much of it goes into a snapshot. */

@@ -60,20 +60,18 @@ struct thud_world {
                    TD_IMPACT_DISTANCE times unit (solver/quality.c) */
 
     /* State. */
-    uint64_t steps;    /* made so far */
-    double spare_time; /* of thud_world_advance: time that has not been stepped yet, s */
-    uint64_t begun;    /* of thud_world_advance: number of the step that has failed; 0: none */
-    td_array
-        force_records;   /* of thud_world_advance: td_force_record, by body; empty without forces */
+    uint64_t steps;         /* made so far */
+    double spare_time;      /* of thud_world_advance: time that has not been stepped yet, s */
+    uint64_t begun;         /* of thud_world_advance: number of the step that has failed; 0: none */
+    td_array force_records; /* of thud_world_advance: td_force_record, by body; or empty */
     uint32_t rest_epoch; /* counts changes of the resting set: islands that fell asleep before one
                             search pairs again when they wake */
     td_slots bodies, shapes, constraints, joints, terrains;
-    td_array pose;  /* td_pose, by body */
-    td_array proxy; /* td_shape_proxy, by shape */
-    td_array
-        previous_fat; /* td_bounds, by shape: fat bounds before it moved, while TD_MARK_MOVED */
-    td_array marks;   /* uint8_t, by shape: TD_MARK_MOVED and so on */
-    union {           /* arrays by awake slot; by their number, and by name */
+    td_array pose;         /* td_pose, by body */
+    td_array proxy;        /* td_shape_proxy, by shape */
+    td_array previous_fat; /* td_bounds, by shape with TD_MARK_MOVED: fat before it moved */
+    td_array marks;        /* uint8_t, by shape: TD_MARK_MOVED and so on */
+    union {                /* arrays by awake slot; by their number, and by name */
         td_array awake[TD_AWAKE_ARRAY_COUNT];
         struct {
             TD_AWAKE_ARRAYS(TD_AWAKE_FIELD)
