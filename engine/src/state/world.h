@@ -69,7 +69,7 @@ struct thud_world {
     td_slots bodies, shapes, constraints, joints, terrains;
     td_array pose;         /* td_pose, by body */
     td_array proxy;        /* td_shape_proxy, by shape */
-    td_array previous_fat; /* td_bounds, by shape with TD_MARK_MOVED: fat before it moved */
+    td_array previous_fat; /* td_bounds, by moved shape: fat bounds before it moved */
     td_array marks;        /* uint8_t, by shape: TD_MARK_MOVED and so on */
     union {                /* arrays by awake slot; by their number, and by name */
         td_array awake[TD_AWAKE_ARRAY_COUNT];
