@@ -50,8 +50,8 @@ TD_INLINE void solve_gear(td_block *const *blocks, int count, const td_solve_con
         apply_row(block, &v, p->normal_impulse - old);
         write_sides(c, block, false, &v);
         if (c->last) {
-            f8 slowest = f8_keep(p->normal_mass > zero, -f8_abs(speed));
-            c->tally->slowest = f8_min(slowest, c->tally->slowest);
+            f8 min_speed = f8_keep(p->normal_mass > zero, -f8_abs(speed));
+            c->tally->min_speed = f8_min(min_speed, c->tally->min_speed);
         }
     }
 }

@@ -116,8 +116,9 @@ TD_INLINE void solve_lock(td_block *block, const softness *s, const td_solve_con
                   change_turn + f.b_u * change_u + f.b_v * change_v);
     write_sides(c, block, a_static, &v);
     if (c->last) {
-        f8 slowest = f8_min(f8_keep(k.has_u, -f8_abs(speed_u)), f8_keep(k.has_v, -f8_abs(speed_v)));
-        c->tally->slowest = f8_min(slowest, c->tally->slowest);
+        f8 min_speed =
+            f8_min(f8_keep(k.has_u, -f8_abs(speed_u)), f8_keep(k.has_v, -f8_abs(speed_v)));
+        c->tally->min_speed = f8_min(min_speed, c->tally->min_speed);
     }
 }
 

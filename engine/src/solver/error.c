@@ -25,7 +25,7 @@ void td_errors_add_tally(thud_world *w, const td_tally *tally) {
         e->points += tally->points[i];
         e->overlaps += tally->overlaps[i];
         e->deepest = td_max_float(e->deepest, -tally->min_distance[i]);
-        e->residual = td_max_float(e->residual, -tally->slowest[i]);
+        e->residual = td_max_float(e->residual, -tally->min_speed[i]);
     }
     e->depth += tally->depth[0] + tally->depth[1] + tally->depth[2] + tally->depth[3];
 }

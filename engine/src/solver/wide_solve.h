@@ -225,7 +225,7 @@ TD_INLINE f8 update_friction(const td_solve_context *c, td_block *block, int poi
  * notes the greatest closing speed that it finds, for the error statistics. */
 TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_context *c,
                             int points, td_arms arms, bool a_static) {
-    f8 zero = f8_all(0.0f), inv_h = f8_all(c->inv_h), slowest = zero;
+    f8 zero = f8_all(0.0f), inv_h = f8_all(c->inv_h), min_speed = zero;
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
         td_fetch_early(blocks, i, count, points);
@@ -257,7 +257,7 @@ TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_c
             if (k) {
                 speed += by_first(block, &v, a_static) * change.normal[0];
             }
-            slowest = f8_min(speed, slowest);
+            min_speed = f8_min(speed, min_speed);
             f8 old = p->normal_impulse;
             f8 now = f8_max(old - p->normal_mass * speed, zero);
             p->normal_impulse = now;
@@ -271,7 +271,7 @@ TD_INLINE void relax_blocks(td_block *const *blocks, int count, const td_solve_c
         apply_impulses(c, block, points, arms, a_static, true, v, change);
     }
     if (c->last) {
-        c->tally->slowest = f8_min(slowest, c->tally->slowest);
+        c->tally->min_speed = f8_min(min_speed, c->tally->min_speed);
     }
 }
 
