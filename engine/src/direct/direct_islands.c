@@ -7,7 +7,7 @@
  * solved as well by the soft solver for less. It looks at an eighth of the blocks in each step.
  * Where a heavy body lies on a light one, which sinks in at once, half the load found once is
  * enough. A joint is marked when its load is found once, and its island is solved directly in the
- * same step (direct/yielding_joints.c). With overlap_limit 0 every island is direct. */
+ * same step (direct/overloaded_joints.c). With overlap_limit 0 every island is direct. */
 #include "direct/direct_islands.h"
 
 #include "constraint/constraint.h"

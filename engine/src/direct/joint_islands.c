@@ -84,7 +84,7 @@ static void end(thud_world *w) {
     td_islands *s = &w->islands;
     td_system last = solve_found(w);
     if (td_islands_mark_loaded(w)) {
-        td_yielding_islands_solve(w, last);
+        td_overloaded_islands_solve(w, last);
     }
     if (s->adds_up) {
         td_joint_subsystems_solve(w, last);

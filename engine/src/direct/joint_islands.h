@@ -3,9 +3,9 @@
  * After the soft solver it solves directly (sparse.h), in this order,
  *   1. the islands that td_islands_find listed before it (direct_islands.c);
  *   2. islands with a joint whose load in this step exceeded the threshold of td_islands_load_max,
- *      or whose gap exceeded max_error: it yields under the soft solver (yielding_joints.c);
+ *      or whose gap exceeded max_error: it is overloaded (overloaded_joints.c);
  *   3. of islands that are left to the soft solver, the linkages (bodies that joints connect) whose
- *      joints yield; their contacts act by the impulses that the soft solver found
+ *      joints are overloaded; their contacts act by the impulses that the soft solver found
  *      (joint_subsystems.c).
  * The soft solver's result stays in the world until a direct result is accepted, so that nothing
  * has to be put back where one is refused. */
@@ -43,9 +43,9 @@ void td_joint_island_solve(thud_world *w, const td_island *island);
  * direct_islands.c has -1 to -3, joint_subsystems.c -5. */
 enum { TD_ISLAND_REFUSED = -4 };
 
-/* yielding_joints.c: 2. above. `last` is the last system of the islands of 1.: further ones are put
- * behind it, and are gone when the function returns. */
-void td_yielding_islands_solve(thud_world *w, td_system last);
+/* overloaded_joints.c: 2. above. `last` is the last system of the islands of 1.: further ones are
+ * put behind it, and are gone when the function returns. */
+void td_overloaded_islands_solve(thud_world *w, td_system last);
 /* joint_subsystems.c: 3. above. `last` as above. It writes its linkages over the lists of
  * td_islands (slots, constraints), which are then invalid until the islands of the next step are
  * found. */

@@ -1,12 +1,12 @@
 /* joint_subsystems.c: joints of islands that are left to the soft solver, because the whole island
  * is too dear for the quality, or because a contact of it bounces.
  *
- * A linkage is a set of bodies that joints connect. Where joints of a linkage yield, its bodies are
- * solved directly by themselves. Contacts act on them by the impulses that the soft solver found,
- * as known forces; and each contact is a unilateral row that keeps it from closing further than the
- * soft solver has it, beside other bodies that move as in the soft solver's result. So what lies on
- * a bridge does not sink through it as the bridge's joints close. Where joints and contacts cannot
- * both be satisfied, the soft solver's result stands.
+ * A linkage is a set of bodies that joints connect. Where joints of a linkage are overloaded, its
+ * bodies are solved directly by themselves. Contacts act on them by the impulses that the soft
+ * solver found, as known forces; and each contact is a unilateral row that keeps it from closing
+ * further than the soft solver has it, beside other bodies that move as in the soft solver's
+ * result. So what lies on a bridge does not sink through it as the bridge's joints close. Where
+ * joints and contacts cannot both be satisfied, the soft solver's result stands.
  *
  * This is for machines beside or on a heap. A linkage with more contacts than bodies is left alone:
  * there the contacts, whose impulses are taken as known, decide the motion. */
@@ -22,12 +22,12 @@ enum { LINKAGE_FACTORINGS = 32 };
 /* A linkage that has failed n times in succession is tried in one of 2^n steps, and in one of
  * 2^BACKOFF_MAX at least (32 steps). Chosen. */
 enum { BACKOFF_MAX = 5 };
-/* With more yielding joints than this in the world, none is solved: in a crowd it would cost much,
- * and improve little. Chosen. */
-enum { YIELDING_MAX = 64 };
-/* A linkage is solved if at least one in so many of its joints yields: the soft solver corrects a
- * few yielding joints by itself. Chosen. */
-enum { YIELDING_PART = 2 };
+/* With more overloaded joints than this in the world, none is solved: in a crowd it would cost
+ * much, and improve little. Chosen. */
+enum { OVERLOADED_MAX = 64 };
+/* A linkage is solved if at least one in so many of its joints is overloaded: the soft solver
+ * corrects a few overloaded joints by itself. Chosen. */
+enum { OVERLOADED_PART = 2 };
 /* The value of td_islands.local of bodies whose linkage is not fit to be solved. */
 enum { UNFIT = -5 };
 
@@ -71,8 +71,8 @@ static bool is_soft(const thud_world *w, td_awake_slot slot) {
     return td_inv_mass_of(w, slot) > 0.0f && local <= 0 && (left || local == TD_ISLAND_REFUSED);
 }
 
-/* Whether a joint yields by more than the quality allows. */
-static bool yields(const thud_world *w, const td_block *block, int lane, int kind) {
+/* Whether a joint yields to its load by more than the quality allows. */
+static bool is_overloaded(const thud_world *w, const td_block *block, int lane, int kind) {
     td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
     float size = td_islands_size(w, a, b), off = 0.0f;
     float load = w->kinds[kind]->lanes->load(w, block, lane, size, &off);
@@ -80,9 +80,9 @@ static bool yields(const thud_world *w, const td_block *block, int lane, int kin
 }
 
 /* Adds the joints of a body and the bodies at their other ends. Counts its contacts with moving
- * bodies, and joints that yield. False where the linkage is too large, or reaches an unfit one. */
+ * bodies, and overloaded joints. False where the linkage is too large, or reaches an unfit one. */
 static bool add_joints_of(thud_world *w, td_island *linkage, td_awake_slot slot, int *contacts,
-                          int *yielding) {
+                          int *overloaded) {
     td_body_index body = td_body_of(w, slot);
     for (int e = td_body_at(w, body)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
         const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
@@ -104,7 +104,7 @@ static bool add_joints_of(thud_world *w, td_island *linkage, td_awake_slot slot,
             td_lane at = td_lane_of(w, constraint);
             td_push_int(&w->islands.constraints, td_edge_constraint(e));
             linkage->constraints++;
-            *yielding += yields(w, at.block, at.lane, constraint->kind);
+            *overloaded += is_overloaded(w, at.block, at.lane, constraint->kind);
         }
     }
     return linkage->bodies <= TD_RESOLVE_BODIES_MAX &&
@@ -112,19 +112,19 @@ static bool add_joints_of(thud_world *w, td_island *linkage, td_awake_slot slot,
 }
 
 /* Collects the linkage of a body, breadth first. False, with its bodies marked as unfit, where it
- * is too large, has more contacts than bodies, or few of its joints yield. */
+ * is too large, has more contacts than bodies, or few of its joints are overloaded. */
 static bool collect(thud_world *w, td_awake_slot seed, td_island *linkage) {
     td_islands *s = &w->islands;
     bool whole = true;
-    int contacts = 0, yielding = 0;
+    int contacts = 0, overloaded = 0;
     s->slots.count = s->constraints.count = 0;
     *linkage = (td_island){0};
     td_island_add(w, linkage, seed);
     for (int i = 0; whole && i < s->slots.count; i++) {
-        whole = add_joints_of(w, linkage, td_slot_in(&s->slots, i), &contacts, &yielding);
+        whole = add_joints_of(w, linkage, td_slot_in(&s->slots, i), &contacts, &overloaded);
     }
-    whole =
-        whole && contacts <= linkage->bodies && YIELDING_PART * yielding >= linkage->constraints;
+    whole = whole && contacts <= linkage->bodies &&
+            OVERLOADED_PART * overloaded >= linkage->constraints;
     for (int i = 0; !whole && i < s->slots.count; i++) {
         *td_island_local_at(w, td_slot_in(&s->slots, i)) = UNFIT;
     }
@@ -265,7 +265,7 @@ static void solve_one(thud_world *w, td_awake_slot seed) {
     }
 }
 
-/* Lists a body of each joint that yields. False where there are more than YIELDING_MAX. */
+/* Lists a body of each overloaded joint. False where there are more than OVERLOADED_MAX. */
 static bool list_seeds(thud_world *w, td_awake_slot *seeds, int *count) {
     *count = 0;
     for (int i = 0; i < w->scratch.blocks.count; i++) {
@@ -274,8 +274,8 @@ static bool list_seeds(thud_world *w, td_awake_slot *seeds, int *count) {
         for (int lane = 0; kind >= TD_PAIR_COUNT && lane < block->used; lane++) {
             td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
             td_awake_slot seed = is_soft(w, a) ? a : b;
-            if (is_soft(w, seed) && yields(w, block, lane, kind)) {
-                if (*count == YIELDING_MAX) {
+            if (is_soft(w, seed) && is_overloaded(w, block, lane, kind)) {
+                if (*count == OVERLOADED_MAX) {
                     return false;
                 }
                 seeds[(*count)++] = seed;
@@ -288,7 +288,7 @@ static bool list_seeds(thud_world *w, td_awake_slot *seeds, int *count) {
 void td_joint_subsystems_solve(thud_world *w, td_system last) {
     td_islands *s = &w->islands;
     int rows = s->matrix.row.count, count = 0;
-    td_awake_slot seeds[YIELDING_MAX];
+    td_awake_slot seeds[OVERLOADED_MAX];
     bool few = list_seeds(w, seeds, &count);
     for (int i = 0; few && i < count; i++) {
         if (is_soft(w, seeds[i]) && !backs_off(w, seeds[i])) {

@@ -1,6 +1,6 @@
-/* yielding_joints.c: islands in which td_islands_mark_loaded has found a joint that yields under
- * its load in this step. They are solved directly in the same step, from its start, so that the
- * joint never opens. */
+/* overloaded_joints.c: islands in which td_islands_mark_loaded has found a joint that is overloaded
+ * under its load in this step. They are solved directly in the same step, from its start, so that
+ * the joint never opens. */
 #include "direct/joint_islands.h"
 
 #include "constraint/constraint.h"
@@ -38,7 +38,7 @@ static void solve_one(thud_world *w, td_awake_slot slot) {
     s->matrix.row.count = rows;
 }
 
-void td_yielding_islands_solve(thud_world *w, td_system last) {
+void td_overloaded_islands_solve(thud_world *w, td_system last) {
     for (td_awake_slot slot = {1}; slot.at < w->body_of.count; slot.at++) {
         if (is_newly_marked(w, slot)) {
             w->islands.matrix.current = last;
