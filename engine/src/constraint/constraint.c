@@ -95,7 +95,7 @@ void td_constraint_destroy(thud_world *w, int index) {
     unlink_edge(w, index, 1);
     w->constraint_count[constraint->kind]--;
     if (!td_is_contact(constraint)) {
-        w->joint_hooks->leave(w, constraint->joint, index);
+        w->joint_hooks->remove_part(w, constraint->joint, index);
     }
     constraint->live = 0;
     td_slots_give(&w->constraints, index);

@@ -49,7 +49,7 @@ bool td_pair_allowed(const thud_world *w, int shape_a, int shape_b) {
         return false;
     }
     if (w->joint_hooks && kind_min == THUD_BODY_DYNAMIC &&
-        w->joint_hooks->keeps_apart(w, a->body, b->body)) {
+        w->joint_hooks->exclude_contact(w, a->body, b->body)) {
         return false;
     }
     bool collides = (a->filter.mask & b->filter.category) && (b->filter.mask & a->filter.category);

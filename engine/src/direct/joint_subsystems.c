@@ -71,7 +71,7 @@ static bool is_soft(const thud_world *w, td_awake_slot slot) {
     return td_inv_mass_of(w, slot) > 0.0f && local <= 0 && (left || local == TD_ISLAND_REFUSED);
 }
 
-/* Whether a joint yields to its load by more than the quality allows. */
+/* Whether a load moves a joint by more than the quality allows. */
 static bool is_overloaded(const thud_world *w, const td_block *block, int lane, int kind) {
     td_awake_slot a = td_slot_of_side(block->a[lane]), b = td_slot_of_side(block->b[lane]);
     float size = td_islands_size(w, a, b), off = 0.0f;

@@ -1,6 +1,6 @@
 /* overloaded_joints.c: islands in which td_islands_mark_loaded has found a joint that is overloaded
- * under its load in this step. They are solved directly in the same step, from its start, so that
- * the joint never opens. */
+ * in this step. They are solved directly in the same step, from its start, so that the joint never
+ * opens. */
 #include "direct/joint_islands.h"
 
 #include "constraint/constraint.h"

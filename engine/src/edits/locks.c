@@ -86,7 +86,7 @@ static thud_result make_lock(thud_world *w, td_body_index index, bool x, bool y)
         td_joint_end(w, old);
     }
     if (result == THUD_OK) {
-        td_joints_follow(w, index);
+        td_joints_move_locks(w, index);
     }
     return result;
 }

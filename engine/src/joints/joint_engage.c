@@ -152,7 +152,7 @@ void td_joints_suspend(thud_world *w, td_body_index body) {
  * an anchor: a static body at angle 0 without shapes, in whose frame directions are those of the
  * world.
  */
-void td_joints_follow(thud_world *w, td_body_index index) {
+void td_joints_move_locks(thud_world *w, td_body_index index) {
     const td_body *body = td_body_at(w, index);
     const td_position *center = &td_pose_at(w, index)->center;
     for (int e = body->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
@@ -173,7 +173,7 @@ void td_joints_follow(thud_world *w, td_body_index index) {
 }
 
 /* Walks both bodies' lists of constraints alternately, so that the shorter one bounds the time. */
-bool td_joints_keep_apart(const thud_world *w, td_body_index a, td_body_index b) {
+bool td_joints_exclude_contact(const thud_world *w, td_body_index a, td_body_index b) {
     const td_body *body_a = td_body_at(w, a), *body_b = td_body_at(w, b);
     if (!(body_a->passes & td_passing_bit(b) && body_b->passes & td_passing_bit(a))) {
         return false;
@@ -213,7 +213,7 @@ static void end_idle_anchor(thud_world *w, td_body_index index) {
     td_slots_give(&w->bodies, index.at);
 }
 
-void td_joints_leave(thud_world *w, int index, int part) {
+void td_joints_remove_part(thud_world *w, int index, int part) {
     td_joint *joint = td_slot_at(&w->joints, index);
     bool any = false;
     for (int i = 0; i < TD_JOINT_PARTS; i++) {

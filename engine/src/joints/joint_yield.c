@@ -28,8 +28,8 @@
  * than gravity and forces explain (limit_energy).
  *
  * The next step begins without the impulses of the joints that yielded and of their static contacts
- * (td_joints_forget); kept, they would grow without bound. step.c calls td_joints_forget before the
- * solver and td_joints_yield after it.
+ * (td_joints_clear_yielded); kept, they would grow without bound. step.c calls
+ * td_joints_clear_yielded before the solver and td_joints_yield after it.
  *
  * The rule for motions is the projection of M. Mueller et al., "Position Based Dynamics" (2006). */
 #include "constraint/joint_hooks.h"
@@ -391,7 +391,7 @@ static void clear_yielded_lanes(const thud_world *w, td_block *block) {
     }
 }
 
-void td_joints_forget(thud_world *w) {
+void td_joints_clear_yielded(thud_world *w) {
     memcpy(w->scratch.before.data, w->velocity.data, (size_t)w->body_of.count * sizeof(float[4]));
     for (int i = 0; i < w->scratch.runs.count; i++) {
         const td_run *run = TD_AT(td_run, &w->scratch.runs, i);

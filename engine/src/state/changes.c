@@ -132,6 +132,19 @@ static void restart_terrain_pairs(thud_world *w, td_body_index index) {
     }
 }
 
+/* Has the manifolds of a teleported body with terrain computed anew. Their cache has the body's
+ * place modulo 256 length scales (contact/wide_terrain.c), and would not notice a teleport by that.
+ */
+static void renew_terrain_contacts(thud_world *w, td_body_index index) {
+    for (int e = td_body_at(w, index)->first_constraint; e != TD_NONE; e = td_next_edge(w, e)) {
+        const td_constraint *constraint = td_constraint_at(w, td_edge_constraint(e));
+        if (constraint->state == TD_TOUCHING && td_is_contact(constraint) &&
+            td_pair_is_on_line((td_pair_kind)constraint->kind)) {
+            td_lane_renew(w, td_edge_constraint(e));
+        }
+    }
+}
+
 /* After a body was enabled or disabled: its contacts and forces end, and its awake slot follows.
  * Its shapes stay in the broadphase: td_pair_allowed rules out those of a disabled body, and the
  * mark TD_MARK_FRESH makes all pairs of an enabled one new. */
@@ -221,9 +234,10 @@ static bool apply_changes(thud_world *w, td_body_index index) {
     }
     if (changes & TD_CHANGE_PLACE) {
         restart_terrain_pairs(w, index);
+        renew_terrain_contacts(w, index);
     }
     if (changes & (TD_CHANGE_SHAPES | TD_CHANGE_PLACE) && w->joint_hooks) {
-        w->joint_hooks->follow(w, index);
+        w->joint_hooks->move_locks(w, index);
     }
     if (changes & TD_CHANGE_ENABLE) {
         apply_enabled(w, index);
