@@ -198,20 +198,19 @@ static void no_bounce(td_block *const *blocks, int count, const td_solve_context
 }
 
 /* Makes the passes td_solve_drive_NAME of a kind of drive. */
-#define DRIVE_PASSES(name, which)                                               \
-    TD_PASS(warm_start_##name, warm_start, false, which)                        \
-    TD_PASS(warm_start_fixed_##name, warm_start, true, which)                   \
-    TD_PASS(solve_##name, solve_drive, false, which, true)                      \
-    TD_PASS(solve_fixed_##name, solve_drive, true, which, true)                 \
-    TD_PASS(relax_##name, solve_drive, false, which, false)                     \
-    TD_PASS(relax_fixed_##name, solve_drive, true, which, false)                \
-    extern const td_solve_ops TD_WIDE(td_solve_drive_##name);                   \
-    const td_solve_ops TD_WIDE(                                                 \
-        td_solve_drive_##name) = {{warm_start_##name, warm_start_fixed_##name}, \
-                                  {solve_##name, solve_fixed_##name},           \
-                                  {relax_##name, relax_fixed_##name},           \
-                                  no_bounce,                                    \
-                                  {NULL, NULL}};
+#define DRIVE_PASSES(name, which)                                                              \
+    TD_PASS(warm_start_##name, warm_start, false, which)                                       \
+    TD_PASS(warm_start_static_##name, warm_start, true, which)                                 \
+    TD_PASS(solve_##name, solve_drive, false, which, true)                                     \
+    TD_PASS(solve_static_##name, solve_drive, true, which, true)                               \
+    TD_PASS(relax_##name, solve_drive, false, which, false)                                    \
+    TD_PASS(relax_static_##name, solve_drive, true, which, false)                              \
+    extern const td_solve_ops TD_WIDE(td_solve_drive_##name);                                  \
+    const td_solve_ops TD_WIDE(                                                                \
+        td_solve_drive_##name) = {.warm_start = {warm_start_##name, warm_start_static_##name}, \
+                                  .solve = {solve_##name, solve_static_##name},                \
+                                  .relax = {relax_##name, relax_static_##name},                \
+                                  .bounce = no_bounce};
 
 DRIVE_PASSES(line, LINE)
 DRIVE_PASSES(axis, AXIS)

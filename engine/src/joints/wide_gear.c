@@ -80,5 +80,7 @@ static void no_bounce(td_block *const *blocks, int count, const td_solve_context
 
 /* Both entries of a pair are the same, since neither side of a gear is static. */
 extern const td_solve_ops TD_WIDE(td_solve_gear);
-const td_solve_ops TD_WIDE(td_solve_gear) = {
-    {warm_start, warm_start}, {solve, solve}, {relax, relax}, no_bounce, {NULL, NULL}};
+const td_solve_ops TD_WIDE(td_solve_gear) = {.warm_start = {warm_start, warm_start},
+                                             .solve = {solve, solve},
+                                             .relax = {relax, relax},
+                                             .bounce = no_bounce};

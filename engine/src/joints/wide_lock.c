@@ -160,12 +160,12 @@ TD_INLINE void relax(td_block *const *blocks, int count, const td_solve_context 
     }
 }
 
-/* A stage of bracing, joint_brace.c. TD_BRACE_GIVE applies the warm start along the directions of
- * the present substep. */
+/* A stage of bracing, joint_brace.c. TD_BRACE_WARM_START applies the warm start along the
+ * directions of the present substep. */
 TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context *c, bool a_static) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
-        if (c->brace != TD_BRACE_GIVE) {
+        if (c->brace != TD_BRACE_WARM_START) {
             TD_WIDE(td_brace_applied)(block, c, a_static);
             continue;
         }
@@ -198,8 +198,8 @@ TD_PASS(brace_moving, brace, false)
 TD_PASS(brace_static, brace, true)
 
 extern const td_solve_ops TD_WIDE(td_solve_lock);
-const td_solve_ops TD_WIDE(td_solve_lock) = {{warm_start_moving, warm_start_static},
-                                             {solve_moving, solve_static},
-                                             {relax_moving, relax_static},
-                                             no_bounce,
-                                             {brace_moving, brace_static}};
+const td_solve_ops TD_WIDE(td_solve_lock) = {.warm_start = {warm_start_moving, warm_start_static},
+                                             .solve = {solve_moving, solve_static},
+                                             .relax = {relax_moving, relax_static},
+                                             .bounce = no_bounce,
+                                             .brace = {brace_moving, brace_static}};
