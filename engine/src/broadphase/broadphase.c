@@ -193,17 +193,17 @@ static unsigned turn_mask(int count, int max) {
 static bool keep_pairs_in_turn(thud_world *w, int shape, int first, unsigned skip_mask) {
     td_array *pairs = &w->scratch.pairs;
     td_pairs_filter(w, first);
-    int kept = first,
+    int kept_count = first,
         max = stamp_partners(w, shape) < CROWD_CONTACTS_A_SHAPE ? CROWD_CONTACTS_A_SHAPE : 1;
     skip_mask += (skip_mask + 1) * turn_mask(pairs->count - first, max);
     for (int i = first; i < pairs->count; i++) {
         const td_new_pair *pair = TD_AT(td_new_pair, pairs, i);
         bool sensor = td_senses(w, pair->a) || td_senses(w, pair->b);
         if (sensor || !(turn_number(w, pair->a, pair->b) & skip_mask)) {
-            *TD_AT(td_new_pair, pairs, kept++) = *pair;
+            *TD_AT(td_new_pair, pairs, kept_count++) = *pair;
         }
     }
-    pairs->count = kept;
+    pairs->count = kept_count;
     return skip_mask != 0;
 }
 

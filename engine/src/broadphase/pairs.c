@@ -21,7 +21,7 @@ bool td_pairs_add(thud_world *w, int a, int b, int child) {
 void td_pairs_filter(thud_world *w, int first) {
     td_array *pairs = &w->scratch.pairs;
     td_new_pair *pair = pairs->data;
-    int kept = first;
+    int kept_count = first;
     for (int i = first; i < pairs->count; i++) {
         if (i + 16 < pairs->count) {
             __builtin_prefetch(td_shape_at(w, pair[i + 16].a));
@@ -32,10 +32,10 @@ void td_pairs_filter(thud_world *w, int first) {
             __builtin_prefetch(td_body_at(w, td_shape_at(w, pair[i + 8].b)->body), 1);
         }
         if (td_pair_allowed(w, pair[i].a, pair[i].b) && td_pair_meets(w, pair[i].a, pair[i].b)) {
-            pair[kept++] = pair[i];
+            pair[kept_count++] = pair[i];
         }
     }
-    pairs->count = kept;
+    pairs->count = kept_count;
 }
 
 /* The radix sort goes by digits of 8 bits: its table of 256 counts fits the first cache. */

@@ -26,7 +26,7 @@ static void update_keys(thud_world *w, td_proxy_set *set) {
     uint8_t *present = w->scratch.order.data;
     const int32_t *list = set->list.data;
     td_sweep_key *keys = set->keys.data;
-    int kept = 0;
+    int kept_count = 0;
     memset(present, 0, (size_t)w->shapes.count);
     for (int i = 0; i < set->list.count; i++) {
         present[list[i]] = 1;
@@ -34,15 +34,15 @@ static void update_keys(thud_world *w, td_proxy_set *set) {
     for (int i = 0; i < set->keys.count; i++) {
         if (keys[i].shape < w->shapes.count && present[keys[i].shape]) {
             present[keys[i].shape] = 0;
-            keys[kept++] = keys[i];
+            keys[kept_count++] = keys[i];
         }
     }
     for (int i = 0; i < set->list.count; i++) {
         if (present[list[i]]) {
-            keys[kept++].shape = list[i];
+            keys[kept_count++].shape = list[i];
         }
     }
-    set->keys.count = kept;
+    set->keys.count = kept_count;
 }
 
 /* Sets each key to the shape's min_x relative to that of the first key's place, and set->widest to

@@ -169,16 +169,17 @@ static void test_waiting(thud_world *w, int kind) {
 /* Part 1: finds the waiting contacts that touch. Contacts that have begun in a step that then ran
  * out of memory stay in scratch.begins, since their events have not been published. */
 static bool find_touching(thud_world *w) {
-    int contacts = w->constraints.live, *begins = w->scratch.begins.data, kept = 0;
+    int contacts = w->constraints.live, *begins = w->scratch.begins.data, kept_count = 0;
     for (int i = 0; i < w->scratch.begins.count; i++) {
         const td_contact *contact = td_contact_at(w, begins[i]);
         if (contact->live && contact->state == TD_TOUCHING) {
-            begins[kept++] = begins[i];
+            begins[kept_count++] = begins[i];
         }
     }
-    w->scratch.begins.count = kept;
+    w->scratch.begins.count = kept_count;
     w->scratch.ends.count = 0;
-    if (!reserve_tests(w) || !td_array_reserve(&w->memory, &w->scratch.begins, kept + contacts) ||
+    if (!reserve_tests(w) ||
+        !td_array_reserve(&w->memory, &w->scratch.begins, kept_count + contacts) ||
         !td_array_reserve(&w->memory, &w->scratch.ends, contacts)) {
         return false;
     }

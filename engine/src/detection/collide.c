@@ -299,9 +299,9 @@ static void choose_kept_motion(side *a, side *b, bool pair_touches, const surfac
     bool bounces = u->restitution > 0.0;
     bool touch_a = touches_others(a, pair_touches, bounces);
     bool touch_b = touches_others(b, pair_touches, bounces);
-    bool fixed =
+    bool immovable =
         !is_movable(a, true) || !is_movable(b, true) || a->inv_mass == 0.0 || b->inv_mass == 0.0;
-    if (fixed || (!touch_a && !touch_b)) {
+    if (immovable || (!touch_a && !touch_b)) {
         return;
     }
     bool keep_b = touch_b;

@@ -135,12 +135,12 @@ static bool overlap_on_path(const thud_world *w, int shape_a, int shape_b, doubl
 static bool is_detected(const thud_world *w, int a, int b) {
     const td_shape *shapes[2] = {td_shape_at(w, a), td_shape_at(w, b)};
     const thud_detection *detection = td_detection_of(w, shapes[0]->body, shapes[1]->body);
-    bool fixed = false;
+    bool static_sensor = false;
     for (int i = 0; i < 2; i++) {
-        fixed |= (shapes[i]->flags & TD_SHAPE_SENSOR) &&
-                 td_body_at(w, shapes[i]->body)->kind == THUD_BODY_STATIC;
+        static_sensor |= (shapes[i]->flags & TD_SHAPE_SENSOR) &&
+                         td_body_at(w, shapes[i]->body)->kind == THUD_BODY_STATIC;
     }
-    return detection->time_of_impact || (detection->rank == TD_RANK_CONTINUOUS && fixed);
+    return detection->time_of_impact || (detection->rank == TD_RANK_CONTINUOUS && static_sensor);
 }
 
 float td_sensing_time(const thud_world *w, int a, int b, bool begins) {

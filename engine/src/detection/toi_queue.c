@@ -106,8 +106,8 @@ static bool meeting_time(thud_world *w, const td_toi_candidate *e, double *time)
     const thud_detection *detection = td_detection_of(w, e->body[0], e->body[1]);
     double now =
         max_time(td_trajectory_of(w, e->body[0]).since, td_trajectory_of(w, e->body[1]).since);
-    bool fixed = !can_stop(w, e->body[0]) && !can_stop(w, e->body[1]), hit = true;
-    if (e->vetoed || !detection->time_of_impact || fixed) {
+    bool neither_stops = !can_stop(w, e->body[0]) && !can_stop(w, e->body[1]), hit = true;
+    if (e->vetoed || !detection->time_of_impact || neither_stops) {
         return false;
     }
     for (int i = 0; i < GHOSTS_MAX && next_check(w, e, detection, now, &hit, time); i++) {

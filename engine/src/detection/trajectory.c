@@ -368,14 +368,14 @@ bool td_is_at_sealed_end(const thud_world *w, int line, const thud_terrain *grou
 /* Removes the contact points of a shape at sealed ends of a line, which are ghosts. */
 static void drop_sealed_ends(const thud_world *w, int line, const thud_terrain *ground,
                              const thud_geometry *shape, thud_contacts *contacts) {
-    int kept = 0;
+    int kept_count = 0;
     double x, out;
     for (int k = 0; k < contacts->count; k++) {
         if (!td_is_at_sealed_end(w, line, ground, shape, &contacts->point[k], &x, &out)) {
-            contacts->point[kept++] = contacts->point[k];
+            contacts->point[kept_count++] = contacts->point[k];
         }
     }
-    contacts->count = kept;
+    contacts->count = kept_count;
 }
 
 void td_toi_candidate_features(thud_world *w, const td_toi_candidate *e, double time,

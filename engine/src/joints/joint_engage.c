@@ -65,14 +65,14 @@ static bool prepare_bodies(thud_world *w, int index) {
 
 /* Removes filters from a list of constraints: they need no lane. */
 static void remove_filters(const thud_world *w, td_array *list) {
-    int kept = 0;
+    int kept_count = 0;
     for (int i = 0; i < list->count; i++) {
         int index = td_int_at(list, i);
         bool filter = td_joint_of(w, td_constraint_at(w, index))->kind == THUD_JOINT_FILTER;
-        ((int *)list->data)[kept] = index;
-        kept += !filter;
+        ((int *)list->data)[kept_count] = index;
+        kept_count += !filter;
     }
-    list->count = kept;
+    list->count = kept_count;
 }
 
 /* Gives lanes to all constraints of a kind that wait and may act. False when memory is short. */
@@ -121,12 +121,12 @@ static void end_idle_gears(thud_world *w) {
 
 bool td_joints_engage(thud_world *w) {
     int bodies = w->bodies.live + 1; /* bound of the awake slots in this step */
-    w->scratch.next_tied.count = w->scratch.powers.count = 0;
+    w->scratch.next_tied.count = w->scratch.brace_groups.count = 0;
     if (!td_array_reserve(&w->memory, &w->broken, w->breakable) ||
         !td_array_reserve(&w->memory, &w->scratch.parents, bodies) ||
         !td_array_reserve(&w->memory, &w->scratch.next_tied, bodies) ||
         !td_array_reserve(&w->memory, &w->scratch.before, bodies) ||
-        !td_array_reserve(&w->memory, &w->scratch.powers, bodies)) {
+        !td_array_reserve(&w->memory, &w->scratch.brace_groups, bodies)) {
         return false;
     }
     end_idle_gears(w);

@@ -74,46 +74,46 @@ TD_INLINE void solve(td_block *const *blocks, int count, const td_solve_context 
 }
 
 /* A pass of bracing (td_brace, block.h) on the impulses p that the lanes of a rod's or lock's block
- * applied in this substep (td_lock_rows.applied). TD_BRACE_AFTER and TD_BRACE_BEFORE store p times
- * the relative speed along it, an energy: p.u', by the speeds u' with the impulses of all locks,
- * and p.u, by the speeds u without them. TD_BRACE_TAKE takes p back, and leaves the record of it.
- * TD_BRACE_KEEP applies the share of p that joint_brace.c has computed from the two (kept_share),
- * and scales the lane's impulses and the record by it. */
+ * applied in this substep (td_lock_rows.applied). TD_BRACE_WORK_WITH and TD_BRACE_WORK_WITHOUT
+ * store p times the relative speed along it, an energy: p.u', by the speeds u' with the impulses of
+ * all locks, and p.u, by the speeds u without them. TD_BRACE_REMOVE takes p back, and leaves the
+ * record of it. TD_BRACE_APPLY_SHARE applies the share of p that joint_brace.c has computed from
+ * the two (kept_share), and scales the lane's impulses and the record by it. */
 void TD_WIDE(td_brace_applied)(td_block *block, const td_solve_context *c, bool a_static) {
     td_applied_impulse *applied = &td_lock_rows_of(block)->applied;
     td_brace_rows *rows = td_brace_rows_of(block);
     sides v = read_sides(c->velocity, block, a_static);
-    if (c->brace == TD_BRACE_BEFORE || c->brace == TD_BRACE_AFTER) {
+    if (c->brace == TD_BRACE_WORK_WITHOUT || c->brace == TD_BRACE_WORK_WITH) {
         f8 power = applied->x * v.b.x + applied->y * v.b.y + applied->moment_b * v.b.z;
         if (!a_static) {
             power -= applied->x * v.a.x + applied->y * v.a.y + applied->moment_a * v.a.z;
         }
-        *(c->brace == TD_BRACE_AFTER ? &rows->power_after : &rows->power_before) = power;
+        *(c->brace == TD_BRACE_WORK_WITH ? &rows->work_with : &rows->work_without) = power;
         return;
     }
     td_applied_impulse change; /* what this pass applies */
     clear_applied(&change);
-    if (c->brace == TD_BRACE_TAKE) {
+    if (c->brace == TD_BRACE_REMOVE) {
         apply_impulse(block, a_static, &v, &change, -applied->x, -applied->y, -applied->moment_a,
                       -applied->moment_b);
-    } else { /* TD_BRACE_KEEP */
-        f8 kept = rows->kept_share;
-        block->point[0].normal_impulse *= kept;
-        block->point[1].normal_impulse *= kept;
-        block->tangent_impulse *= kept;
-        apply_impulse(block, a_static, &v, &change, kept * applied->x, kept * applied->y,
-                      kept * applied->moment_a, kept * applied->moment_b);
+    } else { /* TD_BRACE_APPLY_SHARE */
+        f8 share = rows->kept_share;
+        block->point[0].normal_impulse *= share;
+        block->point[1].normal_impulse *= share;
+        block->tangent_impulse *= share;
+        apply_impulse(block, a_static, &v, &change, share * applied->x, share * applied->y,
+                      share * applied->moment_a, share * applied->moment_b);
         *applied = change;
     }
     write_sides(c, block, a_static, &v);
 }
 
-/* A pass of bracing of rods. TD_BRACE_GIVE turns the impulses that the velocities have from the
- * substep before to the present line; the others are td_brace_applied. */
+/* A pass of bracing of rods. TD_BRACE_WARM_START turns the impulses that the velocities have from
+ * the substep before to the present line; the others are td_brace_applied. */
 TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context *c, bool a_static) {
     for (int i = 0; i < count; i++) {
         td_block *block = blocks[i];
-        if (c->brace != TD_BRACE_GIVE) {
+        if (c->brace != TD_BRACE_WARM_START) {
             TD_WIDE(td_brace_applied)(block, c, a_static);
             continue;
         }
