@@ -33,7 +33,7 @@ static void create_whole_body(fuzz_session *s, const thud_body_def *def) {
     thud_body_shape shapes[3] = {0};
     thud_shape_id made[3] = {0};
     thud_body_id body = {0, 0};
-    int room = SESSION_SHAPES_MOST - COUNTED(thud_stats_of(s->world)).shapes;
+    int room = SESSION_WORLD_SHAPES_MAX - COUNTED(thud_stats_of(s->world)).shapes;
     int count = next_choice(&s->bytes, 4);
     for (int i = 0; i < count; i++) {
         shapes[i].shape = pick_geometry(s);
@@ -246,7 +246,7 @@ void play_make(fuzz_session *s) {
     o.density = flags & 32 ? next_float(&s->bytes, 0, 0.0625) : 0;
     o.restitution = flags & 64 ? next_float(&s->bytes, 0, 0.0078125) : 0;
     o.category = flags & 128 ? 1u << kinds % 4 : 0;
-    bool room = COUNTED(thud_stats_of(s->world)).shapes < SESSION_SHAPES_MOST;
+    bool room = COUNTED(thud_stats_of(s->world)).shapes < SESSION_WORLD_SHAPES_MAX;
     thud_body_id made = {0, 0};
     if (room) {
         TRY(s, (made = thud_body_make(s->world, at, &o)).index1 ? THUD_OK : s->heard);

@@ -147,7 +147,7 @@ static void tie_links(fuzz_session *s, const linkage *l, int a, int b) {
 
 void play_linkage(fuzz_session *s) {
     linkage l = pick_linkage(s);
-    if (s->depth || COUNTED(thud_stats_of(s->world)).shapes + l.count > SESSION_SHAPES_MOST) {
+    if (s->depth || COUNTED(thud_stats_of(s->world)).shapes + l.count > SESSION_WORLD_SHAPES_MAX) {
         return;
     }
     add_links(s, &l);

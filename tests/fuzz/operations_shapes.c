@@ -4,7 +4,7 @@
 
 /* Whether the world has as many shapes as a session may create. */
 static bool full(fuzz_session *s) {
-    return COUNTED(thud_stats_of(s->world)).shapes >= SESSION_SHAPES_MOST;
+    return COUNTED(thud_stats_of(s->world)).shapes >= SESSION_WORLD_SHAPES_MAX;
 }
 
 static thud_shape_def shape_def(fuzz_session *s) {

@@ -184,7 +184,7 @@ void session_open(fuzz_session *s, const uint8_t *data, size_t size, bool second
 }
 
 bool session_over(const fuzz_session *s) {
-    return s->bytes.at == s->bytes.end || s->operations == SESSION_MOST;
+    return s->bytes.at == s->bytes.end || s->operations == SESSION_OPERATIONS_MAX;
 }
 
 void session_replace_world(fuzz_session *s) {
