@@ -1,6 +1,5 @@
 /* api_body.c: exports that create, read and move bodies, apply forces to them, and list their
- * shapes and contacts. Each calls the function of thud.h with the same name; api.h has the
- * conventions. */
+ * shapes and contacts. api.h has the conventions. */
 #include "api.h"
 
 #include <stdlib.h>
@@ -59,7 +58,7 @@ int api_body_is_valid(const thud_world *world, uint32_t index1, uint32_t generat
 }
 
 /* Slots out: body_state. */
-int api_body_get(const thud_world *world, uint32_t index1, uint32_t generation) {
+int api_body_state(const thud_world *world, uint32_t index1, uint32_t generation) {
     thud_body_state state;
     thud_result result = thud_body_get_state(world, api_body(index1, generation), &state);
     if (result != THUD_OK)
@@ -102,10 +101,14 @@ int api_body_apply_impulse(thud_world *world, uint32_t index1, uint32_t generati
                                    (thud_vec2){(float)x, (float)y}, (thud_pos){point_x, point_y});
 }
 
-int api_body_apply_force(thud_world *world, uint32_t index1, uint32_t generation, double x,
-                         double y, double torque) {
-    return thud_body_apply_force_and_torque(world, api_body(index1, generation),
-                                            (thud_vec2){(float)x, (float)y}, (float)torque);
+int api_body_apply_center_force(thud_world *world, uint32_t index1, uint32_t generation, double x,
+                                double y) {
+    return thud_body_apply_center_force(world, api_body(index1, generation),
+                                        (thud_vec2){(float)x, (float)y});
+}
+
+int api_body_apply_torque(thud_world *world, uint32_t index1, uint32_t generation, double torque) {
+    return thud_body_apply_torque(world, api_body(index1, generation), (float)torque);
 }
 
 int api_body_set_awake(thud_world *world, uint32_t index1, uint32_t generation, int awake) {

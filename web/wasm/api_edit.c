@@ -1,5 +1,5 @@
-/* api_edit.c: exports that change bodies and shapes: the setters of thud_edits.h and thud_locks.h
- * under the same names; api.h has the conventions. */
+/* api_edit.c: exports that change bodies and shapes: the setters of thud_edits.h and thud_locks.h.
+ * api.h has the conventions. */
 #include "api.h"
 
 #include <thud/thud_edits.h>

@@ -71,8 +71,8 @@ int api_body_apply_buoyancy(thud_world *world, uint32_t index1, uint32_t generat
     return thud_body_apply_buoyancy(world, api_body(index1, generation), &water);
 }
 
-int api_body_apply_rolling(thud_world *world, uint32_t index1, uint32_t generation,
-                           double coefficient) {
+int api_body_apply_rolling_resistance(thud_world *world, uint32_t index1, uint32_t generation,
+                                      double coefficient) {
     return thud_body_apply_rolling_resistance(world, api_body(index1, generation),
                                               (float)coefficient);
 }

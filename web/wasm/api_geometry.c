@@ -30,7 +30,7 @@ static moving_pair pair_now(void) {
 }
 
 /* Slots out: closest_features. */
-int api_shapes_closest(void) {
+int api_geometry_closest(void) {
     moving_pair p = pair_now();
     thud_closest c;
     thud_result result = thud_geometry_closest(&p.a, &p.b, &c);
@@ -45,43 +45,43 @@ int api_shapes_closest(void) {
 }
 
 /* `target`: the distance at which the shapes count as meeting, a length. Slots out: meeting. */
-int api_shapes_time_of_impact(double target) {
+int api_geometry_time_of_impact(double target) {
     moving_pair p = pair_now();
     bool hit = false;
     double time = 1.0;
     thud_result result =
         thud_geometry_time_of_impact(&p.a, p.by_a, &p.b, p.by_b, target, &hit, &time);
     if (result == THUD_OK)
-        api_slots.kind = (struct meeting){.found = hit, .time = time};
+        api_slots.meeting = (struct meeting){.found = hit, .time = time};
     return result;
 }
 
 /* `tolerance`: a fraction of the motion. Slots out: meeting. */
-int api_shapes_time_of_collision(double tolerance) {
+int api_geometry_time_of_collision(double tolerance) {
     moving_pair p = pair_now();
     bool collided = false;
     double time = 1.0;
     thud_result result =
         thud_geometry_time_of_collision(&p.a, p.by_a, &p.b, p.by_b, tolerance, &collided, &time);
     if (result == THUD_OK)
-        api_slots.kind = (struct meeting){
+        api_slots.meeting = (struct meeting){
             .found = collided,
             .time = time,
-            .sure = thud_geometry_is_bisectable(&p.a, p.by_a, &p.b, p.by_b),
+            .bisectable = thud_geometry_is_bisectable(&p.a, p.by_a, &p.b, p.by_b),
         };
     return result;
 }
 
 /* Slots out: meeting. */
-int api_circles_approach(void) {
+int api_geometry_approach(void) {
     moving_pair p = pair_now();
     thud_approach passing;
     thud_result result = thud_geometry_approach(&p.a, p.by_a, &p.b, p.by_b, &passing);
     if (result == THUD_OK)
-        api_slots.kind = (struct meeting){.found = passing.hit,
-                                          .time = passing.time,
-                                          .least = passing.min_distance,
-                                          .least_time = passing.min_distance_time};
+        api_slots.meeting = (struct meeting){.found = passing.hit,
+                                             .time = passing.time,
+                                             .min_distance = passing.min_distance,
+                                             .min_distance_time = passing.min_distance_time};
     return result;
 }
 
@@ -89,14 +89,13 @@ int api_circles_approach(void) {
 int api_minkowski_cast(void) {
     moving_pair p = pair_now();
     thud_minkowski sum;
+    thud_segment path = {p.b.x - p.a.x, p.b.y - p.a.y, p.by_b.dx - p.by_a.dx,
+                         p.by_b.dy - p.by_a.dy};
     bool hit = false;
     double fraction = 1.0, nx = 0.0, ny = 0.0;
     thud_result result = thud_minkowski_sum(&p.a, &p.b, &sum);
     if (result == THUD_OK)
-        result = thud_minkowski_cast(&sum,
-                                     (thud_segment){p.b.x - p.a.x, p.b.y - p.a.y,
-                                                    p.by_b.dx - p.by_a.dx, p.by_b.dy - p.by_a.dy},
-                                     &hit, &fraction, &nx, &ny);
+        result = thud_minkowski_cast(&sum, path, &hit, &fraction, &nx, &ny);
     if (result == THUD_OK)
         api_slots.crossing = (struct crossing){hit, fraction, {nx, ny}};
     return result;

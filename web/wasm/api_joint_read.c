@@ -8,7 +8,7 @@
 static api_buffer ids, event_rows, table_rows, table_handles;
 
 /* Slots out: joint_state. */
-int api_joint_get(const thud_world *world, uint32_t index1, uint32_t generation) {
+int api_joint_state(const thud_world *world, uint32_t index1, uint32_t generation) {
     thud_joint_state state;
     thud_result result = thud_joint_get_state(world, (thud_joint_id){index1, generation}, &state);
     if (result == THUD_OK)

@@ -90,7 +90,7 @@ int api_world_shape_at(const thud_world *world, double slot) {
 }
 
 /* Slots out: list. */
-int api_sensor_overlaps(const thud_world *world, uint32_t index1, uint32_t generation) {
+int api_shape_sensor_overlaps(const thud_world *world, uint32_t index1, uint32_t generation) {
     int count = 0;
     thud_shape_id sensor = api_shape(index1, generation);
     thud_result result = thud_shape_get_sensor_overlaps(world, sensor, NULL, 0, &count);
@@ -110,8 +110,8 @@ static struct pair_side side_of(const thud_pair_side *side) {
 }
 
 /* Slots out: pair. */
-int api_pair_get(const thud_world *world, uint32_t index1_a, uint32_t generation_a,
-                 uint32_t index1_b, uint32_t generation_b) {
+int api_world_pair(const thud_world *world, uint32_t index1_a, uint32_t generation_a,
+                   uint32_t index1_b, uint32_t generation_b) {
     thud_pair pair;
     thud_result result = thud_world_get_pair(world, api_shape(index1_a, generation_a),
                                              api_shape(index1_b, generation_b), &pair);

@@ -1,6 +1,5 @@
 /* api_push.c: exports for further forces and impulses, points of bodies, and single values of
- * bodies and shapes: the functions of thud_forces.h and thud_reads.h under the same names. api.h
- * has the conventions. */
+ * bodies and shapes (thud_forces.h, thud_reads.h). api.h has the conventions. */
 #include "api.h"
 
 #include <thud/thud_forces.h>
@@ -16,8 +15,8 @@ int api_version(void) {
 
 /* ---- forces and impulses ---- */
 
-int api_body_apply_force_at(thud_world *world, uint32_t index1, uint32_t generation, double x,
-                            double y, double point_x, double point_y) {
+int api_body_apply_force(thud_world *world, uint32_t index1, uint32_t generation, double x,
+                         double y, double point_x, double point_y) {
     return thud_body_apply_force(world, api_body(index1, generation),
                                  (thud_vec2){(float)x, (float)y}, (thud_pos){point_x, point_y});
 }

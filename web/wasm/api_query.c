@@ -53,11 +53,11 @@ static struct ray_hit row_of(const thud_ray_hit *hit) {
 /* Slots out: first_hit. */
 int api_cast_ray(thud_world *world, double x, double y, double dx, double dy) {
     thud_query_filter filter = filter_now();
+    thud_ray ray = {{x, y}, dx, dy, &filter};
     bool hit = false;
-    thud_ray_hit ray = {0};
-    thud_result result =
-        thud_world_cast_ray(world, &(thud_ray){(thud_pos){x, y}, dx, dy, &filter}, &hit, &ray);
-    api_slots.first_hit = (struct first_hit){hit, row_of(&ray)};
+    thud_ray_hit first = {0};
+    thud_result result = thud_world_cast_ray(world, &ray, &hit, &first);
+    api_slots.first_hit = (struct first_hit){hit, row_of(&first)};
     return result;
 }
 
@@ -65,13 +65,11 @@ int api_cast_ray(thud_world *world, double x, double y, double dx, double dy) {
 int api_cast_shape(thud_world *world, int kind, double x, double y, double hx, double hy,
                    double angle, double dx, double dy) {
     thud_query_filter filter = filter_now();
-    thud_geometry shape = api_placed(kind, hx, hy, angle);
+    thud_shape_cast cast = {{x, y}, api_placed(kind, hx, hy, angle), dx, dy, &filter};
     bool hit = false;
-    thud_ray_hit met = {0};
-    thud_result result =
-        thud_world_cast_shape(world, &(thud_shape_cast){(thud_pos){x, y}, shape, dx, dy, &filter},
-                              &hit, &met);
-    api_slots.first_hit = (struct first_hit){hit, row_of(&met)};
+    thud_ray_hit first = {0};
+    thud_result result = thud_world_cast_shape(world, &cast, &hit, &first);
+    api_slots.first_hit = (struct first_hit){hit, row_of(&first)};
     return result;
 }
 
@@ -79,7 +77,8 @@ int api_cast_shape(thud_world *world, int kind, double x, double y, double hx, d
 int api_cast_all(thud_world *world, int kind, double x, double y, double hx, double hy,
                  double angle, double dx, double dy) {
     thud_query_filter filter = filter_now();
-    thud_geometry shape = api_placed(kind, hx, hy, angle);
+    thud_ray ray = {{x, y}, dx, dy, &filter};
+    thud_shape_cast cast = {{x, y}, api_placed(kind, hx, hy, angle), dx, dy, &filter};
     static const thud_ray_hit none = {0};
     int count = ROOM, room = 0;
     while (room < count) { /* a second time where there are more hits than ROOM */
@@ -89,13 +88,8 @@ int api_cast_all(thud_world *world, int kind, double x, double y, double hx, dou
         if (hits.failed)
             return THUD_ERROR_MEMORY;
         thud_ray_hit *out = (thud_ray_hit *)hits.data;
-        thud_pos at = {x, y};
-        thud_result result =
-            kind < 0
-                ? thud_world_cast_ray_all(world, &(thud_ray){at, dx, dy, &filter}, out, room,
-                                          &count)
-                : thud_world_cast_shape_all(world, &(thud_shape_cast){at, shape, dx, dy, &filter},
-                                            out, room, &count);
+        thud_result result = kind < 0 ? thud_world_cast_ray_all(world, &ray, out, room, &count)
+                                      : thud_world_cast_shape_all(world, &cast, out, room, &count);
         if (result != THUD_OK)
             return result;
     }
@@ -123,12 +117,10 @@ static double met(const thud_ray_hit *hit, void *context) {
 int api_cast_each(thud_world *world, int kind, double x, double y, double hx, double hy,
                   double angle, double dx, double dy) {
     thud_query_filter filter = filter_now();
-    thud_geometry shape = api_placed(kind, hx, hy, angle);
-    thud_pos at = {x, y};
-    return kind < 0
-               ? thud_world_cast_ray_each(world, &(thud_ray){at, dx, dy, &filter}, met, NULL)
-               : thud_world_cast_shape_each(world, &(thud_shape_cast){at, shape, dx, dy, &filter},
-                                            met, NULL);
+    thud_ray ray = {{x, y}, dx, dy, &filter};
+    thud_shape_cast cast = {{x, y}, api_placed(kind, hx, hy, angle), dx, dy, &filter};
+    return kind < 0 ? thud_world_cast_ray_each(world, &ray, met, NULL)
+                    : thud_world_cast_shape_each(world, &cast, met, NULL);
 }
 
 /* The first hit of each of `count` rays, four doubles each: origin and displacement. All have the
@@ -217,8 +209,8 @@ int api_overlap_shape(thud_world *world, int kind, double x, double y, double hx
 /* ---- one shape, whatever its filter ---- */
 
 /* Slots out: first_hit. */
-int api_shape_meets_ray(thud_world *world, uint32_t index1, uint32_t generation, double x, double y,
-                        double dx, double dy) {
+int api_shape_cast_ray(thud_world *world, uint32_t index1, uint32_t generation, double x, double y,
+                       double dx, double dy) {
     bool hit = false;
     thud_ray_hit ray = {0};
     thud_result result = thud_shape_cast_ray(world, api_shape(index1, generation), (thud_pos){x, y},

@@ -51,7 +51,7 @@ int api_world_use_rules(thud_world *world) {
 }
 
 /* Slots out: list of impulse_event. */
-int api_world_impulses(const thud_world *world) {
+int api_world_impulse_events(const thud_world *world) {
     int count = 0;
     const thud_impulse_event *events = thud_impulse_events_of(world, &count);
     api_buffer_clear(&impulses);

@@ -99,7 +99,7 @@ int api_shape_is_valid(const thud_world *world, uint32_t index1, uint32_t genera
 }
 
 /* Slots out: shape_state. */
-int api_shape_get(const thud_world *world, uint32_t index1, uint32_t generation) {
+int api_shape_state(const thud_world *world, uint32_t index1, uint32_t generation) {
     thud_shape_state state;
     thud_result result = thud_shape_get_state(world, api_shape(index1, generation), &state);
     if (result != THUD_OK)

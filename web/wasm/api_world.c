@@ -245,7 +245,7 @@ int api_world_bisection_limit(thud_world *world) {
 }
 
 /* Slots out: step_error. */
-void api_world_error(const thud_world *world) {
+void api_world_step_error(const thud_world *world) {
     thud_step_error error = thud_step_error_of(world);
     api_slots.step_error.penetration_max = error.penetration_max;
     api_slots.step_error.penetration_mean = error.penetration_mean;
@@ -274,8 +274,7 @@ void api_world_hash(const thud_world *world) {
     api_slots.hash.lower = (double)(uint32_t)hash;
 }
 
-/* The world's own array of poses, or null (thud_world_get_poses). Slots out: list, only its count.
- */
+/* The array of thud_world_get_poses, or null where it is refused. Slots out: list, its count. */
 const thud_pose *api_world_poses(thud_world *world, double x, double y, double alpha) {
     int count = 0;
     const thud_pose *poses = thud_poses_of(world, (thud_pos){x, y}, alpha, &count);
