@@ -123,7 +123,7 @@ test("grip_brings_a_point_to_a_speed_along_an_axis_as_far_as_it_can", () => {
   world.step();
   assert.ok(Math.abs(world.velocityOf(car).velocity[0] - 2) < 1e-4);
   assert.throws(() => world.applyGrip(car, [0, 0], [0, 0], 0, 1), { code: "invalid" });
-  assert.throws(() => world.applyGrip(car, [0, 0], [1, 0], 0, -1), /most must be from 0 to 1e30: -1/);
+  assert.throws(() => world.applyGrip(car, [0, 0], [1, 0], 0, -1), /maxForce must be from 0 to 1e30: -1/);
   world.close();
 });
 

@@ -60,7 +60,7 @@ for (const [module, [method, ranges]] of Object.entries(ARGUMENTS))
       const values = outside(range).filter((value) => !(range.orZero && value === 0));
       const given = range.pair ? values.flatMap((value) => [[value, 0], [0, value]]) : values;
       const isOption = ["setMass", "applyWind"].includes(method);
-      if (!isOption && !["angle", "angularVelocity", "torque", "maxSteps"].includes(name)) given.push(undefined);
+      if (!isOption && !["angle", "angularVelocity", "maxSteps"].includes(name)) given.push(undefined);
       for (const value of given)
         inWorld((made) =>
           assert.throws(
@@ -69,7 +69,7 @@ for (const [module, [method, ranges]] of Object.entries(ARGUMENTS))
               assert.equal(error.name, "ThudError", error.stack);
               assert.equal(error.code, "invalid");
               assert.ok(error.message.startsWith(`${method}: ${name} must be `), error.message);
-              if (value === undefined) assert.match(error.message, /: it is missing$/);
+              if (value === undefined) assert.match(error.message, /: it is missing(; without a point write \w+ or \w+)?$/);
               return true;
             },
             String(value),
@@ -86,7 +86,21 @@ test("range_of_an_argument_is_told_in_lengths_of_the_world", () => {
     refused(() => world.setTimeStep(2), "setTimeStep: seconds must be above 0 and at most 1: 2");
     const most = LENGTHS * SCALE;
     refused(() => world.setJointLength(of.setJointLength, 0), `setJointLength: length must be above 0 and at most ${most.toExponential().replace("+", "")}: 0`);
-    refused(() => world.applyForceAt(ball, [0, 1], [1, 5e9]), "applyForceAt: point must be two numbers from -4e9 to 4e9: [1, 5000000000]");
+    refused(() => world.applyForce(ball, [0, 1], [1, 5e9]), "applyForce: point must be two numbers from -4e9 to 4e9: [1, 5000000000]");
+  });
+});
+
+test("call_without_a_point_is_refused_with_the_name_of_the_call_at_the_centre", () => {
+  inWorld(({ world, ball }) => {
+    const told = (call, others) => (error) =>
+      error.code === "invalid" &&
+      error.message === `${call}: point must be two numbers from -4e9 to 4e9: it is missing; without a point write ${others}`;
+    const forces = told("applyForce", "applyCenterForce or applyTorque");
+    assert.throws(() => world.applyForce(ball, [0, 1]), forces);
+    assert.throws(() => world.applyForce(ball, [0, 1], 0.5), forces);
+    const impulses = told("applyImpulse", "applyCenterImpulse or applyAngularImpulse");
+    assert.throws(() => world.applyImpulse(ball, [0, 1]), impulses);
+    assert.throws(() => world.applyForce(ball, [NaN, 1]), /^ThudError: applyForce: force must be two/);
   });
 });
 

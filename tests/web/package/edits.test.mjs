@@ -190,7 +190,7 @@ test("pushes_move_and_turn_as_formulas_say", () => {
   world.applyAngularImpulse(box, 0.5);
   near(world.velocityOf(box).angularVelocity, 0.5 / inertia);
   world.setVelocity(box, [0, 0], 0);
-  world.applyForceAt(box, [0, 60], [101, 10]);
+  world.applyForce(box, [0, 60], [101, 10]);
   world.step();
   near(world.velocityOf(box).velocity, [0, 1 / mass], 1e-4);
   near(world.velocityOf(box).angularVelocity, 1 / inertia, 1e-3);

@@ -217,7 +217,7 @@ test("what_scene_code_does_to_a_body_is_done_to_the_rival_once", () => {
     assert.deepEqual(rival.bodyStateOf(later).velocity, [0, 7]);
     assert.deepEqual(rival.bodyStateOf(ball).velocity, [1, 2]);
     world.setGravity([0, -6]);
-    world.applyForce(ball, [60 * mass, 0], 0);
+    world.applyCenterForce(ball, [60 * mass, 0]);
     step(world, rival, 1);
     near(rival.bodyStateOf(ball).velocity[0], 2, 1e-4);
     near(rival.bodyStateOf(ball).velocity[1], 1.9, 1e-4);
@@ -237,11 +237,16 @@ test("pushes_at_points_and_turns_are_done_to_the_rival_too", () => {
     assert.deepEqual(rival.bodyStateOf(ball).velocity.map(Math.round), [2, 1]);
     near(rival.bodyStateOf(ball).angularVelocity, 3, 1e-4);
     world.setVelocity(ball, [0, 0], 0);
-    world.applyForceAt(ball, [0, 60 * mass], [0.5, 0]);
+    world.applyForce(ball, [0, 60 * mass], [0.5, 0]);
     step(world, rival, 1);
     const [thuds, rivals] = [world, rival].map((hands) => hands.bodyStateOf(ball));
     near(rivals.velocity[1], 1, 1e-3);
     near(rivals.angularVelocity, thuds.angularVelocity, 1e-2);
+    world.setVelocity(ball, [0, 0], 0);
+    world.applyTorque(ball, 60 * inertia);
+    step(world, rival, 1);
+    near(rival.bodyStateOf(ball).angularVelocity, 1, 1e-2);
+    assert.deepEqual(rival.bodyStateOf(ball).velocity, [0, 0]);
   });
 });
 
@@ -249,9 +254,9 @@ test("force_on_a_body_that_just_came_acts_on_the_rival_too", () => {
   withRival({ gravity: [0, 0] }, () => {}, (world, rival, _, known) => {
     known.forwardTo(rival);
     const ball = addBall(world, [0, 0]);
-    world.applyForce(ball, [60 * world.bodyStateOf(ball).mass, 0]);
+    world.applyCenterForce(ball, [60 * world.bodyStateOf(ball).mass, 0]);
     const bar = addBall(world, [9, 0]);
-    world.applyForceAt(bar, [0, 60], [9.5, 0]);
+    world.applyForce(bar, [0, 60], [9.5, 0]);
     step(world, rival, 1);
     near(rival.bodyStateOf(ball).velocity[0], 1, 1e-3);
     near(rival.bodyStateOf(bar).angularVelocity, world.bodyStateOf(bar).angularVelocity, 1e-2);

@@ -166,7 +166,7 @@ test("what_a_scene_tries_and_takes_back_is_not_done_to_the_rival", () => {
   beside({ gravity: [0, 0] }, (world) => addBall(world, [0, 0]), (world, rival, ball) => {
     world.whatIf(() => {
       world.setVelocity(ball, [9, 0]);
-      world.setRule(1, 1, { meeting: "ignore" });
+      world.setRule(1, 1, { kind: "ignore" });
       world.step();
     });
     assert.deepEqual(rival.bodyStateOf(ball).velocity, [0, 0]);
@@ -202,8 +202,8 @@ function buildPair(world) {
 }
 
 for (const [name, allow] of [
-  ["rule", (world) => world.setRule(2, 4, { meeting: "ignore" })],
-  ["one_way_rule", (world) => world.setRule(2, 4, { meeting: "oneWay" })],
+  ["rule", (world) => world.setRule(2, 4, { kind: "ignore" })],
+  ["one_way_rule", (world) => world.setRule(2, 4, { kind: "oneWay" })],
   ["filter", (world, pair) => world.setPairFilter((a, b) => !has(world, [a, b], pair.ball))],
   ["listener", (world) => world.setListeners({ prologue: vetoAll })],
 ])
@@ -241,7 +241,7 @@ function vetoAll(rows, count) {
 test("overlap_counts_again_what_is_not_let_through_any_more", () => {
   const build = (world) => {
     const pair = buildPair(world);
-    world.setRule(2, 4, { meeting: "ignore" });
+    world.setRule(2, 4, { kind: "ignore" });
     return pair;
   };
   beside({ gravity: [0, 0] }, build, (world) => {

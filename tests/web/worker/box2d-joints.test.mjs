@@ -144,7 +144,7 @@ test("joint_that_broke_in_box2d_alone_stays_broken_as_bodies_come", () => {
     rival.sync();
     assert.equal(rival.jointGaps().length, 2, "a gap for each engine");
     // Box2D's ball alone is pulled by more than the joint bears.
-    rival.applyForce(ball, [0, -100]);
+    rival.applyCenterForce(ball, [0, -100]);
     step(world, rival, 2);
     assert.deepEqual(rival.jointGaps(), []);
     addBall(world, [9, 9]);

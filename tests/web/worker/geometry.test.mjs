@@ -31,14 +31,14 @@ test("impact_is_where_the_way_enters_the_sum_and_where_halving_finds_it", () => 
   const moving = [a, { way: [1, 0] }, b, { way: [-3, 0] }];
   const impact = geometry.timeOfImpact(engine, ...moving);
   near(geometry.minkowskiCast(engine, ...moving).fraction, impact, 1e-12);
-  const { time, sure } = geometry.timeOfCollision(engine, ...moving, 2 ** -20);
+  const { time, bisectable } = geometry.timeOfCollision(engine, ...moving, 2 ** -20);
   assert.ok(time <= impact && impact - time <= 2 ** -20, `${time} before ${impact}`);
-  assert.equal(sure, false, "it moves by more than it is thick");
+  assert.equal(bisectable, false, "it moves by more than it is thick");
   const away = [a, { way: [-0.1, 0] }, b, { way: [0.1, 0] }];
   assert.equal(geometry.timeOfImpact(engine, ...away), null);
   assert.equal(geometry.minkowskiCast(engine, ...away), null);
   const parted = geometry.timeOfCollision(engine, ...away, 2 ** -20);
-  assert.deepEqual(parted, { time: null, sure: true });
+  assert.deepEqual(parted, { time: null, bisectable: true });
 });
 
 test("turning_bar_meets_what_it_would_pass_unturned", () => {
@@ -53,7 +53,7 @@ test("turning_bar_meets_what_it_would_pass_unturned", () => {
 test("circles_pass_each_other_at_the_least_distance", () => {
   const passing = [circle(0, 0), { way: [4, 0] }, circle(2, 3), STILL];
   assert.deepEqual(geometry.approach(engine, ...passing), {
-    ...{ time: null, least: 3, leastTime: 0.5 },
+    ...{ time: null, minDistance: 3, minDistanceTime: 0.5 },
   });
   assert.throws(() => geometry.approach(engine, box(0, 0), STILL, circle(1, 1), STILL), {
     code: "invalid",

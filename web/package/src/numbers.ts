@@ -6,7 +6,7 @@
 import { ThudError } from "./error.js";
 import { FILTER_OPTIONS, ListAt, QUALITY_OPTIONS } from "./generated/slots.js";
 import { shown } from "./checks/hook.js";
-import { checkNames } from "./checks/names.js";
+import { checkOptions } from "./checks/names.js";
 import { COVERS } from "./fields/field-types.js";
 import { generationOf, index1Of, Kind } from "./plain/handles.js";
 import { RULE_KINDS } from "./rules/rule-types.js";
@@ -29,8 +29,9 @@ type Numbers = Float64Array | Float32Array | Uint32Array;
 
 /**
  * The options that are words, and the words of each in the order of the module's enum: the module
- * takes the word's index. `kind` is a body's (the kind of a shape or joint is no slot of its options
- * and never comes here), `base` a quality's, `cover` an explosion's, `meeting` a rule's.
+ * takes the word's index. `kind` is a body's (that of a rule is one of RULE_KINDS; the kind of a
+ * shape or joint is no slot of its options and never comes here), `base` a quality's, `cover` an
+ * explosion's.
  */
 const WORDS: Readonly<Record<string, readonly string[]>> = {
   kind: BODY_KINDS,
@@ -53,7 +54,7 @@ export function numbersOf(
   names: readonly string[],
   others: readonly string[] = [],
 ): (number | undefined)[] {
-  checkNames(what, options, names, others);
+  checkOptions(what, options, names, others);
   const given = options as Readonly<Record<string, unknown>>;
   const numbers: (number | undefined)[] = [];
   for (let i = 0; i < names.length; i++) {
@@ -77,13 +78,14 @@ export function numbersOf(
 function numberOfOption(what: string, name: string, value: unknown): number {
   if (typeof value === "number" && name !== "userData") return value;
   if (name === "userData") return userDataOf(value as number, `${what}: userData`);
-  return WORDS[name] ? indexOf(WORDS[name], value as string, `${what}: ${name}`) : Number(value);
+  const words = what === "setRule" && name === "kind" ? RULE_KINDS : WORDS[name];
+  return words ? indexOf(words, value as string, `${what}: ${name}`) : Number(value);
 }
 
 /**
- * Writes those options that are given, in the order of `names`, to the slots from 0 on. A slot whose
- * option is not given keeps the default that the caller has written there before. Otherwise as
- * `numbersOf`, but allocates no list.
+ * Writes those options that are given, in the order of `names`, to the slots from 0 on. A slot
+ * whose option is not given keeps the default that the caller has written there before. Otherwise
+ * as `numbersOf`, but allocates no list.
  */
 export function writeOptions(
   what: string,
@@ -92,7 +94,7 @@ export function writeOptions(
   names: readonly string[],
   others: readonly string[],
 ): void {
-  checkNames(what, options, names, others);
+  checkOptions(what, options, names, others);
   const given = options as Readonly<Record<string, unknown>>;
   for (let i = 0; i < names.length; i++) {
     const value = given[names[i]];
@@ -116,8 +118,9 @@ export function writeOptions(
 const QUALITY = ["base", ...QUALITY_OPTIONS] as const;
 
 /**
- * The index of the quality in QUALITIES, or of the one that QualityOptions start from, and the values
- * that replace some of its own, in the order of QUALITY_OPTIONS; undefined: its own value is kept.
+ * The index of the quality in QUALITIES, or of the one that QualityOptions start from, and the
+ * values that replace some of its own, in the order of QUALITY_OPTIONS; undefined: its own value is
+ * kept.
  */
 export function qualityNumbers(
   quality: Quality | QualityOptions = "default",
@@ -130,8 +133,8 @@ export function qualityNumbers(
 }
 
 /**
- * The handle of a body. `index1`, which the module counts with, is the index of the body's record in
- * its world plus 1; 0 stands for no body.
+ * The handle of a body. `index1`, which the module counts with, is the index of the body's record
+ * in its world plus 1; 0 stands for no body.
  */
 export function bodyId(index1: number, generation: number): BodyId {
   return Object.freeze({ kind: "body", index: index1 - 1, generation });
@@ -182,8 +185,8 @@ export function flagOf(flag: boolean, name: string): number {
 }
 
 /**
- * The numbers of a solid, a shape of any kind but terrain: the index of its kind in SOLID_KINDS, half
- * extents (of a circle: radius, 0), which are lengths, and angle in radians.
+ * The numbers of a solid, a shape of any kind but terrain: the index of its kind in SOLID_KINDS,
+ * half extents (of a circle: radius, 0), which are lengths, and angle in radians.
  */
 export type SolidNumbers = [kind: number, hx: number, hy: number, angle: number];
 
@@ -204,7 +207,7 @@ export const FORMS: Readonly<Record<ShapeKind, readonly string[]>> = {
 /** The numbers of a solid. `others`: options that it may have beside its form. */
 export function solidNumbers(shape: SolidShape, others: readonly string[] = []): SolidNumbers {
   const kind = indexOf(SOLID_KINDS, shape.kind, "shape kind");
-  checkNames(shape.kind, shape, FORMS[shape.kind], others);
+  checkOptions(shape.kind, shape, FORMS[shape.kind], others);
   if (shape.kind === "circle") return [kind, shape.radius, 0, 0];
   return [kind, shape.halfWidth, shape.halfHeight, shape.kind === "obb" ? shape.angle : 0];
 }
@@ -238,8 +241,8 @@ export function userDataOf(value: number | undefined, what = "userData"): number
 }
 
 /**
- * The numbers of a query's filter, in the order of `filter_options` in slots.h; the last two are the
- * handle of the body to ignore, 0 and 0 where there is none.
+ * The numbers of a query's filter, in the order of `filter_options` in slots.h; the last two are
+ * the handle of the body to ignore, 0 and 0 where there is none.
  */
 export function filterNumbers(filter: QueryFilter): number[] {
   const numbers = numbersOf("filter", filter, FILTER_OPTIONS, ["ignore"]);

@@ -11,7 +11,7 @@ import {
   TYRE_OPTIONS,
   WATER_OPTIONS,
 } from "./generated/slots.js";
-import { checkNames } from "./checks/names.js";
+import { checkOptions } from "./checks/names.js";
 import { explained } from "./checks/hook.js";
 import { fill, filterNumbers, numbersOf, writeOptions, xOf } from "./numbers.js";
 import { Kind } from "./plain/handles.js";
@@ -51,7 +51,7 @@ export class WorldFields extends WorldForces {
    * @example world.applyWind(flag, [8, 0], { drag: 1.2 })
    */
   applyWind(body: BodyRef, velocity: Vec2, wind: Wind = {}): void {
-    checkNames("applyWind", wind, WIND);
+    checkOptions("applyWind", wind, WIND);
     const { density = 1, drag = 1, lift = 1 } = wind;
     this.on(Kind.body, "api_body_apply_wind", body, xOf(velocity, "velocity"), velocity?.[1], density, drag, lift);
   }
@@ -81,7 +81,7 @@ export class WorldFields extends WorldForces {
    * @throws {ThudError} "invalid", "stale"; "locked" inside a callback; "memory".
    */
   applyRollingResistance(body: BodyRef, coefficient: number): void {
-    this.on(Kind.body, "api_body_apply_rolling", body, coefficient);
+    this.on(Kind.body, "api_body_apply_rolling_resistance", body, coefficient);
   }
 
   /**

@@ -142,7 +142,7 @@ export class WorldForces extends WorldEdits {
    * @throws {ThudError} "stale".
    * @example world.motionOf(ball, numbers)
    */
-  motionOf<List extends Into>(body: BodyRef, into: List): List {
+  motionOf(body: BodyRef, into: Into): Into {
     this.positionOf(body, into);
     this.on(Kind.body, "api_body_rotation", body);
     const s = this.engine.slots;

@@ -77,7 +77,7 @@ export class WorldJoints extends WorldViews {
    * @example world.jointStateOf(joint).force
    */
   jointStateOf(joint: JointRef): JointState {
-    this.on(Kind.joint, "api_joint_get", joint);
+    this.on(Kind.joint, "api_joint_state", joint);
     const s = this.engine.slots;
     const [along, across, turn] = s.subarray(JointStateAt.value);
     const driveAt = (i: number): DriveForces => {

@@ -85,7 +85,7 @@ export class WorldLists extends WorldRules {
    * @example if (world.sensorOverlapsOf(goal).length > 0) score()
    */
   sensorOverlapsOf(sensor: ShapeRef): ShapeId[] {
-    this.on(Kind.shape, "api_sensor_overlaps", sensor);
+    this.on(Kind.shape, "api_shape_sensor_overlaps", sensor);
     return this.shapeIds();
   }
 
@@ -97,7 +97,7 @@ export class WorldLists extends WorldRules {
   pairOf({ a, b }: Pick<ContactEvent, "a" | "b">): Pair {
     const { exports, slots: s } = this.engine;
     const [index1A, index1B] = [index1Of(a, Kind.shape), index1Of(b, Kind.shape)];
-    const call = exports.api_pair_get;
+    const call = exports.api_world_pair;
     this.engine.check(call(this.address, index1A, a.generation, index1B, b.generation));
     return { a: readSide(s, PairAt.a), b: readSide(s, PairAt.b) };
   }
@@ -136,7 +136,7 @@ export class WorldLists extends WorldRules {
 
   /** The category bits of a shape. */
   #categoryOf(shape: ShapeId): number {
-    this.on(Kind.shape, "api_shape_get", shape);
+    this.on(Kind.shape, "api_shape_state", shape);
     return this.engine.slots[ShapeStateAt.category];
   }
 

@@ -12,7 +12,7 @@ import {
   NumberAt,
   RayHitAt,
 } from "./generated/slots.js";
-import { checkNames } from "./checks/names.js";
+import { checkOptions } from "./checks/names.js";
 import {
   fill,
   filterNumbers,
@@ -185,7 +185,7 @@ export class WorldQueries extends WorldBase {
     const { exports } = this.#asked(filter);
     if (query.kind === "bounds") {
       const { lower, upper } = query;
-      checkNames("bounds", query, ["kind", "lower", "upper"]);
+      checkOptions("bounds", query, ["kind", "lower", "upper"]);
       const [left, bottom, right, top] = [xOf(lower, "lower"), lower?.[1], xOf(upper, "upper"), upper?.[1]];
       const result = exports.api_overlap_aabb(this.address, left, bottom, right, top);
       if (result !== 0) this.refuse(result, "overlap", query);

@@ -216,7 +216,7 @@ export class WorldViews extends WorldQueries {
    * pass over joints and contacts.
    */
   stepError(): StepError {
-    this.engine.exports.api_world_error(this.address);
+    this.engine.exports.api_world_step_error(this.address);
     const s = this.engine.slots;
     return {
       penetrationMax: s[StepErrorAt.penetrationMax],

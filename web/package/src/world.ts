@@ -158,7 +158,7 @@ export class World extends WorldShapes {
    * @example world.bodyStateOf(ball).position
    */
   bodyStateOf(body: BodyRef): BodyState {
-    this.on(Kind.body, "api_body_get", body);
+    this.on(Kind.body, "api_body_state", body);
     const s = this.engine.slots;
     return {
       kind: BODY_KINDS[s[BodyStateAt.kind]],

@@ -165,7 +165,7 @@ export default async function ({ createWorld, readText, random, seed }) {
 
   function pushByWind(game) {
     const { mass, velocity } = world.bodyStateOf(shell);
-    world.applyForce(shell, [mass * game.wind, 0]);
+    world.applyCenterForce(shell, [mass * game.wind, 0]);
     game.velocity = [velocity[0] + game.wind * STEP, velocity[1] - GRAVITY * STEP];
   }
 

@@ -31,7 +31,7 @@ export default function ({ createWorld, random, seed, size }) {
     update({ held }) {
       const along = (held.right ? PUSH : 0) - (held.left ? PUSH : 0);
       const up = held.up ? 2 * PUSH : 0;
-      if (along || up) world.applyForce(ball, [along, up]);
+      if (along || up) world.applyCenterForce(ball, [along, up]);
     },
 
     paint() {

@@ -157,11 +157,11 @@ export class Ruler implements Twin {
     this.#oneWay.clear();
     for (const [i, first] of kinds.entries())
       for (const second of kinds.slice(i)) {
-        const meeting = this.#source.rule(first, second)?.meeting;
+        const kind = this.#source.rule(first, second)?.kind;
         const ignored = this.#world.rule(first, second) !== null;
-        if (ignored !== (meeting === "ignore"))
-          this.#world.setRule(first, second, ignored ? null : { meeting: "ignore" });
-        if (meeting === "oneWay") this.#oneWay.add(keyOf(first, second));
+        if (ignored !== (kind === "ignore"))
+          this.#world.setRule(first, second, ignored ? null : { kind: "ignore" });
+        if (kind === "oneWay") this.#oneWay.add(keyOf(first, second));
       }
   }
 

@@ -341,11 +341,22 @@ export class Box2DWorld implements Follower, Twin {
     );
   }
 
-  applyForce(body: BodyId, force: Vec2, torque = 0): void {
-    const { b2Body_ApplyForceToCenter, b2Body_ApplyTorque } = this.#box2d;
+  applyForce(body: BodyId, force: Vec2, point: Vec2): void {
+    const { b2Body_ApplyForce } = this.#box2d;
+    const entry = this.#entry(body);
+    this.#withMetres(force, (f) =>
+      this.#withPlace(point, (at) => b2Body_ApplyForce(entry.body, f, at, true)),
+    );
+  }
+
+  applyCenterForce(body: BodyId, force: Vec2): void {
+    const { b2Body_ApplyForceToCenter } = this.#box2d;
     const entry = this.#entry(body);
     this.#withMetres(force, (f) => b2Body_ApplyForceToCenter(entry.body, f, true));
-    b2Body_ApplyTorque(entry.body, torque / this.#common.unit ** 2, true);
+  }
+
+  applyTorque(body: BodyId, torque: number): void {
+    this.#box2d.b2Body_ApplyTorque(this.#entry(body).body, torque / this.#common.unit ** 2, true);
   }
 
   setAwake(body: BodyId, awake: boolean): void {

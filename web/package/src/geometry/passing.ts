@@ -24,7 +24,7 @@ export interface ClosestPoints {
 /** The closest points of two shapes, and whether they overlap. */
 export function closest(engine: Engine, a: PlacedShape, b: PlacedShape): ClosestPoints {
   putPair(engine, a, b);
-  checkGeometry("closest", engine.exports.api_shapes_closest());
+  checkGeometry("closest", engine.exports.api_geometry_closest());
   const s = engine.slots;
   return {
     overlaps: s[ClosestFeaturesAt.overlaps] !== 0,
@@ -49,7 +49,7 @@ export function timeOfImpact(
   target = 0,
 ): number | null {
   putPair(engine, a, b, motionA, motionB);
-  checkGeometry("timeOfImpact", engine.exports.api_shapes_time_of_impact(target));
+  checkGeometry("timeOfImpact", engine.exports.api_geometry_time_of_impact(target));
   const s = engine.slots;
   return s[MeetingAt.found] === 0 ? null : s[MeetingAt.time];
 }
@@ -79,7 +79,7 @@ export function timeOfCollision(
   tolerance: number,
 ): Collision {
   putPair(engine, a, b, motionA, motionB);
-  checkGeometry("timeOfCollision", engine.exports.api_shapes_time_of_collision(tolerance));
+  checkGeometry("timeOfCollision", engine.exports.api_geometry_time_of_collision(tolerance));
   const s = engine.slots;
   return {
     time: s[MeetingAt.found] === 0 ? null : s[MeetingAt.time],
@@ -109,7 +109,7 @@ export function approach(
   motionB: Motion,
 ): Approach {
   putPair(engine, a, b, motionA, motionB);
-  checkGeometry("approach", engine.exports.api_circles_approach());
+  checkGeometry("approach", engine.exports.api_geometry_approach());
   const s = engine.slots;
   return {
     time: s[MeetingAt.found] === 0 ? null : s[MeetingAt.time],

@@ -3,7 +3,7 @@
  * pair filter. thud_rules.h and thud_listeners.h describe them in full.
  */
 import { ImpulseEventAt, ListAt, RULE_OPTIONS, RuleFoundAt, RuleOptionsAt } from "../generated/slots.js";
-import { checkNames } from "../checks/names.js";
+import { checkOptions } from "../checks/names.js";
 import { fill, indexOf, numbersOf, rowsOf, shapeAt, vecAt } from "../numbers.js";
 import { WorldFields } from "../world-fields.js";
 import {
@@ -74,7 +74,7 @@ export class WorldRules extends WorldFields {
    * @example for (const { a } of world.impulseEvents()) world.destroy(a)
    */
   impulseEvents(): ImpulseEvent[] {
-    this.onWorld("api_world_impulses");
+    this.onWorld("api_world_impulse_events");
     const { buffer, slots } = this.engine;
     return rowsOf(Float64Array, buffer, slots, ListAt.address, ImpulseEventAt.length, readImpulse);
   }
@@ -84,7 +84,7 @@ export class WorldRules extends WorldFields {
    * the engine.
    */
   impulseEventView(): Float64Array {
-    this.onWorld("api_world_impulses");
+    this.onWorld("api_world_impulse_events");
     const { buffer, slots: s } = this.engine;
     const count = s[ListAt.count] * ImpulseEventAt.length;
     return new Float64Array(buffer, count === 0 ? 0 : s[ListAt.address], count);
@@ -102,7 +102,7 @@ export class WorldRules extends WorldFields {
    */
   setListeners(listeners: Listeners | null): void {
     const { prologue, epilogue, without = [] } = listeners ?? {};
-    checkNames("listeners", listeners ?? {}, LISTENERS);
+    checkOptions("listeners", listeners ?? {}, LISTENERS);
     const { exports, callbacks } = this.engine;
     const [asks, tells] = [prologue, epilogue].map((listener) => Number(listener !== undefined));
     const parts = without.reduce((bits, part) => bits | (1 << indexOf(CONTACT_PARTS, part, "part")), 0);

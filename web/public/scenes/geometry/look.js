@@ -65,8 +65,8 @@ function sumOf(thud, geometry, { center: [x, y], ...a }, { center, ...b }) {
 function leastSeparation(thud, geometry, moving) {
   const [a, { way: wayA }, b, { way: wayB }] = moving;
   if (a.kind === "circle" && b.kind === "circle") {
-    const { least, leastTime } = geometry.approach(thud, ...moving);
-    return { distance: least - a.radius - b.radius, time: leastTime, closed: true };
+    const { minDistance, minDistanceTime } = geometry.approach(thud, ...moving);
+    return { distance: minDistance - a.radius - b.radius, time: minDistanceTime, closed: true };
   }
   const distanceAt = (time) =>
     geometry.closest(thud, along(a, wayA, time), along(b, wayB, time)).distance;
