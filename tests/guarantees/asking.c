@@ -319,11 +319,11 @@ static void movers_enter_nothing(trial *t) {
 }
 
 const guarantee guarantees_of_asking[] = {
-    {"casts_hit_by_hit_tell_what_all_do", casts_hit_by_hit_tell_what_all_do, {{0}}},
-    {"casts_stop_at_the_first", casts_stop_at_the_first, {{0}}},
-    {"closest_is_the_closest", closest_is_the_closest, {{0}}},
-    {"movers_enter_nothing", movers_enter_nothing, {{0}}},
-    {"overlaps_find_all", overlaps_find_all, {{0}}},
-    {"rays_hit_the_nearest", rays_hit_the_nearest, {{0}}},
-    {NULL, NULL, {{0}}},
+    GUARANTEE(casts_hit_by_hit_tell_what_all_do),
+    GUARANTEE(casts_stop_at_the_first),
+    GUARANTEE(closest_is_the_closest),
+    GUARANTEE(movers_enter_nothing),
+    GUARANTEE(overlaps_find_all),
+    GUARANTEE(rays_hit_the_nearest),
+    {.name = NULL},
 };

@@ -377,15 +377,15 @@ static void same_outcome_at_any_rate(trial *t) {
 }
 
 const guarantee guarantees_of_bits[] = {
-    {"same_outcome_at_any_rate", same_outcome_at_any_rate, {{0}}},
-    {"same_bits_any_broadphase", same_bits_any_broadphase, {{0}}},
-    {"same_bits_any_rounding_mode", same_bits_any_rounding_mode, {{0}}},
-    {"same_bits_any_workers", same_bits_any_workers, {{0}}},
-    {"same_bits_after_restore", same_bits_after_restore, {{0}}},
-    {"same_bits_asked_or_not", same_bits_asked_or_not, {{0}}},
-    {"same_bits_baseline_simd", same_bits_baseline_simd, {{0}}},
-    {"same_bits_far_away", same_bits_far_away, {{0}}},
-    {"same_bits_in_advance", same_bits_in_advance, {{0}}},
-    {"same_bits_twice", same_bits_twice, {{0}}},
-    {NULL, NULL, {{0}}},
+    GUARANTEE(same_outcome_at_any_rate),
+    GUARANTEE(same_bits_any_broadphase),
+    GUARANTEE(same_bits_any_rounding_mode),
+    GUARANTEE(same_bits_any_workers),
+    GUARANTEE(same_bits_after_restore),
+    GUARANTEE(same_bits_asked_or_not),
+    GUARANTEE(same_bits_baseline_simd),
+    GUARANTEE(same_bits_far_away),
+    GUARANTEE(same_bits_in_advance),
+    GUARANTEE(same_bits_twice),
+    {.name = NULL},
 };

@@ -317,14 +317,14 @@ static void destroyed_bodies_are_gone(trial *t) {
 }
 
 const guarantee guarantees_of_bodies[] = {
-    {"all_is_finite", all_is_finite, {{0}}},
-    {"destroyed_bodies_are_gone", destroyed_bodies_are_gone, {{0}}},
-    {"disabled_bodies_are_not_there", disabled_bodies_are_not_there, {{0}}},
-    {"falls_follow_gravity", falls_follow_gravity, {{0}}},
-    {"forces_act_for_one_step", forces_act_for_one_step, {{0}}},
-    {"kinematic_bodies_push", kinematic_bodies_push, {{0}}},
-    {"speeds_have_their_limits", speeds_have_their_limits, {{0}}},
-    {"what_cannot_move_does_not", what_cannot_move_does_not, {{0}}},
-    {"what_is_thrown_off_has_its_limit", what_is_thrown_off_has_its_limit, {{0}}},
-    {NULL, NULL, {{0}}},
+    GUARANTEE(all_is_finite),
+    GUARANTEE(destroyed_bodies_are_gone),
+    GUARANTEE(disabled_bodies_are_not_there),
+    GUARANTEE(falls_follow_gravity),
+    GUARANTEE(forces_act_for_one_step),
+    GUARANTEE(kinematic_bodies_push),
+    GUARANTEE(speeds_have_their_limits),
+    GUARANTEE(what_cannot_move_does_not),
+    GUARANTEE(what_is_thrown_off_has_its_limit),
+    {.name = NULL},
 };

@@ -321,10 +321,7 @@ static void callbacks_edit_the_next_step(trial *t) {
 }
 
 const guarantee guarantees_of_callbacks[] = {
-    {"callbacks_edit_the_next_step", callbacks_edit_the_next_step, {{0}}},
-    {"one_way_platforms_hold_from_above", one_way_platforms_hold_from_above, {{0}}},
-    {"prologue_asks_each_pair_once", prologue_asks_each_pair_once, {{0}}},
-    {"surfaces_are_what_a_prologue_sets", surfaces_are_what_a_prologue_sets, {{0}}},
-    {"vetoed_pairs_do_nothing", vetoed_pairs_do_nothing, {{0}}},
-    {NULL, NULL, {{0}}},
+    GUARANTEE(callbacks_edit_the_next_step), GUARANTEE(one_way_platforms_hold_from_above),
+    GUARANTEE(prologue_asks_each_pair_once), GUARANTEE(surfaces_are_what_a_prologue_sets),
+    GUARANTEE(vetoed_pairs_do_nothing),      {.name = NULL},
 };

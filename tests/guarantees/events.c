@@ -312,13 +312,12 @@ static void sensors_stop_nothing(trial *t) {
 }
 
 const guarantee guarantees_of_events[] = {
-    {"a_fall_begins_and_hits_once", a_fall_begins_and_hits_once, {{0}}},
-    {"each_begin_has_one_end", each_begin_has_one_end, {{0}}},
-    {"sensors_report_all_they_overlap", sensors_report_all_they_overlap, {{0}}},
-    {"sensors_report_what_passes",
-     sensors_report_what_passes,
-     {{DETECTION, BIT(OVERLAP), "it looks where shapes stand, and nowhere else"}}},
-    {"sensors_stop_nothing", sensors_stop_nothing, {{0}}},
-    {"without_contact_events_sensors_report", without_contact_events_sensors_report, {{0}}},
-    {NULL, NULL, {{0}}},
+    GUARANTEE(a_fall_begins_and_hits_once),
+    GUARANTEE(each_begin_has_one_end),
+    GUARANTEE(sensors_report_all_they_overlap),
+    GUARANTEE_EXCEPT(sensors_report_what_passes,
+                     {DETECTION, BIT(OVERLAP), "it looks where shapes stand, and nowhere else"}),
+    GUARANTEE(sensors_stop_nothing),
+    GUARANTEE(without_contact_events_sensors_report),
+    {.name = NULL},
 };

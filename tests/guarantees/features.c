@@ -273,14 +273,12 @@ static void late_inputs_end_as_a_straight_run(trial *t) {
 }
 
 const guarantee guarantees_of_features[] = {
-    {"edits_of_callbacks_wait_for_the_step_asked_or_not",
-     edits_of_callbacks_wait_for_the_step_asked_or_not,
-     {{0}}},
-    {"late_inputs_end_as_a_straight_run", late_inputs_end_as_a_straight_run, {{0}}},
-    {"same_bits_of_casts", same_bits_of_casts, {{0}}},
-    {"same_bits_with_fields", same_bits_with_fields, {{0}}},
-    {"same_bits_with_locks_and_joints", same_bits_with_locks_and_joints, {{0}}},
-    {"same_bits_with_rules", same_bits_with_rules, {{0}}},
-    {"same_hits_any_workers", same_hits_any_workers, {{0}}},
-    {NULL, NULL, {{0}}},
+    GUARANTEE(edits_of_callbacks_wait_for_the_step_asked_or_not),
+    GUARANTEE(late_inputs_end_as_a_straight_run),
+    GUARANTEE(same_bits_of_casts),
+    GUARANTEE(same_bits_with_fields),
+    GUARANTEE(same_bits_with_locks_and_joints),
+    GUARANTEE(same_bits_with_rules),
+    GUARANTEE(same_hits_any_workers),
+    {.name = NULL},
 };

@@ -189,8 +189,8 @@ static void kinds_that_ignore_each_other_do_not_meet(trial *t) {
 }
 
 const guarantee guarantees_of_filters[] = {
-    {"filters_decide_who_stops", filters_decide_who_stops, {{0}}},
-    {"filters_keep_apart", filters_keep_apart, {{0}}},
-    {"kinds_that_ignore_each_other_do_not_meet", kinds_that_ignore_each_other_do_not_meet, {{0}}},
-    {NULL, NULL, {{0}}},
+    GUARANTEE(filters_decide_who_stops),
+    GUARANTEE(filters_keep_apart),
+    GUARANTEE(kinds_that_ignore_each_other_do_not_meet),
+    {.name = NULL},
 };

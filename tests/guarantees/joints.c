@@ -299,11 +299,11 @@ static void joints_are_gone_with_their_bodies(trial *t) {
 }
 
 const guarantee guarantees_of_joints[] = {
-    {"drives_keep_their_forces", drives_keep_their_forces, {{0}}},
-    {"joints_are_gone_with_their_bodies", joints_are_gone_with_their_bodies, {{0}}},
-    {"joints_break_where_they_bear_too_much", joints_break_where_they_bear_too_much, {{0}}},
-    {"joints_close_before_they_sleep", joints_close_before_they_sleep, {{0}}},
-    {"joints_hold_what_they_lock", joints_hold_what_they_lock, {{0}}},
-    {"tied_bodies_pass_through_each_other", tied_bodies_pass_through_each_other, {{0}}},
-    {NULL, NULL, {{0}}},
+    GUARANTEE(drives_keep_their_forces),
+    GUARANTEE(joints_are_gone_with_their_bodies),
+    GUARANTEE(joints_break_where_they_bear_too_much),
+    GUARANTEE(joints_close_before_they_sleep),
+    GUARANTEE(joints_hold_what_they_lock),
+    GUARANTEE(tied_bodies_pass_through_each_other),
+    {.name = NULL},
 };

@@ -337,14 +337,14 @@ static void teleports_meet_nothing(trial *t) {
 }
 
 const guarantee guarantees_of_passing[] = {
-    {"bodies_own_detection_decides", bodies_own_detection_decides, {{0}}},
-    {"moving_bodies_meet", moving_bodies_meet, {{0}}},
-    {"nothing_is_lost", nothing_is_lost, {{0}}},
-    {"seams_catch_nothing", seams_catch_nothing, {{0}}},
-    {"swept_bodies_keep_apart",
-     swept_bodies_keep_apart,
-     {{DETECTION, ALL_BUT(SWEPT), "the soft contacts of the others begin by overlapping"}}},
-    {"teleports_meet_nothing", teleports_meet_nothing, {{0}}},
-    {"thin_static_walls_stop", thin_static_walls_stop, {{0}}},
-    {NULL, NULL, {{0}}},
+    GUARANTEE(bodies_own_detection_decides),
+    GUARANTEE(moving_bodies_meet),
+    GUARANTEE(nothing_is_lost),
+    GUARANTEE(seams_catch_nothing),
+    GUARANTEE_EXCEPT(swept_bodies_keep_apart,
+                     {DETECTION, ALL_BUT(SWEPT),
+                      "the soft contacts of the others begin by overlapping"}),
+    GUARANTEE(teleports_meet_nothing),
+    GUARANTEE(thin_static_walls_stop),
+    {.name = NULL},
 };

@@ -185,8 +185,8 @@ static void steps_without_memory_change_nothing(trial *t) {
 }
 
 const guarantee guarantees_of_refusal[] = {
-    {"damaged_snapshots_are_refused", damaged_snapshots_are_refused, {{0}}},
-    {"refused_calls_change_nothing", refused_calls_change_nothing, {{0}}},
-    {"steps_without_memory_change_nothing", steps_without_memory_change_nothing, {{0}}},
-    {NULL, NULL, {{0}}},
+    GUARANTEE(damaged_snapshots_are_refused),
+    GUARANTEE(refused_calls_change_nothing),
+    GUARANTEE(steps_without_memory_change_nothing),
+    {.name = NULL},
 };

@@ -193,10 +193,10 @@ static void sensors_list_what_they_told(trial *t) {
 }
 
 const guarantee guarantees_of_state[] = {
-    {"contacts_of_a_body_are_its_neighbours", contacts_of_a_body_are_its_neighbours, {{0}}},
-    {"dug_ground_lets_down_who_stood_there", dug_ground_lets_down_who_stood_there, {{0}}},
-    {"moved_bodies_are_those_elsewhere", moved_bodies_are_those_elsewhere, {{0}}},
-    {"poses_are_those_of_two_steps", poses_are_those_of_two_steps, {{0}}},
-    {"sensors_list_what_they_told", sensors_list_what_they_told, {{0}}},
-    {NULL, NULL, {{0}}},
+    GUARANTEE(contacts_of_a_body_are_its_neighbours),
+    GUARANTEE(dug_ground_lets_down_who_stood_there),
+    GUARANTEE(moved_bodies_are_those_elsewhere),
+    GUARANTEE(poses_are_those_of_two_steps),
+    GUARANTEE(sensors_list_what_they_told),
+    {.name = NULL},
 };
