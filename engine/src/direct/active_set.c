@@ -42,10 +42,9 @@
 #define RESIDUAL_SHARE 1e-4
 
 enum {
-    FACTORINGS_MAX = 6, /* factorisations before the method gives up; at rest it takes one */
-    UPDATES_MAX = 12,   /* updates of multipliers and friction bounds */
-    UPDATES_AGAIN =
-        4, /* the same in td_direct_solve_same_active_set, which has no new factorisation */
+    FACTORINGS_MAX = 6,    /* factorisations before the method gives up; at rest it takes one */
+    UPDATES_MAX = 12,      /* updates of multipliers and friction bounds */
+    UPDATES_AGAIN = 4,     /* the same with the active set of before, without a factorisation */
     CHANGED_PART = 6,      /* with more than one in so many rows changing in a Newton step, ... */
     CHANGED_ROWS_MIN = 100 /* ... of at least so many rows, the warm start is given up as useless */
 };

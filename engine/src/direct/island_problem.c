@@ -9,11 +9,12 @@
 
 #include <string.h>
 
-enum { FACTORINGS_MAX = 200 }; /* of an island in a step, whatever the quality allows. Chosen. */
+/* Factorisations of an island in a step, whatever the quality allows. Chosen. */
+enum { ISLAND_FACTORINGS_MAX = 200 };
 
 /* Greatest rotation, rad, for which lever arms of the start of the step are good enough. Chosen;
  * their error is 1 - cos 0.4, 8 %. */
-#define TURN_MAX 0.4
+#define PART_TURN_MAX 0.4
 
 /* Lanes whose impulses are the direct solver's begin without a warm start in the soft solver: it
  * cannot take back such an impulse within a step where a light body is between heavy ones. */
@@ -130,7 +131,7 @@ static void take_constraint(td_island_work *work, int i) {
 int td_island_factoring_budget(const thud_world *w, const td_island *island) {
     int64_t work = w->quality.island_work / w->quality.substeps * w->substeps;
     int64_t left = (work - w->stats.island_work) / td_island_cost(island);
-    return left < 0 ? 0 : left < FACTORINGS_MAX ? (int)left : FACTORINGS_MAX;
+    return left < 0 ? 0 : left < ISLAND_FACTORINGS_MAX ? (int)left : ISLAND_FACTORINGS_MAX;
 }
 
 static td_direct problem_of(thud_world *w, const td_island *island) {
@@ -160,7 +161,7 @@ td_island_work td_island_set_up(thud_world *w, const td_island *island) {
                            .time = w->def.time_step,
                            .elapsed = w->def.time_step,
                            .next = w->def.time_step,
-                           .turn_max = TURN_MAX};
+                           .turn_max = PART_TURN_MAX};
     for (int i = 0; i < island->bodies; i++) {
         take_body(&work, i);
     }

@@ -15,10 +15,10 @@ enum { PARTS_MAX = 64 };
 /* In islands of joints alone, a part is no longer than SUBSTEPS_OF_PART substeps, and the parts
  * that springs need are multiplied likewise, so that the error falls as the number of substeps
  * rises. Four are the substeps of quality default, whose steps have one part. This holds for
- * islands of up to FEW_BODIES bodies (a pendulum, a vehicle, a ragdoll); finer parts for all made a
- * chain of 100 links 2.2 times as dear at exact, and its phase error is hidden among its many
- * modes. */
-enum { SUBSTEPS_OF_PART = 4, FEW_BODIES = 16 };
+ * islands of up to SMALL_ISLAND_BODIES bodies (a pendulum, a vehicle, a ragdoll); finer parts for
+ * all made a chain of 100 links 2.2 times as dear at exact, and its phase error is hidden among its
+ * many modes. */
+enum { SUBSTEPS_OF_PART = 4, SMALL_ISLAND_BODIES = 16 };
 
 /* Upper bound of the angular speed of the line between a distance's anchors before the step, rad/s;
  * 0 for other kinds of joints. */
@@ -128,8 +128,8 @@ int td_island_parts(td_island_work *work) {
         return 0;
     }
     if (td_island_is_joints(work)) {
-        bool few = work->island->bodies <= FEW_BODIES;
-        double finer = few ? (double)work->w->substeps / SUBSTEPS_OF_PART : 1.0;
+        bool small = work->island->bodies <= SMALL_ISLAND_BODIES;
+        double finer = small ? (double)work->w->substeps / SUBSTEPS_OF_PART : 1.0;
         double phase = td_max_double(spring_phase(work) / PHASE_PART, 1.0);
         parts = td_max_double(parts, finer * phase);
     }

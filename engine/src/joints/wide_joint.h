@@ -47,16 +47,17 @@ TD_INLINE f8 max_bias(float closing, f8 k, f8 impulse) {
 }
 
 /* Adding and then subtracting 1.5 * 2^23 rounds a float to a whole number. */
-#define ROUNDING 12582912.0f
+#define ROUNDING_SHIFT 12582912.0f
 /* Rotations in a step are clamped to this, rad: a float has errors of 0.004 rad there, and rounding
  * to whole turns still works. */
-#define TURN_MAX 1e5f
+#define STEP_TURN_MAX 1e5f
 
 /* Cosine and sine of a rotation within a step, by their Taylor polynomials of degree 8 and 9:
  * errors are below 3e-7 up to a radian, 0.024 and 0.007 at half a turn. */
 TD_INLINE void cosine_and_sine(f8 x, f8 *c, f8 *s) {
-    f8 turns = f8_clamp(x, f8_all(-TURN_MAX), f8_all(TURN_MAX));
-    f8 whole = turns * f8_all((float)(0.5 / TD_PI)) + f8_all(ROUNDING) - f8_all(ROUNDING);
+    f8 turns = f8_clamp(x, f8_all(-STEP_TURN_MAX), f8_all(STEP_TURN_MAX));
+    f8 whole =
+        turns * f8_all((float)(0.5 / TD_PI)) + f8_all(ROUNDING_SHIFT) - f8_all(ROUNDING_SHIFT);
     x = turns - whole * f8_all((float)(2.0 * TD_PI));
     f8 xx = x * x;
     *s = x + x * xx * (TD_SIN3 + xx * (TD_SIN5 + xx * (TD_SIN7 + xx * TD_SIN9)));
