@@ -58,15 +58,15 @@ typedef struct td_point_history {
 } td_point_history;
 
 /* What locks and rods keep for bracing (joints/joint_brace.c), where contacts have their two
- * td_point_history. Powers are impulse times speed, mass length^2 / s^2. */
+ * td_point_history. Work is impulse times speed, an energy, mass length^2 / s^2. */
 typedef struct td_brace_rows {
     f8 group; /* number of the lane's group of tied bodies */
     union {
-        f8 power_before; /* by the speeds without the impulses: p.u */
+        f8 work_without; /* at the speeds without the impulses: p.u */
         f8 kept_share;   /* then: the share of the impulses that is kept */
     };
-    f8 same_group;  /* element 0: 1 where all lanes have the same group, else 0; others not used */
-    f8 power_after; /* by the speeds with the impulses: p.u' */
+    f8 same_group; /* element 0: 1 where all lanes have the same group, else 0; others not used */
+    f8 work_with;  /* at the speeds with the impulses: p.u' */
 } td_brace_rows;
 
 static_assert(sizeof(td_brace_rows) == 2 * sizeof(td_point_history), "they share their place");
@@ -341,16 +341,17 @@ typedef enum td_bounce { TD_BOUNCE_FIRST, TD_BOUNCE_AGAIN, TD_BOUNCE_LAST } td_b
 /* Passes of bracing (joints/joint_brace.c), which scales down the impulses of torn joints so that
  * they add no energy, after the warm start and after the relax pass of a substep. In this order: */
 typedef enum td_brace {
-    TD_BRACE_GIVE, /* apply the warm start along the present directions; not in the first substep */
-    TD_BRACE_AFTER,  /* compute impulse times speed, at the speeds after the impulses */
-    TD_BRACE_TAKE,   /* where energy may have been added: take the impulses back */
-    TD_BRACE_BEFORE, /* compute impulse times speed, at the speeds without them */
-    TD_BRACE_KEEP    /* apply the share of the impulses that adds no energy */
+    TD_BRACE_WARM_START,   /* apply the warm start along the present directions; not in the first
+                              substep */
+    TD_BRACE_WORK_WITH,    /* compute impulse times speed, at the speeds with the impulses */
+    TD_BRACE_REMOVE,       /* where energy may have been added: take the impulses back */
+    TD_BRACE_WORK_WITHOUT, /* compute impulse times speed, at the speeds without them */
+    TD_BRACE_APPLY_SHARE   /* apply the share of the impulses that adds no energy */
 } td_brace;
 
 /* Passes over blocks that one bracing takes, and tasks of a single worker between them; by these
  * the counters of a job are reserved (state/jobs.c). */
-enum { TD_BRACE_STAGES = TD_BRACE_KEEP + 1, TD_BRACE_TASKS = 2 };
+enum { TD_BRACE_STAGES = TD_BRACE_APPLY_SHARE + 1, TD_BRACE_TASKS = 2 };
 
 /* Greatest speed at which the gap of a joint closes, length scales/s, or rad/s of a rotation: in
  * the direct solver, and in the soft solver in groups that are braced. Chosen, the same as the
@@ -382,13 +383,12 @@ enum { TD_BOUNCE_PASSES = 64 };
 typedef struct td_solve_context {
     float (*velocity)[4]; /* by awake slot: x, y, turn, inverse mass */
     float (*delta)[4];    /* by awake slot: motion since the start of the step: x, y, angle */
-    const float (
-        *substep_gain)[4]; /* by awake slot: velocity that gravity and forces give in a substep */
-    float inv_h;           /* 1 / h: substeps per second */
-    float substeps;        /* number of substeps of the step */
-    float time_step;       /* s */
-    float push_speed;      /* greatest speed at which overlap is corrected, length/s */
-    float joint_closing_speed; /* TD_JOINT_CLOSING_SPEED, length/s */
+    const float (*substep_gain)[4]; /* by awake slot: velocity gained by forces in a substep */
+    float inv_h;                    /* 1 / h: substeps per second */
+    float substeps;                 /* number of substeps of the step */
+    float time_step;                /* s */
+    float push_speed;               /* greatest speed at which overlap is corrected, length/s */
+    float joint_closing_speed;      /* TD_JOINT_CLOSING_SPEED, length/s */
     float bounce_speed;  /* <= 0, length/s: a pair bounces if its normal velocity is below this */
     float elastic_speed; /* the same for pairs with a restitution of 1 or more */
     float fall; /* gravity times time_step^2, length: a pair bounces in this step only if its

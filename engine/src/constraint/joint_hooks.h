@@ -40,10 +40,10 @@ typedef struct td_joint_hooks {
     /* ---- joint_brace.c, between passes of the solver ---- */
     /* Whether the impulses of locks may have added energy: those of the warm start, or, if
      * `relaxed`, all up to the end of the relax pass. */
-    bool (*adds_energy)(thud_world *w, bool relaxed);
+    bool (*may_add_energy)(thud_world *w, bool relaxed);
     /* Computes the share of its impulses that each group keeps. */
     void (*set_shares)(thud_world *w, bool relaxed);
-    /* Whether a lock is wide open. Valid after the first call of adds_energy in a step. */
+    /* Whether a lock is wide open. Valid after the first call of may_add_energy in a step. */
     bool (*wide_open)(const thud_world *w);
 
     /* ---- joint_caps.c, before the solver ---- */
@@ -82,7 +82,7 @@ void td_joints_suspend(thud_world *w, td_body_index body);
 void td_joints_move_locks(thud_world *w, td_body_index body);
 void td_joints_tie(thud_world *w);
 void td_joints_hold_back(thud_world *w, td_awake_slot slot, double time);
-bool td_joints_add_energy(thud_world *w, bool relaxed);
+bool td_joints_may_add_energy(thud_world *w, bool relaxed);
 void td_joints_set_shares(thud_world *w, bool relaxed);
 bool td_joints_wide_open(const thud_world *w);
 void td_joints_share_caps(thud_world *w);

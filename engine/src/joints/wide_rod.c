@@ -84,11 +84,11 @@ void TD_WIDE(td_brace_applied)(td_block *block, const td_solve_context *c, bool 
     td_brace_rows *rows = td_brace_rows_of(block);
     sides v = read_sides(c->velocity, block, a_static);
     if (c->brace == TD_BRACE_WORK_WITHOUT || c->brace == TD_BRACE_WORK_WITH) {
-        f8 power = applied->x * v.b.x + applied->y * v.b.y + applied->moment_b * v.b.z;
+        f8 work = applied->x * v.b.x + applied->y * v.b.y + applied->moment_b * v.b.z;
         if (!a_static) {
-            power -= applied->x * v.a.x + applied->y * v.a.y + applied->moment_a * v.a.z;
+            work -= applied->x * v.a.x + applied->y * v.a.y + applied->moment_a * v.a.z;
         }
-        *(c->brace == TD_BRACE_WORK_WITH ? &rows->work_with : &rows->work_without) = power;
+        *(c->brace == TD_BRACE_WORK_WITH ? &rows->work_with : &rows->work_without) = work;
         return;
     }
     td_applied_impulse change; /* what this pass applies */

@@ -284,17 +284,17 @@ static bool bounce(solving *s) {
     return passes > 1;
 }
 
-/* One chunk, for one worker: sums up the powers of torn joints, and sets td_solve_context.adds
+/* One chunk, for one worker: sums up the work of torn joints, and sets td_solve_context.adds
  * where their impulses may have added energy. */
 static void judge_energy(void *work, int chunk) {
     const solving *s = work;
     (void)chunk;
-    bool adds = s->w->joint_hooks->adds_energy(s->w, s->relaxed);
+    bool adds = s->w->joint_hooks->may_add_energy(s->w, s->relaxed);
     atomic_store_explicit(s->contacts.adds, adds, memory_order_relaxed);
 }
 
 /* One chunk, for one worker: computes the share of their impulses that torn joints keep. */
-static void weigh_impulses(void *work, int chunk) {
+static void set_kept_shares(void *work, int chunk) {
     const solving *s = work;
     (void)chunk;
     s->w->joint_hooks->set_shares(s->w, s->relaxed);
@@ -309,16 +309,16 @@ static void brace_pass(solving *s, td_brace stage) {
  * (bracing, joints/joint_brace.c). Torn: open by more than one substep's bias closes. False where
  * they added none, and nothing was done. */
 static bool brace(solving *s) {
-    brace_pass(s, TD_BRACE_AFTER);
+    brace_pass(s, TD_BRACE_WORK_WITH);
     td_worker_walk(&s->worker, 1, judge_energy, s);
     /* A worker that is late may still read this flag, so that each bracing has its own. */
     bool adds = atomic_load_explicit(s->contacts.adds, memory_order_relaxed);
     s->contacts.adds++;
     if (adds) {
-        brace_pass(s, TD_BRACE_TAKE);
-        brace_pass(s, TD_BRACE_BEFORE);
-        td_worker_walk(&s->worker, 1, weigh_impulses, s);
-        brace_pass(s, TD_BRACE_KEEP);
+        brace_pass(s, TD_BRACE_REMOVE);
+        brace_pass(s, TD_BRACE_WORK_WITHOUT);
+        td_worker_walk(&s->worker, 1, set_kept_shares, s);
+        brace_pass(s, TD_BRACE_APPLY_SHARE);
     }
     return adds;
 }
@@ -353,7 +353,7 @@ static void run_passes(void *argument) {
         }
         if (has_torn_joint(s)) {
             if (i > 0) {
-                brace_pass(s, TD_BRACE_GIVE);
+                brace_pass(s, TD_BRACE_WARM_START);
             }
             brace(s);
         }
