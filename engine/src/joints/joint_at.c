@@ -4,6 +4,7 @@
 #include "thud/thud_joint_at.h"
 
 #include "base/base.h"
+#include "base/simd.h"
 #include "base/trig.h"
 
 /* The angle of the vector (x, y), radians, in (-pi, pi], to 1e-15; not a number for (0, 0). With
