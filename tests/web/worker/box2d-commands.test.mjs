@@ -23,7 +23,7 @@ const {
   explode,
   holds,
   inWorld,
-  knownOf,
+  recordOf,
   letGo,
   moveHold,
   setUp,
@@ -316,7 +316,7 @@ test("character_of_a_scene_pushes_the_rivals_box_too", async () => {
   const choices = { quality: "default", substeps: 0, detection: "auto", broadphase: "grid" };
   const request = { name: "own", seed: 0, choices: { ...choices, maxError: 0 } };
   const session = await setUp(1, { default: scene }, watched, request, () => "");
-  const known = knownOf(session.world);
+  const known = recordOf(session.world);
   const rival = new Box2DWorld(box2d, session.world, known);
   known.forwardTo(rival);
   for (let i = 0; i < 30; i++) {
@@ -369,12 +369,12 @@ test("worlds_of_a_watched_engine_are_known_with_their_bodies", async () => {
   const options = { gravity: [0, -3] };
   const world = watched.createWorld(options);
   const body = world.createBody({ linearDamping: 0.25 });
-  assert.equal(knownOf(before), undefined);
-  assert.deepEqual(knownOf(world).options, options);
-  assert.deepEqual(knownOf(world).bodyOptions(body), { linearDamping: 0.25 });
-  assert.deepEqual(knownOf(world).bodyOptions(world.createBody()), {});
+  assert.equal(recordOf(before), undefined);
+  assert.deepEqual(recordOf(world).options, options);
+  assert.deepEqual(recordOf(world).bodyOptions(body), { linearDamping: 0.25 });
+  assert.deepEqual(recordOf(world).bodyOptions(world.createBody()), {});
   const reused = { ...body, generation: body.generation + 1 };
-  assert.equal(knownOf(world).bodyOptions(reused), undefined);
+  assert.equal(recordOf(world).bodyOptions(reused), undefined);
 });
 
 test("two_thousand_bodies_made_and_destroyed_leave_no_memory_behind", () => {

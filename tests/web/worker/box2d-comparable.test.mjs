@@ -15,7 +15,7 @@ import {
 } from "../support/box2d.mjs";
 import { demoWasm, thud } from "../support/package.mjs";
 
-const { Box2DWorld, knownOf, missesOf, Ruler, setUp, watchWorlds } = rivalry;
+const { Box2DWorld, recordOf, missesOf, Ruler, setUp, watchWorlds } = rivalry;
 const watched = await thud.load(demoWasm);
 watchWorlds(watched);
 
@@ -278,7 +278,7 @@ test("scenes_that_box2d_does_not_get_wholly_say_so_and_the_others_are_comparable
   const found = {};
   for (const { name } of SCENES) {
     const session = await openSession(watched, name, {}, setUp);
-    const known = knownOf(session.world);
+    const known = recordOf(session.world);
     const rival = new Box2DWorld(box2d, session.world, known);
     known.forwardTo(rival);
     for (let i = 0; i < 5; i++) {

@@ -20,7 +20,7 @@ import {
   type Terrain,
   type World,
 } from "thud";
-import type { Known } from "../worker/watch";
+import type { WorldRecord } from "../worker/watch";
 import { Mirror, type Twin } from "./mirror";
 
 /**
@@ -72,7 +72,7 @@ export class Ruler implements Twin {
   constructor(
     world: World,
     lengthScale = 1,
-    private readonly known?: Pick<Known, "called">,
+    private readonly known?: Pick<WorldRecord, "called">,
   ) {
     this.#source = world;
     this.#world = world.engine.createWorld({

@@ -24,7 +24,7 @@ import type {
   b2WorldId,
 } from "../../node_modules/box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe";
 import { type Held, inFrame } from "../worker/hands";
-import type { Follower, Known } from "../worker/watch";
+import type { Follower, WorldRecord } from "../worker/watch";
 import { type Entry, weigh } from "./entry";
 import { follow, missesOf } from "./follow";
 import type { Gap } from "./joint-gap";
@@ -50,7 +50,7 @@ const STRAY = 0.002;
 const ROUNDING = 1e-4;
 
 /** Settings of a copy. What is not given has its default value. */
-export interface Box2DOptions extends Partial<Known> {
+export interface Box2DOptions extends Partial<WorldRecord> {
   /** Substeps per step. Default 4, as Box2D's manual recommends. */
   substeps?: number;
   /**
@@ -127,7 +127,7 @@ export class Box2DWorld implements Follower, Twin {
   }
 
   /** What the ruler may know of the calls. */
-  get #known(): Pick<Known, "called"> | undefined {
+  get #known(): Pick<WorldRecord, "called"> | undefined {
     const { called } = this.#settings;
     return called && { called };
   }

@@ -14,7 +14,7 @@ import { groundLines } from "./lookup";
 import type { Look } from "./protocol";
 import type { Session } from "./session";
 import type * as Sums from "./sums";
-import { knownOf } from "./watch";
+import { recordOf } from "./watch";
 
 /**
  * Steps between two looks at which bodies sleep. Chosen: a tenth of a second at 60 steps a second.
@@ -40,7 +40,7 @@ export async function bringSums(): Promise<void> {
  * paused scene may have only one.
  */
 export async function readyFor({ world, scene }: Session): Promise<void> {
-  if (knownOf(world)?.tied && !jointReader) await bringJoints();
+  if (recordOf(world)?.tied && !jointReader) await bringJoints();
   if (scene.sums) await bringSums();
 }
 
@@ -98,7 +98,7 @@ export class Frames {
     const on = new Set(look.overlays);
     frame.drawing = draw(world, look, on);
     if (on.has("sums")) frame.sums = this.#sums(look);
-    if (knownOf(world)?.tied) this.#addJoints(frame, standing, on.has("joints"));
+    if (recordOf(world)?.tied) this.#addJoints(frame, standing, on.has("joints"));
     frame.box2d = session.companion?.poses(look.origin);
     frame.box2dTrouble = session.box2dTrouble ?? undefined;
     return frame;
