@@ -172,6 +172,12 @@ static void count(thud_world *w, const td_block *block) {
 
 /* ---- for the direct solver ---- */
 
+/* td_gap_unit of a gear: its gap is in units of the first coordinate. */
+static double gap_unit(const thud_world *w, const td_block *block, int lane) {
+    const td_joint *gear = td_joint_of(w, td_constraint_at(w, block->constraint[lane]));
+    return td_gap_unit(w, td_gear_by_angle(member(w, gear, 0)));
+}
+
 /* td_take_rows_fn: one equality row. */
 static bool take_rows(const thud_world *w, td_block *block, int lane, const float *impulses,
                       td_direct_constraint *c) {
@@ -182,8 +188,8 @@ static bool take_rows(const thud_world *w, td_block *block, int lane, const floa
         .a = {(double)rows->a_x[lane], (double)rows->a_y[lane], (double)p->cross_a[lane]},
         .b = {(double)block->nx[lane], (double)block->ny[lane], (double)p->cross_b[lane]},
         .impulse = 0.5 * (double)impulses[0],
-        .target_speed =
-            td_joint_closing_speed(w, (double)p->start_separation[lane], w->def.time_step),
+        .target_speed = td_joint_closing_speed((double)p->start_separation[lane],
+                                               gap_unit(w, block, lane), w->def.time_step),
         .used = p->normal_mass[lane] > 0.0f};
     return false;
 }
@@ -196,7 +202,8 @@ static void update_rows(const thud_world *w, const td_block *block, int lane, co
     for (int k = 0; k < 3; k++) {
         gap += row->a[k] * s->a[0][k] + row->b[k] * s->b[0][k];
     }
-    row->target_speed = s->time > 0.0 ? td_joint_closing_speed(w, gap, s->time) : 0.0;
+    row->target_speed =
+        s->time > 0.0 ? td_joint_closing_speed(gap, gap_unit(w, block, lane), s->time) : 0.0;
     row->closing = s->time > 0.0 ? td_abs(row->target_speed) : row->closing;
 }
 

@@ -94,8 +94,8 @@ float td_joint_line(const td_joint_place *place, float *x, float *y) {
     return length;
 }
 
-double td_joint_closing_speed(const thud_world *w, double gap, double time) {
-    double max_speed = (double)(TD_JOINT_CLOSING_SPEED * w->unit), speed = -gap / time;
+double td_joint_closing_speed(double gap, double unit, double time) {
+    double max_speed = (double)TD_JOINT_CLOSING_SPEED * unit, speed = -gap / time;
     return speed > max_speed ? max_speed : speed < -max_speed ? -max_speed : speed;
 }
 

@@ -157,9 +157,14 @@ td_joint_place td_joint_place_of(const thud_world *w, const td_joint *joint);
  * where they coincide. */
 float td_joint_line(const td_joint_place *place, float *x, float *y);
 
-/* The speed that closes a gap within `time`, within -TD_JOINT_CLOSING_SPEED ..
- * TD_JOINT_CLOSING_SPEED length scales a second. */
-double td_joint_closing_speed(const thud_world *w, double gap, double time);
+/* The unit in which bounds of gaps are given: a length scale for lengths, 1 (rad) for angles. */
+static inline double td_gap_unit(const thud_world *w, bool is_angle) {
+    return is_angle ? 1.0 : (double)w->unit;
+}
+
+/* The speed that closes a gap within `time`, at most TD_JOINT_CLOSING_SPEED units a second. `unit`:
+ * td_gap_unit. */
+double td_joint_closing_speed(double gap, double unit, double time);
 
 /* arm x (x, y) */
 static inline float td_cross(const float arm[2], float x, float y) {

@@ -218,20 +218,20 @@ static void correct_contact(const tied_group *g, const td_constraint *constraint
 
 /* ---- locked directions ---- */
 
-/* The part of a gap `now` (a length or an angle) that has to be closed, with its sign. A gap that
- * was open `before` the step may stay as wide as TD_JOINT_CLOSING_SPEED leaves it in a step. */
-static double excess_gap(const thud_world *w, double before, double now) {
-    double left = td_max_double(td_abs(before) -
-                                    (double)(TD_JOINT_CLOSING_SPEED * w->unit) * w->def.time_step,
-                                0.0);
+/* The part of a gap `now` that has to be closed, with its sign. A gap that was open `before` the
+ * step may stay as wide as TD_JOINT_CLOSING_SPEED leaves it in a step. `unit`: td_gap_unit. */
+static double excess_gap(const thud_world *w, double before, double now, double unit) {
+    double closed = (double)TD_JOINT_CLOSING_SPEED * unit * w->def.time_step;
+    double left = td_max_double(td_abs(before) - closed, 0.0);
     return now > left ? now - left : now < -left ? now + left : 0.0;
 }
 
-/* Corrects a locked row with gaps `before` the step and `now`: its gap, or its speed to 0. */
+/* Corrects a locked row with gaps `before` the step and `now`: its gap, or its speed to 0. `unit`:
+ * td_gap_unit of the row. */
 static void correct_row(const tied_group *g, const td_lane *at, const row_direction *n,
-                        double before, double now) {
-    change_row_value(g, at, n,
-                     g->on_velocities ? -row_value(g, at, n) : -excess_gap(g->w, before, now));
+                        double before, double now, double unit) {
+    double change = g->on_velocities ? -row_value(g, at, n) : -excess_gap(g->w, before, now, unit);
+    change_row_value(g, at, n, change);
 }
 
 /* A locked distance: one row along the line between the anchors as it is after the motion. */
@@ -240,7 +240,8 @@ static void correct_rod(const tied_group *g, const td_lane *at) {
     double before = (double)at->block->point[0].start_separation[at->lane];
     td_joint_motion(g->w, at->block, at->lane, a, b);
     td_joint_frame f = td_joint_line_after(at->block, at->lane, before + target, 0.0, a, b);
-    correct_row(g, at, &(row_direction){f.x, f.y, f.a_u, f.b_u}, before, f.gap_u - target);
+    correct_row(g, at, &(row_direction){f.x, f.y, f.a_u, f.b_u}, before, f.gap_u - target,
+                td_gap_unit(g->w, false));
 }
 
 /* The frame of a lock lane after the motion of the step, as it is now. */
@@ -264,14 +265,14 @@ static void correct_lock(const tied_group *g, const td_lane *at) {
         double before = (double)rows->start_turn_gap[at->lane];
         td_joint_motion(g->w, block, at->lane, a, b);
         correct_row(g, at, &(row_direction){0.0, 0.0, sign, sign}, before,
-                    before + sign * (b[2] - a[2]));
+                    before + sign * (b[2] - a[2]), td_gap_unit(g->w, true));
     }
     for (int k = 0; k < 2; k++) {
         if (p[k].normal_mass[at->lane] > 0.0f) {
             td_joint_frame f = frame_of(g, at);
             row_direction along = {f.x, f.y, f.a_u, f.b_u}, across = {-f.y, f.x, f.a_v, f.b_v};
             correct_row(g, at, k ? &across : &along, (double)p[k].start_separation[at->lane],
-                        k ? f.gap_v : f.gap_u);
+                        k ? f.gap_v : f.gap_u, td_gap_unit(g->w, false));
         }
     }
 }

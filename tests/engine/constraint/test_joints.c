@@ -411,6 +411,31 @@ static void target_drags_with_no_more_than_its_force(void **state) {
     }
 }
 
+/* A weld that is open by a radian closes by the same angle in a step at every length scale. */
+static void angle_of_a_weld_closes_alike_at_every_length_scale(void **state) {
+    (void)state;
+    static const float scales[] = {1, 64, 1.0f / 64};
+    for (int i = 0; i < QUALITIES; i++) {
+        double closed[3];
+        for (int k = 0; k < 3; k++) {
+            thud_world_def def = def_of(qualities[i]);
+            def.gravity = (thud_vec2){0, 0};
+            def.sleeping = false;
+            def.length_scale = scales[k];
+            thud_world *world = make_world(def);
+            thud_body_id wall = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
+            thud_body_id box = add_box(world, 0, 0, 0.5f * scales[k], 0.5f * scales[k]);
+            thud_joint_def weld = between(THUD_JOINT_WELD, wall, box, middle, middle);
+            weld.frame_b.angle = 1;
+            make(world, weld);
+            run(world, 1);
+            closed[k] = state_of(world, box).angle;
+            near_to(closed[k], closed[0], 1e-4);
+            thud_world_destroy(world);
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(hinged_bar_swings_as_its_formula_says),
@@ -427,6 +452,7 @@ int main(void) {
         cmocka_unit_test(rope_is_slack_until_it_is_taut),
         cmocka_unit_test(spring_swings_at_its_frequency),
         cmocka_unit_test(target_drags_with_no_more_than_its_force),
+        cmocka_unit_test(angle_of_a_weld_closes_alike_at_every_length_scale),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
