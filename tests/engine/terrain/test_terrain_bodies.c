@@ -1,5 +1,6 @@
 /* test_terrain_bodies.c: bodies on ground that is edited: which of them wake, where they come to
- * rest, and that their contacts and events are right. */
+ * rest, and that their contacts and events are right; and bodies that are teleported from ground.
+ */
 #include "terrain_support.h"
 
 /* Makes one of four edits at x: dig, raise, or replace a range. */
@@ -255,6 +256,29 @@ static void edits_under_a_crowd_lose_no_event_and_no_body(void **state) {
     thud_world_destroy(g.world);
 }
 
+/* A box at rest on a slope is teleported downhill, so that it is in the air, and must fall. The
+ * manifold cache of terrain has places modulo 256 length scales. */
+static void teleported_box_leaves_the_ground_whatever_the_distance(void **state) {
+    (void)state;
+    static const thud_pos slope[] = {{-1000, -100}, {1000, 100}};
+    static const double distances[] = {8, 255, 256, 512};
+    thud_terrain line = {.kind = THUD_TERRAIN_IRREGULAR, .points = slope, .count = 2};
+    for (int i = 0; i < 4; i++) {
+        thud_world *world = make_world(thud_default_world_def());
+        add_terrain(world, add_body(world, THUD_BODY_STATIC, 0, 0, 0), &line);
+        thud_body_id box = add_body(world, THUD_BODY_DYNAMIC, 0, 0.51, atan(0.1));
+        add_shape(world, box, 0.5f, 0.5f, false, NULL);
+        run(world, 20);
+        thud_body_state at = state_of(world, box);
+        near_to(at.position.y, 0.5, 0.02);
+        at.position.x -= distances[i];
+        OK(thud_body_set_transform(world, box, at.position, at.angle));
+        run(world, 10);
+        assert_true(state_of(world, box).position.y < at.position.y - 0.1);
+        thud_world_destroy(world);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(edit_wakes_what_rests_there_and_nothing_far_away),
@@ -265,6 +289,7 @@ int main(void) {
         cmocka_unit_test(two_edits_between_steps_wake_only_their_own_places),
         cmocka_unit_test(pairs_after_random_edits_are_those_of_a_new_line),
         cmocka_unit_test(edits_under_a_crowd_lose_no_event_and_no_body),
+        cmocka_unit_test(teleported_box_leaves_the_ground_whatever_the_distance),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
