@@ -115,7 +115,7 @@ static float thrown_down(bool by_def) {
     return speed;
 }
 
-/* The box has a manifold that is kept from step to step; its approach velocity has to be determined
+/* The box has a manifold that is kept from step to step; its normal velocity has to be determined
  * anew when restitution is set. */
 static void restitution_of_a_prologue_is_that_of_a_def_for_what_rests_too(void **state) {
     (void)state;
