@@ -98,7 +98,7 @@ thud_result thud_body_set_detection(thud_world *w, thud_body_id id,
     thud_result result = td_edit_body(w, id, &index);
     if (result == THUD_OK) {
         td_body *body = td_body_at(w, index);
-        flag(body, TD_BODY_CHOSE, detection != NULL);
+        flag(body, TD_BODY_OWN_DETECTION, detection != NULL);
         body->detection = detection ? detection : w->quality.detection;
         w->detections[body->detection->rank] = body->detection;
         td_body_mark(w, index, TD_CHANGE_SHAPES);

@@ -1,4 +1,6 @@
-/* quality.c: checks and applies qualities, and the public calls that set them; see quality.h. */
+/* quality.c: checks a quality (thud_quality.h: substeps, contact softness, detection, island
+ * solver) and makes the world use it; and the public calls that set the quality and max_error. See
+ * quality.h. */
 #include "solver/quality.h"
 
 #include "constraint/joint_hooks.h"
@@ -33,30 +35,36 @@ const char *td_check_max_error(double max_error, const thud_quality *quality, td
 }
 
 /* Sets the detection of the world, and of all bodies that have none of their own, and the skin: the
- * distance at which contacts rest, so that swept shapes begin a step apart. Overlap and continuous
- * have none. */
+ * gap that the solver leaves between resting shapes, so that shapes do not touch yet when `bisect`
+ * or `swept` moves them on from there. `overlap` and `continuous` leave none. w->quality is set
+ * already. */
 static void set_detection(thud_world *w, const thud_detection *detection) {
-    /* Contacts of directly solved islands do not sink in under load, so that a thin skin is enough.
-     */
+    /* At overlap_limit 0 the island solver solves every island. Contacts do not give way under a
+     * load then, so that a thinner gap is enough. */
     bool direct = w->quality.islands && w->quality.overlap_limit == 0.0f;
-    float skin = detection->rank < TD_RANK_BISECT ? 0.0f : (direct ? TD_MEET : TD_SKIN) * w->unit;
+    float gap = direct ? TD_IMPACT_DISTANCE : TD_SKIN; /* length scales */
+    float skin = detection->rank >= TD_RANK_BISECT ? gap * w->unit : 0.0f;
     w->detections[detection->rank] = detection;
     for (td_body_index i = {0}; i.at < w->bodies.count; i.at++) {
         td_body *body = td_body_at(w, i);
-        if (!(body->flags & TD_BODY_CHOSE)) {
+        if (!(body->flags & TD_BODY_OWN_DETECTION)) {
             body->detection = detection;
         }
     }
-    for (int i = 0; i < w->constraints.count && skin != w->skin; i++) {
+    if (skin == w->skin) {
+        return;
+    }
+    w->skin = skin;
+    /* Lanes hold separations less the skin: the next narrowphase computes all of them again. */
+    for (int i = 0; i < w->constraints.count; i++) {
         const td_constraint *constraint = td_constraint_at(w, i);
         if (constraint->live && constraint->state == TD_TOUCHING) {
             td_lane_renew(w, i);
         }
     }
-    w->skin = skin;
 }
 
-/* Multiplies the warm-start impulses of all acting constraints. */
+/* Multiplies the warm-start impulses of all constraints that act, contacts and joints. */
 static void scale_impulses(thud_world *w, float scale) {
     for (int i = 0; i < w->constraints.count; i++) {
         const td_constraint *constraint = td_constraint_at(w, i);
@@ -77,6 +85,7 @@ int td_substeps_asked(const thud_world *w) {
 
 void td_substeps_set(thud_world *w, int substeps) {
     if (substeps != w->substeps) {
+        /* An impulse of one substep is a force times the length of a substep. */
         scale_impulses(w, (float)w->substeps / (float)substeps);
         w->substeps = substeps;
         w->substep_gain_stale = true;
@@ -85,6 +94,7 @@ void td_substeps_set(thud_world *w, int substeps) {
 
 void td_quality_apply(thud_world *w, const thud_quality *quality) {
     w->quality = *quality;
+    /* A value of 0 in the def is not set, and leaves that of the quality. */
     if (w->def.contact_stiffness != 0.0f) {
         w->quality.contact_stiffness = w->def.contact_stiffness;
     }
@@ -94,6 +104,7 @@ void td_quality_apply(thud_world *w, const thud_quality *quality) {
     if (w->def.detection) {
         w->quality.detection = w->def.detection;
     }
+    /* In a world with joints the direct solver is the one that knows joints: joint_hooks.h. */
     if (w->joint_hooks && w->quality.islands) {
         w->quality.islands = w->joint_hooks->islands;
     }

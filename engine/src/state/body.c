@@ -85,7 +85,7 @@ thud_result thud_body_create(thud_world *w, const thud_body_def *def, thud_body_
         .kind = (uint8_t)def->kind,
         .flags = (uint8_t)(TD_BODY_LIVE | (def->fixed_rotation ? TD_BODY_FIXED : 0) |
                            (def->may_sleep ? 0 : TD_BODY_RESTLESS) |
-                           (def->detection ? TD_BODY_CHOSE : 0)),
+                           (def->detection ? TD_BODY_OWN_DETECTION : 0)),
         .awake = {TD_NONE},
         .velocity = {def->velocity.x, def->velocity.y, def->angular_velocity},
         .first_shape = TD_NONE,
