@@ -19,32 +19,32 @@
 /* wide_circle.c */
 #define TD_CIRCLE_PAIRS(ROW)                                                                    \
     ROW(TD_PAIR_CIRCLE_CIRCLE, td_pair_circle_circle, TD_FORM_ONE, sift_circles, circle_circle, \
-        NULL, td_solve_one, td_solve_round)
+        NULL, td_solve_one_point, td_solve_circles)
 
 /* wide_circle.c; the circle is a only where its body is static. */
 #define TD_BOX_CIRCLE_PAIRS(ROW)                                                                \
     ROW(TD_PAIR_BOX_CIRCLE, td_pair_box_circle, TD_FORM_ONE, sift_box_circle, box_circle, NULL, \
-        td_solve_one, td_solve_one)                                                             \
+        td_solve_one_point, td_solve_one_point)                                                 \
     ROW(TD_PAIR_CIRCLE_BOX, td_pair_circle_box, TD_FORM_ONE, sift_circle_box, circle_box, NULL, \
-        td_solve_one, td_solve_one)
+        td_solve_one_point, td_solve_one_point)
 
 /* wide_aabb.c */
 #define TD_AABB_PAIRS(ROW)                                                              \
     ROW(TD_PAIR_AABB_AABB, td_pair_aabb_aabb, TD_FORM_ONE, sift_aabbs, aabb_aabb, NULL, \
-        td_solve_flat, td_solve_flat)
+        td_solve_aabbs, td_solve_aabbs)
 
 /* wide_box.c; one of the two boxes may be an AABB. */
 #define TD_OBB_PAIRS(ROW)                                                                \
     ROW(TD_PAIR_BOX_BOX, td_pair_box_box, TD_FORM_TWO_CACHED, sift_boxes, box_box, NULL, \
-        td_solve_two, td_solve_two)
+        td_solve_two_points, td_solve_two_points)
 
 /* wide_terrain.c; the vertices of a terrain are not in its shape proxy, so that its kernels are
  * given the world (collide_world), and there is no sift. */
 #define TD_TERRAIN_PAIRS(ROW)                                                                  \
     ROW(TD_PAIR_TERRAIN_CIRCLE, td_pair_terrain_circle, TD_FORM_ONE_CACHED, NULL, NULL,        \
-        terrain_circle, td_solve_one, td_solve_one)                                            \
+        terrain_circle, td_solve_one_point, td_solve_one_point)                                \
     ROW(TD_PAIR_TERRAIN_BOX, td_pair_terrain_box, TD_FORM_TWO_CACHED, NULL, NULL, terrain_box, \
-        td_solve_two, td_solve_two)
+        td_solve_two_points, td_solve_two_points)
 
 /* Snapshots have these numbers: a new pair kind comes last. */
 #define TD_ALL_PAIRS(ROW)    \
