@@ -36,9 +36,11 @@ bool td_query_prepare(thud_world *w);
  * box; after td_query_prepare. False when memory is short. */
 bool td_query_list(thud_world *w, thud_pos lower, thud_pos upper);
 
-/* As thud_world_cast_shape_all, but finds only sensors, whatever filter->sensors is. */
+/* query_cast.c: as thud_world_cast_shape_all, but finds only sensors; for movers. cast->filter must
+ * let sensors pass. The caller has set the engine's floating-point mode, and has room for
+ * `capacity` hits in `out`. */
 thud_result td_query_cast_sensors(thud_world *w, const thud_shape_cast *cast, thud_ray_hit *out,
-                                  int capacity, int *count);
+                                  int capacity, int *out_count);
 
 /* query_closest.c: signed distance, normal and closest point from a shape to the point `origin`. */
 void td_query_measure(const thud_world *w, int shape, td_position origin, thud_closest *out);
