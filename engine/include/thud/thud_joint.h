@@ -1,19 +1,20 @@
-/* thud_joint.h: joints, constraints between two bodies without shapes that touch: rods, ropes,
- * springs, hinges, sliders, welds, wheels, targets and gears. A program that makes no joint links
- * none of this.
+/* thud_joint.h: joints, constraints between two bodies, whether or not their shapes touch: rods,
+ * ropes, springs, hinges, sliders, welds, wheels, targets and gears. A program that makes no joint
+ * links none of this. Lengths are in the caller's unit; a bound in length scales is a multiple of
+ * thud_world_def.length_scale.
  *
  * A joint has a frame in each body: an anchor and an x axis. It measures body b relative to body a
  * in three directions: along the x axis of frame a, across it (along its y axis), and in rotation
  * (turn). Each direction is locked, free, or driven, depending on the kind:
  *
  *     kind      along              across    turn     what of frame b is used
- *     DISTANCE  the distance (*)   free      free     the position
- *     HINGE     locked             locked    driven   the position, and the angle as zero of turn
- *     SLIDER    driven             locked    locked   likewise
- *     WELD      each direction locked, or     likewise
- *               driven where it has a drive
- *     WHEEL     driven             locked    driven   likewise
- *     TARGET    driven             driven    driven   likewise
+ *     DISTANCE  the distance (*)   free      free     position
+ *     HINGE     locked             locked    driven   position; angle, the zero of turn
+ *     SLIDER    driven             locked    locked   position; angle
+ *     WELD      each locked, or driven where it       position; angle
+ *               has a drive
+ *     WHEEL     driven             locked    driven   position; angle
+ *     TARGET    driven             driven    driven   position; angle
  *     FILTER    free               free      free     nothing
  *     GEAR      couples two joints: see `gear` of the def
  *
@@ -23,31 +24,37 @@
  * spring or a motor. A rope has limits (0, length); a spring has a frequency, and pulls to `length`
  * unless it has a target.
  *
- * Load. Joints are solved as soft constraints together with contacts, and open under a load. An
- * island whose joints would open by more than its quality allows is solved directly, with its
- * contacts, as long as the quality's work budget lasts. Where that is used up, or something in the
- * island bounces, but at least half of the joints of up to 128 bodies that they connect open, those
- * joints are solved directly without the contacts: the contacts keep the impulses of the soft
- * solver, and close no further than it has closed them. Where this is not possible, would gain
- * energy, or contacts are more than the bodies, joints stay soft.
+ * Load. Joints are solved as soft constraints together with contacts, and open under a load. A
+ * joint is overloaded where a contact of the same bodies, with the joint's impulse, would overlap
+ * by more than thud_quality.overlap_limit, or where the joint is open by more than
+ * thud_world_def.max_error. An island with an overloaded joint is solved directly, with its
+ * contacts, as long as thud_quality.island_work lasts. Where that is used up, or a contact of the
+ * island bounces in this step, a part of it may be solved directly instead: up to 128 bodies that
+ * joints connect, if at least half of these joints are overloaded, in all of the world at most 64,
+ * and the bodies have no more contacts with moving bodies than there are bodies. Their contacts
+ * then keep the impulses of the soft solver, and the joints may not bring shapes closer together
+ * than it has. Where joints and contacts cannot both be satisfied so, or the result would gain
+ * energy, joints stay soft.
  *
- * Detection. Where detection stops a body on its way through a step, all bodies that locked
- * directions connect to it stop at the same share of their motions, and lose the speed that gravity
- * gave them for the rest of the step. Their joints thus open by little more than the solver leaves;
- * statistics count such bodies. Under `bisect` and `swept` such bodies stop where they hit
- * something, and bounce as contacts do; what touches them already is left to the contacts, which
- * may overlap by as much as those of `continuous`.
+ * Detection (thud_detection.h). Where detection stops a body on its way through a step, all bodies
+ * that locked directions connect to it stop at the same share of their motions, and lose the speed
+ * that gravity gave them for the rest of the step. Their joints thus open by little more than the
+ * solver leaves; thud_stats.held_bodies counts such bodies. Under thud_detection_bisect and
+ * thud_detection_swept such bodies stop where they hit something, and bounce as contacts do;
+ * contacts that touch already are left to the contact solver, which may let them overlap as under
+ * thud_detection_continuous.
  *
  * Static shapes are stronger than joints, at every quality and under every detection. Where a joint
  * presses a body into a body that cannot move (a rope that is shortened, a motor without a maximum
- * force), the body ends no step deeper than a tenth of its smallest half extent, or of half the
- * thickness of the shape where that is less; for some steps, until the solver has found out, 0.4 of
- * it. The body and all that locked directions connect to it are put back there, and their joints
- * are closed as far as contacts allow: ropes stay too long, which thud_step_error reports, and
- * motors stall. Such a joint gives the body no speed, and its force is what it reaches within one
- * step from 0. This does not apply to kinematic bodies, nor to a body that a joint has made faster
- * than its detection can see. A known fault: a rope that is shortened without end, far beyond what
- * stands in its way, may in rare cases draw a body through a floor all the same. */
+ * force), the body ends no step deeper than 0.4 of its smallest half extent, or of half the
+ * thickness of the shape where that is less; once it has been that deep, and as long as the joint
+ * presses, no deeper than a tenth. The body and all that locked directions connect to it are put
+ * back there, and their joints are closed as far as contacts allow: ropes stay too long, which
+ * thud_step_error reports, and motors stall. A joint that has yielded so gives the body no speed,
+ * and starts the next step without an impulse: thud_joint_state.force is what it reaches within one
+ * step. This does not apply to kinematic bodies, nor to a body that a joint moves so fast that its
+ * detection misses the collision. A known fault: a rope that is shortened without end, far beyond
+ * what stands in its way, may in rare cases draw a body through a floor all the same. */
 #ifndef THUD_JOINT_H
 #define THUD_JOINT_H
 
@@ -86,7 +93,7 @@ typedef enum thud_direction {
  * drive may have a spring, a motor and limits at once. */
 typedef struct thud_drive {
     bool limited;       /* whether it has limits; default false */
-    float lower, upper; /* limits, lower <= upper; |.| of turn at most THUD_JOINT_ANGLE_MAX, of
+    float lower, upper; /* limits, lower <= upper; |.| of turn at most THUD_JOINT_ANGLE_MAX (pi), of
                            lengths THUD_JOINT_LENGTH_MAX length scales; of a distance >= 0. Equal
                            limits lock the direction there. Default 0 */
     float frequency;    /* of the spring, Hz, [0, THUD_JOINT_FREQUENCY_MAX]; default 0: no spring.
@@ -104,8 +111,9 @@ typedef struct thud_drive {
     float spring_force; /* maximum force of the spring, [0, THUD_JOINT_FORCE_MAX]; default that: no
                            maximum. Where springs act along and across, neither exceeds its own
                            maximum, nor the resultant of both the greater one: with the same
-                           maximum for both, it is the maximum of the force in any direction. The
-                           direction of the force is decided once a step */
+                           maximum for both, it is the maximum of the force in any direction. It
+                           is split between both once a step, by the forces that they would have
+                           as the step begins */
     float motor_speed;  /* target speed of b relative to a, |.| <= THUD_JOINT_LENGTH_MAX length
                            scales a second, or THUD_JOINT_ANGULAR_SPEED_MAX radians a second; default
                            0 */
@@ -129,8 +137,9 @@ typedef struct thud_joint_def {
     /* By thud_direction. Limits, springs and motors in directions that the kind does not drive are
      * refused. */
     thud_drive drive[THUD_DIRECTION_COUNT];
-    /* Length of a distance, (0, THUD_JOINT_LENGTH_MAX] length scales; default 1. Of a driven
-     * distance it is where the spring pulls to, unless that has a target. */
+    /* Length of a distance, in the caller's unit, (0, THUD_JOINT_LENGTH_MAX] length scales; default
+     * 1, whatever the length scale. Of a driven distance it is where the spring pulls to, unless
+     * that has a target. */
     float length;
     /* Two joints that a gear couples, each a hinge, a wheel, a slider or a distance between a
      * static body and a dynamic one. The dynamic bodies, which must not be the same, are the gear's
@@ -144,9 +153,9 @@ typedef struct thud_joint_def {
     float ratio;            /* of a gear, |ratio| in [THUD_GEAR_RATIO_MIN, THUD_GEAR_RATIO_MAX];
                                default 1: they turn against each other, as two wheels that mesh */
     bool collide_connected; /* the bodies' shapes may touch; default false, of a gear true */
-    /* Force and torque beyond which the joint breaks: it is destroyed at the end of that step, or
-     * stays if `only_reports`. Either way there is a thud_joint_event. [0, THUD_JOINT_FORCE_MAX];
-     * default that: never. */
+    /* Force and torque, as of thud_joint_state, beyond which the joint breaks: it is destroyed at
+     * the end of that step, or stays if `only_reports`. Either way there is a thud_joint_event. [0,
+     * THUD_JOINT_FORCE_MAX]; default that: never. */
     float break_force, break_torque;
     bool only_reports; /* default false */
     bool enabled;      /* default true */
@@ -164,9 +173,9 @@ THUD_NODISCARD THUD_API thud_result thud_joint_create(thud_world *world, const t
 THUD_API thud_result thud_joint_destroy(thud_world *world, thud_joint_id joint);
 THUD_API bool thud_joint_is_valid(const thud_world *world, thud_joint_id joint);
 
-/* Forces of a direction's drive, of THUD_DIRECTION_TURN torques. Positive ones increase
- * value[direction]; they are within THUD_JOINT_FORCE_MAX, and 0 where the drive has no such part.
- */
+/* Forces of a direction's drive in the last substep; torques for THUD_DIRECTION_TURN. Positive ones
+ * increase thud_joint_state.value of the direction; they are within THUD_JOINT_FORCE_MAX, and 0
+ * where the drive has no such part. */
 typedef struct thud_drive_forces {
     float limit, spring, motor;
 } thud_drive_forces;
@@ -177,12 +186,12 @@ typedef struct thud_joint_state {
     bool enabled;
     double value[THUD_DIRECTION_COUNT]; /* coordinates of b relative to a, lengths;
                                            value[THUD_DIRECTION_TURN] in (-pi, pi] */
-    double gap;                         /* length by which locked directions are open and limits
-                                           exceeded; of a gear its error, where that is a length */
-    double angle_gap;                   /* likewise in rad; both >= 0 */
-    thud_vec2 force;                    /* on b, in the world, in the last substep; it and the
-                                           torque are within THUD_JOINT_FORCE_MAX */
-    float torque; /* on b, of the direction turn alone: the moment of `force` is not included */
+    double gap; /* length, >= 0, by which locked directions are open and limits exceeded: along and
+                   across together, as a distance; of a gear its error, where that is a length */
+    double angle_gap; /* rad, >= 0: likewise in direction turn */
+    thud_vec2 force;  /* on b, in the world, in the last substep; it and the
+                         torque are within THUD_JOINT_FORCE_MAX */
+    float torque;     /* on b, of the direction turn alone: the moment of `force` is not included */
     thud_drive_forces drive[THUD_DIRECTION_COUNT]; /* parts of force and torque that drives apply */
     uint64_t user_data;
 } thud_joint_state;
