@@ -49,7 +49,8 @@ enum {
     THUD_DRAW_SHAPE_BOUNDS = 1 << 1, /* fat bounds of shapes */
     THUD_DRAW_CELLS = 1 << 2, /* grid cells that awake shapes lay in at the last step; with the grid
                                  broadphase only */
-    THUD_DRAW_CONTACTS = 1 << 3, /* middles and normals of touching contacts */
+    THUD_DRAW_CONTACTS = 1 << 3, /* middles and normals of contacts that were solved in the last
+                                    step: not of vetoed ones */
     THUD_DRAW_ISLANDS = 1 << 4,  /* shapes with the number of their island, see `island`; and the
                                     pairs of islands that were solved directly */
     /* The intervals along x that the plane sweep broadphase kept sorted in the last step: bars in

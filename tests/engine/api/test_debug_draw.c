@@ -271,6 +271,34 @@ static void pairs_with_the_ground_go_straight_down_to_it(void **state) {
     thud_world_destroy(world);
 }
 
+static bool veto(thud_world *world, const thud_contact *contact, thud_contact_settings *settings,
+                 void *context) {
+    (void)world, (void)contact, (void)settings, (void)context;
+    return false;
+}
+
+/* A box that hangs over the edge of a floor touches it aside of its centre. */
+static void contacts_are_drawn_unless_a_prologue_vetoes_them(void **state) {
+    (void)state;
+    for (int vetoed = 0; vetoed < 2; vetoed++) {
+        thud_world *world = world_with(NULL);
+        thud_body_id ground = add_body(world, THUD_BODY_STATIC, 0, 0, 0);
+        add_shape(world, ground, 2, 0.5f, false, NULL);
+        add_box(world, 1.8, 1, 0.5f, 0.5f);
+        thud_listeners listeners = {.prologue = vetoed ? veto : NULL};
+        OK(thud_world_set_listeners(world, &listeners));
+        run(world, 1);
+        seen k = draw(world, THUD_DRAW_CONTACTS);
+        assert_int_equal(k.points[THUD_STYLE_CONTACT], vetoed ? 0 : 1);
+        assert_int_equal(k.lines[THUD_STYLE_NORMAL], vetoed ? 0 : 1);
+        if (!vetoed) {
+            near_to(k.from[0].x, 1.65, 1e-3); /* the middle of 1.3 .. 2 */
+            near_to(k.from[0].y, 0.5, 1e-2);
+        }
+        thud_world_destroy(world);
+    }
+}
+
 static void null_callbacks_are_skipped_and_no_flag_draws_nothing(void **state) {
     (void)state;
     const thud_broadphase *kinds[] = {&thud_broadphase_grid, &thud_broadphase_sweep};
@@ -315,6 +343,7 @@ int main(void) {
         cmocka_unit_test(cells_of_scattered_shapes_are_drawn_each),
         cmocka_unit_test(pairs_are_lines_between_centers_and_tell_who_touches),
         cmocka_unit_test(pairs_with_the_ground_go_straight_down_to_it),
+        cmocka_unit_test(contacts_are_drawn_unless_a_prologue_vetoes_them),
         cmocka_unit_test(null_callbacks_are_skipped_and_no_flag_draws_nothing),
         cmocka_unit_test(draw_refuses_null_and_places_out_of_range),
     };

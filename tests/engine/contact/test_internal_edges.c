@@ -280,6 +280,31 @@ static void corner_at_the_start_of_a_steep_line_is_met(void **state) {
 
 /* Turned tiles form a hill: a body rolls up, over the top and down, without leaving it or getting
  * stuck. */
+/* A tilted box glides along the ground. The manifold of its lower face with a tile has two points,
+ * which close at 2 m/s along the face's normal; that at the seam replaces it has one point, along
+ * the ground's normal, which does not close at all. */
+static void tilted_box_that_glides_over_seams_hits_nothing(void **state) {
+    (void)state;
+    const double tilt = 0.09, hx = 0.4, hy = 0.3, lowest = 0.004;
+    int touching = 0;
+    for (int i = 0; i < 100; i++) {
+        thud_world *world = make_world(weightless());
+        for (int k = 0; k < 8; k++) {
+            add_tile(world, k, -0.5, 0.5f, 0.5f, i % 2);
+        }
+        double y = lowest + hx * sin(tilt) + hy * cos(tilt);
+        thud_body_id box = add_body(world, THUD_BODY_DYNAMIC, 2.5 + 0.02 * i, y, tilt);
+        add_shape(world, box, (float)hx, (float)hy, false, NULL);
+        OK(thud_body_set_velocity(world, box, (thud_vec2){22, 0}, 0));
+        run(world, 1);
+        thud_events events = thud_events_of(world);
+        touching += events.begin_count;
+        assert_int_equal(events.hit_count, 0);
+        thud_world_destroy(world);
+    }
+    assert_true(touching >= 100);
+}
+
 static void rolling_over_a_hill_of_turned_tiles_follows_it(void **state) {
     (void)state;
     thud_world *world = make_world(thud_default_world_def());
@@ -350,6 +375,7 @@ int main(void) {
         cmocka_unit_test(box_and_ball_in_a_corner_rest_on_the_floor),
         cmocka_unit_test(floors_that_overlap_bear_all_the_same),
         cmocka_unit_test(corner_at_the_start_of_a_steep_line_is_met),
+        cmocka_unit_test(tilted_box_that_glides_over_seams_hits_nothing),
         cmocka_unit_test(rolling_over_a_hill_of_turned_tiles_follows_it),
         cmocka_unit_test(tiles_that_nothing_is_near_are_not_looked_at),
     };
