@@ -60,8 +60,8 @@ static void grip_sideways(const game *g, thud_body_id car, float ahead, double s
 }
 
 /* Drives a car towards its next gate, more slowly near the gate and in bends; after the last gate
- * it stops. Speeds are in m/s. The motor gives at most 16 N, and more in cars that start further
- * back. All these numbers are chosen. */
+ * it stops. Speeds are in m/s. The motor gives at most 16 N in the first car, and 2 N more in each
+ * that starts further back. All these numbers are chosen. */
 static void drive(const game *g, int i) {
     thud_vec2 gate, middle = {0, 0}, forward = {1, 0}; /* in the car's frame */
     thud_body_get_local_point(g->world, g->cars[i], sensors[g->passed[i] % GATES], &gate);
