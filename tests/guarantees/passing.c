@@ -32,18 +32,41 @@ static double max_test_speed(trial *t, thud_world *world, double thickness) {
     }
 }
 
-/* A random speed between a tenth of `max` and `max`, uniform in its logarithm. */
+/* Shots start between these x, at a speed between SLOWEST_SHARE of the largest and the largest. */
+#define FIRST_X_MIN (-3.0)
+#define FIRST_X_MAX (-1.0)
+#define SLOWEST_SHARE 0.1
+
+/* A random speed up to `max`, uniform in its logarithm. */
 static double draw_speed(trial *t, double max) {
-    return exp(trial_draw(t, log(0.1 * max), log(max)));
+    return exp(trial_draw(t, log(SLOWEST_SHARE * max), log(max)));
 }
 
-/* Reports shots whose origin has passed x = max_x. */
-static void expect_stopped(trial *t, thud_world *world, const thud_body_id *shot, double max_x) {
-    for (int i = 0; i < SHOTS && !trial_failed(t); i++) {
-        thud_body_state s = trial_state(t, world, shot[i]);
-        if (s.position.x > max_x) {
-            trial_fault(t, "shot %d, first at y %d, is at %g, %g", i, LANE_HEIGHT * i, s.position.x,
-                        s.position.y);
+/* Steps in which the slowest shot flies from FIRST_X_MIN to 0, and half a second at least. */
+static int steps_to_wall(const trial *t, double max_speed) {
+    double slowest = SLOWEST_SHARE * max_speed * t->step; /* a step */
+    return (int)fmax(trial_steps(t, 0.5), ceil(-FIRST_X_MIN / slowest));
+}
+
+/* Makes steps. Reports shots whose origin passes x = max_x, and those that keep their speed, so
+ * that they have met nothing. */
+static void expect_stopped(trial *t, thud_world *world, const thud_body_id *shot, int steps,
+                           double max_x) {
+    float first_speed[SHOTS];
+    for (int i = 0; i < SHOTS; i++) {
+        first_speed[i] = trial_state(t, world, shot[i]).velocity.x;
+    }
+    for (int k = 1; k <= steps && !trial_failed(t); k++) {
+        trial_run(t, world, 1);
+        for (int i = 0; i < SHOTS; i++) {
+            thud_body_state s = trial_state(t, world, shot[i]);
+            if (s.position.x > max_x) {
+                trial_fault(t, "step %d: shot %d, first at y %d, is at %g, %g", k, i,
+                            LANE_HEIGHT * i, s.position.x, s.position.y);
+            }
+            if (k == steps && s.velocity.x >= first_speed[i]) {
+                trial_fault(t, "shot %d has met nothing and is at x %g", i, s.position.x);
+            }
         }
     }
 }
@@ -54,7 +77,7 @@ static thud_body_id shoot(trial *t, thud_world *world, int i, double speed,
     return trial_add(t, world,
                      (part){.kind = THUD_BODY_DYNAMIC,
                             .form = (form)(i % FORMS),
-                            .x = trial_draw(t, -3, -1),
+                            .x = trial_draw(t, FIRST_X_MIN, FIRST_X_MAX),
                             .y = LANE_HEIGHT * i,
                             .angle = i % FORMS == TURNED ? trial_draw(t, -1, 1) : 0,
                             .hx = 0.3,
@@ -78,8 +101,7 @@ static void thin_static_walls_stop(trial *t) {
     for (int i = 0; i < SHOTS; i++) {
         shot[i] = shoot(t, world, i, draw_speed(t, max), NULL);
     }
-    trial_run(t, world, trial_steps(t, 0.5));
-    expect_stopped(t, world, shot, overlap ? 0.1 : 0);
+    expect_stopped(t, world, shot, steps_to_wall(t, max), overlap ? 0.1 : 0);
 }
 
 /* Half the height of a plate in moving_bodies_meet. */
@@ -130,29 +152,35 @@ static void moving_bodies_meet(trial *t) {
 }
 
 /* Of two detections in a pair the higher one decides (overlap < continuous < bisect < swept). Swept
- * shots meet a thin static wall at x = 0 in a world of any detection; in every second lane they
- * first meet a thin plate, which moves and has the world's detection. */
+ * shots meet a thin static wall at x = 2 in a world of any detection; in every second lane they
+ * meet a thin plate before it, which moves and has the world's detection. */
 static void bodies_own_detection_decides(trial *t) {
     thud_world *world = trial_make(t, trial_weightless(t));
-    thud_body_id shot[SHOTS];
+    thud_body_id shot[SHOTS], plate[SHOTS];
     if (!world) {
         return;
     }
-    trial_wall(t, world, 0.01, 0, 0.01, HIGH_WALL);
+    trial_wall(t, world, 2.01, 0, 0.01, HIGH_WALL);
     for (int i = 0; i < SHOTS; i++) {
         if (i % 2) {
-            trial_add(t, world,
-                      (part){.kind = THUD_BODY_DYNAMIC,
-                             .form = UPRIGHT,
-                             .x = -0.3,
-                             .y = LANE_HEIGHT * i,
-                             .hx = 0.02,
-                             .hy = 1});
+            plate[i] = trial_add(t, world,
+                                 (part){.kind = THUD_BODY_DYNAMIC,
+                                        .form = UPRIGHT,
+                                        .x = -0.3,
+                                        .y = LANE_HEIGHT * i,
+                                        .hx = 0.02,
+                                        .hy = 1});
         }
         shot[i] = shoot(t, world, i, draw_speed(t, UNLIMITED_SPEED), &thud_detection_swept);
     }
-    trial_run(t, world, 20);
-    expect_stopped(t, world, shot, 0);
+    expect_stopped(t, world, shot, 20, 2);
+    for (int i = 1; i < SHOTS; i += 2) {
+        double at = trial_state(t, world, shot[i]).position.x;
+        double plate_at = trial_state(t, world, plate[i]).position.x;
+        if (at > plate_at) {
+            trial_fault(t, "shot %d is at %g, past its plate at %g", i, at, plate_at);
+        }
+    }
 }
 
 enum { GAS_BODIES = 8 };
@@ -225,9 +253,10 @@ typedef struct ropes {
                                  world's unit */
 } ropes;
 
-/* Ties the bodies 0, 3, 6 and 9, which are balls, to a hook each. */
+/* Ties bodies that collide to a hook each; body 6 is a sensor. */
 static ropes make_ropes(yard *y) {
     static const double hooks[ROPES][2] = {{0, -6}, {12, 4}, {-12, 4}, {3, -6}};
+    static const int tied[ROPES] = {0, 3, 7, 9};
     trial *t = y->t;
     ropes r;
     for (int i = 0; i < ROPES; i++) {
@@ -235,7 +264,7 @@ static ropes make_ropes(yard *y) {
         thud_body_def hook = thud_default_body_def();
         thud_pos from = trial_place(t, hooks[i][0], hooks[i][1]);
         thud_body_state s = {.mass = 0};
-        def.body_b = y->body[3 * i];
+        def.body_b = y->body[tied[i]];
         hook.position = from;
         DO(t, thud_body_create(y->world, &hook, &def.body_a));
         DO(t, thud_body_get_state(y->world, def.body_b, &s));
