@@ -115,7 +115,7 @@ typedef struct td_anchor_rows {
  * and `turn_gap` are the gaps that the solver closes. */
 typedef struct td_lock_rows {
     td_applied_impulse applied;
-    f8 frame; /* 1: the frame turns with body a; 0: it is constant in the step */
+    f8 frame_turns; /* 1: the frame turns with body a; 0: it is constant in the step */
     union {
         f8 start_turn_gap; /* of a lock: gap of `turn` at the start of the step, rad */
         f8 rest_length;    /* of a rod */

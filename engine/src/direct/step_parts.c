@@ -74,8 +74,9 @@ static void set_sweeps(td_island_work *work, int i) {
     int kind = td_constraint_at(work->w, work->constraints[i])->kind;
     td_lane at = td_island_lane(work, i);
     const td_point *p = &at.block->point[0], *q = &at.block->point[1];
-    bool turns = kind == TD_CONSTRAINT_DRIVE_AXIS || kind == TD_CONSTRAINT_GEAR ||
-                 (kind == TD_CONSTRAINT_LOCK && td_lock_rows_at(at.block)->frame[at.lane] > 0.0f);
+    bool turns =
+        kind == TD_CONSTRAINT_DRIVE_AXIS || kind == TD_CONSTRAINT_GEAR ||
+        (kind == TD_CONSTRAINT_LOCK && td_lock_rows_at(at.block)->frame_turns[at.lane] > 0.0f);
     if (kind == TD_CONSTRAINT_DRIVE_TURN) {
         return;
     }

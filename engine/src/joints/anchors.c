@@ -38,14 +38,14 @@ static float sign_of(const td_joint *joint) {
     return joint->swapped ? -1.0f : 1.0f;
 }
 
-/* A lane of locked directions. rows->frame is 0 where both along and across are locked: the frame
- * is then that of the world, so that impulses that carry a weight keep their direction. */
+/* A lane of locked directions. rows->frame_turns is 0 where both along and across are locked: the
+ * frame is then that of the world, so that impulses that carry a weight keep their direction. */
 static void set_lock(const thud_world *w, td_block *block, int lane, const td_joint *joint) {
     td_lock_rows *rows = td_lock_rows_of(block);
     float sign = sign_of(joint);
     set_anchors(w, joint, &rows->anchor, lane);
     rows->locked[lane] = joint->locked;
-    rows->frame[lane] = (joint->locked & 3u) != 3u ? 1.0f : 0.0f;
+    rows->frame_turns[lane] = (joint->locked & 3u) != 3u ? 1.0f : 0.0f;
     rows->turn_sign[lane] = sign;
     block->tangent_cross_a[lane] = block->tangent_cross_b[lane] =
         joint->locked >> THUD_DIRECTION_TURN & 1u ? sign : 0.0f;

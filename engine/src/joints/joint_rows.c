@@ -217,7 +217,7 @@ void td_lock_update_rows(const thud_world *w, const td_block *block, int lane, c
     double u = (double)block->point[0].start_separation[lane],
            v = (double)block->point[1].start_separation[lane];
     double sign = (double)rows->turn_sign[lane], unit = (double)w->unit;
-    bool turns = rows->frame[lane] > 0.0f;
+    bool turns = rows->frame_turns[lane] > 0.0f;
     td_joint_frame end[2];
     double angle[2];
     for (int i = 0; i < 2; i++) {
@@ -245,7 +245,7 @@ bool td_lock_take_rows(const thud_world *w, td_block *block, int lane, const flo
     double no_motion[3] = {0.0, 0.0, 0.0}, sign = (double)rows->turn_sign[lane];
     td_joint_frame f = td_joint_frame_after(block, lane, (double)p[0].start_separation[lane],
                                             (double)p[1].start_separation[lane],
-                                            rows->frame[lane] > 0.0f, no_motion, no_motion);
+                                            rows->frame_turns[lane] > 0.0f, no_motion, no_motion);
     td_row_set(&c->row[0], TD_ROW_EQUALITY, f.x, f.y, f.a_u, f.b_u);
     td_row_set(&c->row[1], TD_ROW_EQUALITY, -f.y, f.x, f.a_v, f.b_v);
     td_row_set(&c->row[2], TD_ROW_EQUALITY, 0.0, 0.0, sign, sign);

@@ -251,7 +251,7 @@ static td_joint_frame frame_of(const tied_group *g, const td_lane *at) {
     td_joint_motion(g->w, at->block, at->lane, a, b);
     return td_joint_frame_after(at->block, at->lane, (double)p[0].start_separation[at->lane],
                                 (double)p[1].start_separation[at->lane],
-                                td_lock_rows_at(at->block)->frame[at->lane] > 0.0f, a, b);
+                                td_lock_rows_at(at->block)->frame_turns[at->lane] > 0.0f, a, b);
 }
 
 /* The locked directions of a lane: turn, along, across. Each sees the motion that the one before

@@ -29,7 +29,7 @@ static void count(thud_world *w, const td_block *block) {
         td_joint_motion(w, block, lane, a, b);
         td_joint_frame f = td_joint_frame_after(block, lane, (double)p[0].start_separation[lane],
                                                 (double)p[1].start_separation[lane],
-                                                rows->frame[lane] > 0.0f, a, b);
+                                                rows->frame_turns[lane] > 0.0f, a, b);
         float missed[] = {td_joint_speed(w, block, lane, f.x, f.y, f.a_u, f.b_u),
                           td_joint_speed(w, block, lane, -f.y, f.x, f.a_v, f.b_v),
                           td_joint_speed(w, block, lane, 0.0, 0.0, sign, sign)};

@@ -76,7 +76,8 @@ TD_INLINE void solve_lock(td_block *block, const softness *s, const td_solve_con
     td_point *p = &block->point[0], *q = &block->point[1];
     td_lock_rows *h = td_lock_rows_of(block);
     sides v = read_sides(c->velocity, block, a_static), d = read_sides(c->delta, block, a_static);
-    frame8 f = frame_now(block, &d, a_static, p->start_separation, q->start_separation, h->frame);
+    frame8 f =
+        frame_now(block, &d, a_static, p->start_separation, q->start_separation, h->frame_turns);
     lock_matrix k = lock_matrix_of(block, &v, a_static, &f);
     h->turn_gap = h->start_turn_gap + h->turn_sign * (a_static ? d.b.z : d.b.z - d.a.z);
     p->separation = f8_keep(k.has_u, f.gap_u);
@@ -131,7 +132,7 @@ TD_INLINE void warm_start(td_block *const *blocks, int count, const td_solve_con
         f8 u = p->normal_impulse, v = q->normal_impulse, x = block->nx, y = block->ny;
         f8 moment = td_lock_rows_of(block)->turn_sign * block->tangent_impulse;
         /* In a frame that turns with a, a's arm ends at b's anchor: a_u - gap_v, a_v + gap_u. */
-        f8 turns = td_lock_rows_of(block)->frame;
+        f8 turns = td_lock_rows_of(block)->frame_turns;
         td_applied_impulse *applied = &td_lock_rows_of(block)->applied;
         f8 a_u = p->cross_a - turns * q->start_separation,
            a_v = q->cross_a + turns * p->start_separation;
@@ -173,8 +174,8 @@ TD_INLINE void brace(td_block *const *blocks, int count, const td_solve_context 
         td_lock_rows *h = td_lock_rows_of(block);
         sides v = read_sides(c->velocity, block, a_static),
               d = read_sides(c->delta, block, a_static);
-        frame8 f =
-            frame_now(block, &d, a_static, p->start_separation, q->start_separation, h->frame);
+        frame8 f = frame_now(block, &d, a_static, p->start_separation, q->start_separation,
+                             h->frame_turns);
         f8 u = p->normal_impulse, w = q->normal_impulse;
         f8 turn = h->turn_sign * block->tangent_impulse;
         replace_impulse(block, a_static, &v, &h->applied, f.x * u - f.y * w, f.y * u + f.x * w,
