@@ -316,11 +316,14 @@ static double mass_of(const thud_world *w, const td_block *block, int lane) {
 }
 
 /* A spring for a part of duration h = `time`, by the implicit midpoint rule, which keeps its
- * energy: its mean force is -k (x + h v / 2) - c v for its displacement x at the start of the part,
- * mean speed v, stiffness k and damping c. That is a soft row, impulse = weight * (target - v),
- * with weight = h / 2 (h k / 2 + c),  target = -k x / (h k / 2 + c). x is start_separation of point
- * 1, the displacement at the start of the step, plus `moved`, that from there to the start of the
- * part. Sets weight and max_impulse of the row; returns the target speed. */
+ * energy. Its displacement at the start of the part is x, its mean speed v, its stiffness k and its
+ * damping c. Its mean force is
+ *     -k (x + h v / 2) - c v,
+ * which is a soft row, impulse = weight * (target - v), with
+ *     weight = h / 2 (h k / 2 + c),  target = -k x / (h k / 2 + c).
+ * x is start_separation of point 1, the displacement at the start of the step, plus `moved`, the
+ * motion from there to the start of the part. Sets weight and max_impulse of the row; returns the
+ * target speed. */
 static double update_spring(const thud_world *w, const td_block *block, int lane,
                             td_direct_row *row, double moved, double time) {
     const td_drive_rows *r = td_drive_rows_at(block);
