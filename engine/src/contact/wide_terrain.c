@@ -69,8 +69,8 @@ enum { PLACE_SHIFT = 8 };
 
 /* The places of the centres of mass of the bodies b, rounded down to units of place, modulo 2^32.
  * The difference of two is the motion between them, within one unit, however far from the origin
- * they are. A motion by 256 length scales would be taken for none; only a teleport moves a body so
- * far, and has its contacts with terrain computed anew (state/changes.c). */
+ * they are. A motion by just 256 length scales would be taken for none: a teleport, which may be
+ * that long, has the body's contacts with terrain computed anew (state/changes.c). */
 TD_INLINE void read_mass_centres(const thud_world *w, const td_block *block, i8 *x, i8 *y) {
     int32_t px[TD_LANES], py[TD_LANES];
     for (int i = 0; i < TD_LANES; i++) {
