@@ -146,20 +146,24 @@ void play_cast_circle_all(fuzz_session *s) {
     ALL(s, thud_circle_at(0, 0, radius));
 }
 
+/* A turned box about the origin. It is made before the call: TRY calls in the floating-point mode
+ * of the session, in which the last bits of sine and cosine would differ. */
+static thud_geometry box_of(thud_vec2 half, double angle) {
+    return thud_obb_at(0, 0, widened(half.x), widened(half.y), angle);
+}
+
 void play_cast_box(fuzz_session *s) {
     way w = pick_way(s);
     thud_vec2 half = pick_sizes(s);
-    double angle = pick_angle(s);
-    double half_x = widened(half.x), half_y = widened(half.y);
-    FIRST(s, thud_obb_at(0, 0, half_x, half_y, angle));
+    thud_geometry box = box_of(half, pick_angle(s));
+    FIRST(s, box);
 }
 
 void play_cast_box_all(fuzz_session *s) {
     way w = pick_way(s);
     thud_vec2 half = pick_sizes(s);
-    double angle = pick_angle(s);
-    double half_x = widened(half.x), half_y = widened(half.y);
-    ALL(s, thud_obb_at(0, 0, half_x, half_y, angle));
+    thud_geometry box = box_of(half, pick_angle(s));
+    ALL(s, box);
 }
 
 /* ---- overlaps, and the closest ---- */
@@ -186,10 +190,8 @@ void play_overlap_aabb(fuzz_session *s) {
 void play_overlap_obb(fuzz_session *s) {
     way w = pick_way(s);
     thud_vec2 half = pick_sizes(s);
-    double angle = pick_angle(s);
-    double half_x = widened(half.x), half_y = widened(half.y);
-    TRY(s, thud_world_overlap_shape(s->world, w.from, thud_obb_at(0, 0, half_x, half_y, angle),
-                                    FILTER(w), session_overlap, s));
+    thud_geometry box = box_of(half, pick_angle(s));
+    TRY(s, thud_world_overlap_shape(s->world, w.from, box, FILTER(w), session_overlap, s));
 }
 
 void play_closest(fuzz_session *s) {
