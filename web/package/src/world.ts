@@ -225,7 +225,7 @@ export class World extends WorldShapes {
    * the time of the next `advance`. Torques add up.
    * @throws {ThudError} "invalid", also for a body that is not dynamic; "stale"; "memory" inside a
    * callback.
-   * @example world.applyTorque(wheel, -3)
+   * @example world.applyTorque(ball, -3)
    */
   applyTorque(body: BodyRef, torque: number): void {
     this.on(Kind.body, "api_body_apply_torque", body, torque);
