@@ -2,7 +2,9 @@
 #include "driven.h"
 #include "operations.h"
 
+#include <math.h>
 #include <thud/thud_joint.h>
+#include <thud/thud_joint_at.h>
 
 static thud_joint_id pick_joint(fuzz_session *s) {
     unsigned byte = next_byte(&s->bytes);
@@ -160,6 +162,41 @@ void play_linkage(fuzz_session *s) {
     if (l.form == LOOP && l.count > 2) {
         tie_links(s, &l, l.count - 1, 0);
     }
+}
+
+/* ---- joints at places in the world ---- */
+
+void play_joint_at(fuzz_session *s) {
+    thud_body_id a = pick_body(s), b = pick_body(s);
+    thud_pos from = pick_place(s), to = pick_place(s);
+    double angle = pick_angle(s);
+    thud_vec2 axis = {(float)cos(angle), (float)sin(angle)};
+    thud_joint_def def = COUNTED(thud_hinge_at(s->world, a, b, from));
+    switch (next_choice(&s->bytes, 7)) {
+    case 1:
+        def = COUNTED(thud_weld_at(s->world, a, b, from));
+        break;
+    case 2:
+        def = COUNTED(thud_slider_at(s->world, a, b, from, axis));
+        break;
+    case 3:
+        def = COUNTED(thud_wheel_at(s->world, a, b, from, axis));
+        break;
+    case 4:
+        def = COUNTED(thud_target_at(s->world, a, b, from));
+        break;
+    case 5:
+        def = COUNTED(thud_rod_at(s->world, a, b, from, to));
+        break;
+    case 6:
+        def = COUNTED(thud_rope_at(s->world, a, b, from, to, pick_size(s)));
+        break;
+    default:
+        break;
+    }
+    thud_joint_id joint = COUNTED(thud_joint_make(s->world, def));
+    note_bits(s, joint.index1);
+    s->now.joints[s->now.next_joint++ % SESSION_JOINTS] = joint;
 }
 
 void play_joint_destroy(fuzz_session *s) {

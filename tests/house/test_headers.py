@@ -23,7 +23,7 @@ THUD_API thud_result thud_world_cast_ray(thud_world *world, thud_pos from, doubl
 PURE = """/* thud_geometry.h: geometry. */
 THUD_API bool thud_shapes_meet(const thud_shape *a, double x, double y, const thud_pos *points);
 """
-ALL = "".join(f'#include "{name}.h"\n' for name in ("thud", "thud_limits", "thud_shapes"))
+ALL = "".join(f'#include "{name}.h"\n' for name in ("thud", "thud_limits", "thud_geometry"))
 ENGINE = "if (density <= THUD_DENSITY_MAX && angle <= THUD_ANGLE_MAX) {\n    return 1e300;\n}\n"
 TABLE = """#define LIMITS(FIELD, CALL) \\
     FIELD(thud_shape_def, density, density, 0, THUD_DENSITY_MAX, shape) \\

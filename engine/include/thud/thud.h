@@ -106,8 +106,8 @@ typedef struct thud_world_def {
     bool sleeping; /* default true. An island (bodies that constraints connect) falls asleep once
                       each of its bodies has been slower than 0.05 length scales a second for 0.5 s,
                       and no gap of a joint and no overlap in it closes faster than that */
-    bool contact_events; /* collect begin, end and hit events; default true. Sensor events are
-                            collected in any case */
+    bool contact_events;      /* collect begin, end and hit events; default true. Sensor events are
+                                 collected in any case */
     thud_allocator allocator; /* default (all zero): the C library's */
     thud_log_fn *log;     /* default null: no log; where thud is built without NDEBUG the default is
                              thud_log_to_stderr */
@@ -149,9 +149,9 @@ THUD_API thud_result thud_world_step(thud_world *world);
 
 /* Advances the world by `elapsed` seconds, in [0, THUD_ADVANCE_MAX]: runs the whole steps that fit
  * into it together with the time that earlier calls left over, but at most `max_steps` (>= 1), and
- * drops the time of further steps. *out_steps: the number of steps run. *out_alpha, in [0, 1): the time
- * left over as a fraction of a step, for thud_world_get_poses. Call it once a frame; the motion
- * does not depend on the frame rate:
+ * drops the time of further steps. *out_steps: the number of steps run. *out_alpha, in [0, 1): the
+ * time left over as a fraction of a step, for thud_world_get_poses. Call it once a frame; the
+ * motion does not depend on the frame rate:
  *
  * Events, meetings, broken joints and impulses (thud_events_of and so on) are afterwards those
  * of all steps of the call, in order; none if it ran no step.
@@ -162,10 +162,10 @@ THUD_API thud_result thud_world_step(thud_world *world);
  * one frame. For forces that shall act in a single step, or that depend on positions or velocities
  * of bodies, as those of thud_fields.h, use `before` of thud_world_advance_with.
  *
- * Where a step runs out of memory the call returns THUD_ERROR_MEMORY; *out_steps, *out_alpha and the events
- * are those of the steps before it, and the rest of the time waits for the next call. If it was the
- * first step, nothing has changed. THUD_ERROR_NULL; THUD_ERROR_INVALID for a value out of range;
- * THUD_ERROR_LOCKED inside a callback. */
+ * Where a step runs out of memory the call returns THUD_ERROR_MEMORY; *out_steps, *out_alpha and
+ * the events are those of the steps before it, and the rest of the time waits for the next call. If
+ * it was the first step, nothing has changed. THUD_ERROR_NULL; THUD_ERROR_INVALID for a value out
+ * of range; THUD_ERROR_LOCKED inside a callback. */
 THUD_API thud_result thud_world_advance(thud_world *world, double elapsed, int max_steps,
                                         int *out_steps, double *out_alpha);
 
@@ -304,9 +304,9 @@ THUD_API thud_result thud_body_set_enabled(thud_world *world, thud_body_id body,
 /* Does not wake the body, and takes effect at once. */
 THUD_API thud_result thud_body_set_user_data(thud_world *world, thud_body_id body,
                                              uint64_t user_data);
-/* Writes up to `capacity` (>= 0) handles of the body's shapes to `out`, unless it is null. *out_count,
- * unless `out_count` is null, is the number of shapes of the body. THUD_ERROR_NULL, THUD_ERROR_STALE,
- * THUD_ERROR_INVALID for a negative capacity. */
+/* Writes up to `capacity` (>= 0) handles of the body's shapes to `out`, unless it is null.
+ * *out_count, unless `out_count` is null, is the number of shapes of the body. THUD_ERROR_NULL,
+ * THUD_ERROR_STALE, THUD_ERROR_INVALID for a negative capacity. */
 THUD_API thud_result thud_body_get_shapes(const thud_world *world, thud_body_id body,
                                           thud_shape_id *out, int capacity, int *out_count);
 
@@ -410,8 +410,11 @@ THUD_API thud_result thud_world_get_poses(thud_world *world, thud_pos origin, do
 static inline const thud_pose *thud_poses_of(thud_world *world, thud_pos origin, double alpha,
                                              int *out_count) {
     const thud_pose *poses = NULL;
-    *out_count = 0;
-    thud_world_get_poses(world, origin, alpha, &poses, out_count);
+    int count = 0;
+    thud_world_get_poses(world, origin, alpha, &poses, &count);
+    if (out_count) {
+        *out_count = count;
+    }
     return poses;
 }
 

@@ -64,8 +64,8 @@ THUD_API thud_result thud_world_cast_shapes(thud_world *world, const thud_shape_
  * that was made inside the callback that asks. Output pointers must not be null, but those of
  * thud_shape_cast_ray. */
 
-/* The first hit of the ray on the shape. *out_hit: whether there is one; if not, *out is not written. A
- * ray that starts inside the shape does not hit it. */
+/* The first hit of the ray on the shape. *out_hit: whether there is one; if not, *out is not
+ * written. A ray that starts inside the shape does not hit it. */
 THUD_API thud_result thud_shape_cast_ray(thud_world *world, thud_shape_id shape, thud_pos origin,
                                          double dx, double dy, bool *out_hit, thud_ray_hit *out);
 
@@ -80,8 +80,8 @@ THUD_API thud_result thud_shape_closest_point(thud_world *world, thud_shape_id s
 
 /* The smallest axis-aligned box around the shape, or around the line of a terrain.
  * THUD_ERROR_INVALID for flat terrain, which has no ends. */
-THUD_API thud_result thud_shape_get_bounds(thud_world *world, thud_shape_id shape, thud_pos *out_lower,
-                                           thud_pos *out_upper);
+THUD_API thud_result thud_shape_get_bounds(thud_world *world, thud_shape_id shape,
+                                           thud_pos *out_lower, thud_pos *out_upper);
 
 #ifdef __cplusplus
 }

@@ -35,8 +35,8 @@ typedef struct thud_body_shape {
 } thud_body_shape;
 
 /* Creates a body and `count` (>= 0) shapes. If any part is refused nothing is made, and the result
- * is that of the call for this part alone. The handles are written to *out_body and, in the order of
- * `shapes`, to shape_ids, which has room for `count`; both may be null.
+ * is that of the call for this part alone. The handles are written to *out_body and, in the order
+ * of `shapes`, to shape_ids, which has room for `count`; both may be null.
  *
  *     thud_body_create_with_shapes(world, &def, &(thud_body_shape){thud_circle_at(0, 0, 0.5)}, 1,
  *                                  &ball, NULL);

@@ -56,8 +56,8 @@ THUD_API thud_explosion thud_default_explosion(void);
 
 /* Applies impulses to the dynamic bodies around the centre, away from it, at once; inside a
  * callback through the next step, as impulses do (thud_forces.h), with THUD_ERROR_MEMORY where
- * memory is short. *out_pushed (may be null): the number of bodies that got an impulse. Sleeping bodies
- * wake.
+ * memory is short. *out_pushed (may be null): the number of bodies that got an impulse. Sleeping
+ * bodies wake.
  *
  * The side of a shape that faces the centre is divided into `rays` pieces of equal width, measured
  * at a right angle to the direction from the centre to the shape's nearest point; parts beyond the

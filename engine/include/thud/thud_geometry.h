@@ -117,8 +117,8 @@ THUD_API bool thud_geometry_cast_ray(const thud_geometry *shape, thud_segment ra
                                      double *out_fraction, double *out_nx, double *out_ny);
 
 /* The first time in [0, 1] at which the moving shapes come within the distance `target` ([0,
- * THUD_COORDINATE_MAX]) of each other; *out_hit = false and *out_time = 1 if they never do. Shapes that
- * start within the target hit at 0. Without rotation the time is in closed form, exact up to
+ * THUD_COORDINATE_MAX]) of each other; *out_hit = false and *out_time = 1 if they never do. Shapes
+ * that start within the target hit at 0. Without rotation the time is in closed form, exact up to
  * rounding. With rotation it is found by conservative advancement (B. Mirtich, Impulse-based
  * dynamic simulation, 1996), which ends when the distance is within 1e-10 of the shapes' size of
  * the target. The time is never late; it is early where the shapes rotate close to each other for
@@ -137,9 +137,9 @@ THUD_API thud_result thud_geometry_approach(const thud_geometry *a, thud_motion 
 /* The time at which moving shapes that are apart at time 0 and overlap at time 1 began to overlap,
  * by bisection over the motion. At *out_time, in [0, 1), they are still apart; at some time within
  * `tolerance` after it they overlap. tolerance, in [THUD_TOLERANCE_MIN, 1], is a fraction of the
- * motion; each halving of it costs one overlap test. *out_collided = false and *out_time = 1 where the
- * shapes are apart at the end, whatever happened in between (see thud_geometry_is_bisectable), or
- * overlap at the start. */
+ * motion; each halving of it costs one overlap test. *out_collided = false and *out_time = 1 where
+ * the shapes are apart at the end, whatever happened in between (see thud_geometry_is_bisectable),
+ * or overlap at the start. */
 THUD_API thud_result thud_geometry_time_of_collision(const thud_geometry *a, thud_motion motion_a,
                                                      const thud_geometry *b, thud_motion motion_b,
                                                      double tolerance, bool *out_collided,
@@ -191,8 +191,8 @@ THUD_API thud_result thud_terrain_check(const thud_terrain *terrain);
 THUD_API thud_result thud_terrain_sample_at(const thud_terrain *terrain, double x,
                                             thud_terrain_sample *out);
 
-/* The first and last segment that the interval [x_min, x_max] touches; *out_first > *out_last if there are
- * none. */
+/* The first and last segment that the interval [x_min, x_max] touches; *out_first > *out_last if
+ * there are none. */
 THUD_API void thud_terrain_segments(const thud_terrain *terrain, double x_min, double x_max,
                                     int *out_first, int *out_last);
 
@@ -229,7 +229,8 @@ THUD_API thud_result thud_terrain_time_of_impact(const thud_terrain *terrain,
 /* As thud_geometry_time_of_collision, for a shape that moves against terrain at rest. */
 THUD_API thud_result thud_terrain_time_of_collision(const thud_terrain *terrain,
                                                     const thud_geometry *shape, thud_motion motion,
-                                                    double tolerance, bool *out_collided, double *out_time);
+                                                    double tolerance, bool *out_collided,
+                                                    double *out_time);
 
 #ifdef __cplusplus
 }

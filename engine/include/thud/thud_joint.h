@@ -237,8 +237,11 @@ THUD_API thud_result thud_world_get_joint_events(const thud_world *world,
 static inline const thud_joint_event *thud_joint_events_of(const thud_world *world,
                                                            int *out_count) {
     const thud_joint_event *events = NULL;
-    *out_count = 0;
-    thud_world_get_joint_events(world, &events, out_count);
+    int count = 0;
+    thud_world_get_joint_events(world, &events, &count);
+    if (out_count) {
+        *out_count = count;
+    }
     return events;
 }
 

@@ -46,8 +46,7 @@ THUD_API thud_joint_def thud_rod_at(const thud_world *world, thud_body_id body_a
                                     thud_body_id body_b, thud_pos from, thud_pos to);
 /* A rope: keeps them at most `length` apart, (0, THUD_JOINT_LENGTH_MAX] length scales. */
 THUD_API thud_joint_def thud_rope_at(const thud_world *world, thud_body_id body_a,
-                                     thud_body_id body_b, thud_pos from, thud_pos to,
-                                     float length);
+                                     thud_body_id body_b, thud_pos from, thud_pos to, float length);
 
 /* Creates the joint, and returns its handle; the null handle where it is refused, for the reasons
  * of thud_joint_create, which the log is told. */

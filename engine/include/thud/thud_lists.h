@@ -45,7 +45,8 @@ THUD_API thud_result thud_world_get_shapes(const thud_world *world, thud_shape_i
 /* The number of slots that have ever been used: the slots of all bodies and shapes are below it.
  * The slot of a body is its index in thud_world_get_poses, index1 - 1. Either output may be null.
  * The numbers only decrease by thud_world_restore. */
-THUD_API thud_result thud_world_get_slot_counts(const thud_world *world, int *out_bodies, int *out_shapes);
+THUD_API thud_result thud_world_get_slot_counts(const thud_world *world, int *out_bodies,
+                                                int *out_shapes);
 /* The handle of the body or shape in a slot, or the null handle. THUD_ERROR_INVALID for a slot that
  * is negative or was never used; THUD_ERROR_NULL. */
 THUD_API thud_result thud_world_get_body_at(const thud_world *world, int slot, thud_body_id *out);
@@ -101,7 +102,8 @@ THUD_API thud_result thud_world_get_moved_bodies(const thud_world *world, thud_b
  * with the next step. The call is a pass over the contacts of the sensor's body. THUD_ERROR_STALE;
  * THUD_ERROR_INVALID for a shape that is no sensor. */
 THUD_API thud_result thud_shape_get_sensor_overlaps(const thud_world *world, thud_shape_id sensor,
-                                                    thud_shape_id *out, int capacity, int *out_count);
+                                                    thud_shape_id *out, int capacity,
+                                                    int *out_count);
 
 /* ---- the bodies of the shapes of a contact or an event ---- */
 

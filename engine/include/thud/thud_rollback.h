@@ -66,10 +66,10 @@ THUD_API thud_result thud_rollback_input(thud_rollback *rollback, int player, in
                                          uint64_t input);
 
 /* Runs again the steps with a wrong prediction, and then the next step. While an input of `depth`
- * steps ago is not known, the next step is not run and *out_made (may be null) is false: wait for the
- * other peers. Where `step` fails, or memory is short (THUD_ERROR_MEMORY), the call returns that
- * error. World and state are then at the beginning of the step that failed, or still at that of a
- * later one, and the next call starts from there. */
+ * steps ago is not known, the next step is not run and *out_made (may be null) is false: wait for
+ * the other peers. Where `step` fails, or memory is short (THUD_ERROR_MEMORY), the call returns
+ * that error. World and state are then at the beginning of the step that failed, or still at that
+ * of a later one, and the next call starts from there. */
 THUD_API thud_result thud_rollback_advance(thud_rollback *rollback, bool *out_made);
 /* Runs again the steps with a wrong prediction, and no further step: world and state then follow
  * from all known inputs. Fails as thud_rollback_advance. */
@@ -96,8 +96,8 @@ static inline thud_rollback_progress thud_progress_of(const thud_rollback *rollb
  * before the next one. Up to `confirmed` the hash is the same on all peers; if it is not, `step` is
  * not deterministic. Either output may be null. Runs wrongly predicted steps again first, and fails
  * as thud_rollback_settle; THUD_ERROR_INVALID for a step that is not kept. */
-THUD_API thud_result thud_rollback_get_state(thud_rollback *rollback, int64_t step, uint64_t *out_hash,
-                                             void *out_state);
+THUD_API thud_result thud_rollback_get_state(thud_rollback *rollback, int64_t step,
+                                             uint64_t *out_hash, void *out_state);
 
 #ifdef __cplusplus
 }

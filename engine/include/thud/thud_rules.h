@@ -64,8 +64,8 @@ THUD_API thud_rule thud_default_rule(void);
 THUD_API thud_result thud_world_set_rule(thud_world *world, uint32_t first, uint32_t second,
                                          const thud_rule *rule);
 /* Gets the rule of two kinds, one bit each: *out is the rule, or the default; *out_is_set: whether
- * there is one; *out_reversed: whether it was set with `second` as the first kind. Each output may be
- * null. */
+ * there is one; *out_reversed: whether it was set with `second` as the first kind. Each output may
+ * be null. */
 THUD_API thud_result thud_world_get_rule(const thud_world *world, uint32_t first, uint32_t second,
                                          thud_rule *out, bool *out_is_set, bool *out_reversed);
 
@@ -106,8 +106,11 @@ THUD_API thud_result thud_world_get_impulse_events(const thud_world *world,
 static inline const thud_impulse_event *thud_impulse_events_of(const thud_world *world,
                                                                int *out_count) {
     const thud_impulse_event *events = NULL;
-    *out_count = 0;
-    thud_world_get_impulse_events(world, &events, out_count);
+    int count = 0;
+    thud_world_get_impulse_events(world, &events, &count);
+    if (out_count) {
+        *out_count = count;
+    }
     return events;
 }
 

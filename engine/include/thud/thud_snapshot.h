@@ -43,10 +43,11 @@ extern "C" {
  * touching pair about 0.25 kB. THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback. */
 THUD_API thud_result thud_world_get_snapshot_size(const thud_world *world, size_t *out_bytes);
 
-/* Writes a snapshot to `buffer` of `capacity` bytes, which needs no alignment; *out_bytes (may be null)
- * is its size. The call makes two passes over the bytes, allocates nothing and does not change the
- * world. THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_INVALID where `capacity`
- * is less than the size by thud_world_get_snapshot_size. The buffer is then not written. */
+/* Writes a snapshot to `buffer` of `capacity` bytes, which needs no alignment; *out_bytes (may be
+ * null) is its size. The call makes two passes over the bytes, allocates nothing and does not
+ * change the world. THUD_ERROR_NULL; THUD_ERROR_LOCKED inside a callback; THUD_ERROR_INVALID where
+ * `capacity` is less than the size by thud_world_get_snapshot_size. The buffer is then not written.
+ */
 THUD_API thud_result thud_world_snapshot(const thud_world *world, void *buffer, size_t capacity,
                                          size_t *out_bytes);
 
@@ -85,7 +86,8 @@ THUD_API thud_result thud_world_save(thud_world *world, const char *path, const 
  * THUD_ERROR_INVALID also for a file that does not exist or cannot be read, is cut short, damaged
  * or not written by thud_world_save, and where it was saved with another number of `bytes`. Then
  * world and `out_own` are as they were. */
-THUD_API thud_result thud_world_load(thud_world *world, const char *path, void *out_own, size_t bytes);
+THUD_API thud_result thud_world_load(thud_world *world, const char *path, void *out_own,
+                                     size_t bytes);
 
 #ifdef __cplusplus
 }

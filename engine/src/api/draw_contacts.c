@@ -51,7 +51,8 @@ void td_draw_contacts(const td_drawing *d) {
         td_lane at = td_lane_of(w, contact);
         thud_contact seen = td_contact_view(w, at.block, at.lane);
         if (seen.point_count == 0) {
-            continue; /* muted in the last step (td_surface_mute): vetoed, let through, or bouncing */
+            continue; /* muted in the last step (td_surface_mute): vetoed, let through, or bouncing
+                       */
         }
         thud_vec2 p = td_drawing_local(d, td_place_from(w, seen.point));
         draw_point(d, p, THUD_STYLE_CONTACT);

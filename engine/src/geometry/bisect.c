@@ -36,7 +36,8 @@ static bool overlap_at(const void *pair, double time) {
 
 thud_result thud_geometry_time_of_collision(const thud_geometry *a, thud_motion motion_a,
                                             const thud_geometry *b, thud_motion motion_b,
-                                            double tolerance, bool *out_collided, double *out_time) {
+                                            double tolerance, bool *out_collided,
+                                            double *out_time) {
     if (!a || !b || !out_collided || !out_time) {
         return THUD_ERROR_NULL;
     }

@@ -310,7 +310,8 @@ thud_result thud_minkowski_sum(const thud_geometry *a, const thud_geometry *b,
     return THUD_OK;
 }
 
-thud_result thud_minkowski_contains(const thud_minkowski *sum, double x, double y, bool *out_inside) {
+thud_result thud_minkowski_contains(const thud_minkowski *sum, double x, double y,
+                                    bool *out_inside) {
     if (!sum || !out_inside) {
         return THUD_ERROR_NULL;
     }
@@ -321,8 +322,8 @@ thud_result thud_minkowski_contains(const thud_minkowski *sum, double x, double 
     return THUD_OK;
 }
 
-thud_result thud_minkowski_distance(const thud_minkowski *sum, double x, double y, double *out_distance,
-                                    double *out_nx, double *out_ny) {
+thud_result thud_minkowski_distance(const thud_minkowski *sum, double x, double y,
+                                    double *out_distance, double *out_nx, double *out_ny) {
     if (!sum || !out_distance || !out_nx || !out_ny) {
         return THUD_ERROR_NULL;
     }

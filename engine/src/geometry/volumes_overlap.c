@@ -87,7 +87,8 @@ static bool in_box(const thud_volume *box, const thud_volume *inner) {
     return td_abs(u) + hu <= box->hx && td_abs(v) + hv <= box->hy;
 }
 
-thud_result thud_volume_contains(const thud_volume *outer, const thud_volume *inner, bool *out_inside) {
+thud_result thud_volume_contains(const thud_volume *outer, const thud_volume *inner,
+                                 bool *out_inside) {
     if (!outer || !inner || !out_inside) {
         return THUD_ERROR_NULL;
     }

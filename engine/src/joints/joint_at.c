@@ -3,9 +3,9 @@
  * an x axis at the angle u has the position R(-t) (q - p) and the angle u - t. */
 #include "thud/thud_joint_at.h"
 
-#include "base/base.h"
-#include "base/simd.h"
-#include "base/trig.h"
+#include "state/body.h"
+#include "thud/thud_forces.h"
+#include "thud/thud_reads.h"
 
 /* The angle of the vector (x, y), radians, in (-pi, pi], to 1e-15; not a number for (0, 0). With
  * (x, y) in the right half plane tan(angle / 2) = y / (x + |(x, y)|); two more halvings,
@@ -28,17 +28,20 @@ static double angle_of(double x, double y) {
     return x >= 0.0 ? angle : (y < 0.0 ? -TD_PI : TD_PI) - angle;
 }
 
-/* The frame of a place in a body. Where the handle names no body it stays the default. */
+/* Sets the frame of a place in a body. Where the body or the place is none, the position is not a
+ * number, and thud_joint_create refuses the def. */
 static void place_frame(const thud_world *w, thud_body_id id, thud_pos place, double axis_angle,
                         thud_joint_frame *frame) {
-    thud_body_state body;
-    if (thud_body_get_state(w, id, &body) != THUD_OK) {
-        return;
+    double body_angle = 0.0;
+    if (thud_body_get_local_point(w, id, place, &frame->position) != THUD_OK) {
+        frame->position.x = __builtin_nanf("");
     }
-    double s, c, x = place.x - body.position.x, y = place.y - body.position.y;
-    td_sincos(body.angle, &s, &c);
-    frame->position = (thud_vec2){(float)(c * x + s * y), (float)(c * y - s * x)};
-    frame->angle = axis_angle - body.angle;
+    thud_body_get_rotation(w, id, &body_angle, NULL, NULL);
+    frame->angle = axis_angle - body_angle;
+}
+
+static bool is_number(float x) {
+    return x == x;
 }
 
 static thud_joint_def def_at(const thud_world *w, thud_joint_kind kind, thud_body_id a,
@@ -84,8 +87,12 @@ thud_joint_def thud_rod_at(const thud_world *w, thud_body_id a, thud_body_id b, 
                            thud_pos to) {
     TD_IN_OWN_FLOAT_MODE;
     thud_joint_def def = def_at(w, THUD_JOINT_DISTANCE, a, b, from, to, 0.0);
-    double x = to.x - from.x, y = to.y - from.y;
-    def.length = (float)__builtin_sqrt(x * x + y * y);
+    if (is_number(def.frame_a.position.x) && is_number(def.frame_b.position.x)) {
+        td_position start = td_place_from(w, from), end = td_place_from(w, to);
+        double x = (double)(end.x - start.x) / w->to_fixed;
+        double y = (double)(end.y - start.y) / w->to_fixed;
+        def.length = (float)__builtin_sqrt(x * x + y * y);
+    }
     return def;
 }
 

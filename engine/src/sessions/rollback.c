@@ -333,7 +333,8 @@ thud_result thud_rollback_advance(thud_rollback *r, bool *out_made) {
     return THUD_OK;
 }
 
-thud_result thud_rollback_get_state(thud_rollback *r, int64_t step, uint64_t *out_hash, void *out_state) {
+thud_result thud_rollback_get_state(thud_rollback *r, int64_t step, uint64_t *out_hash,
+                                    void *out_state) {
     thud_result result = thud_rollback_settle(r);
     if (result != THUD_OK) {
         return result;

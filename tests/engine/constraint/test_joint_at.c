@@ -2,6 +2,7 @@
  * closed, at any pose of their bodies, and move as joints made from frames by hand. */
 #include "joint_support.h"
 
+#include <thud/thud_edits.h>
 #include <thud/thud_joint_at.h>
 #include <thud/thud_reads.h>
 
@@ -69,11 +70,13 @@ static void joints_at_places_are_closed(void **state) {
     thud_world_destroy(p.world);
 }
 
-/* A slider's motor moves b along the axis in the world, whatever the angles of the bodies. */
+/* A slider's motor moves b along the axis in the world, whatever the angles of the bodies. The other
+ * body is static, so that nothing turns. */
 static void axis_is_a_direction_in_the_world(void **state) {
     (void)state;
     for (int i = 0; i < 8; i++) {
         pair p = make_pair();
+        OK(thud_body_set_kind(p.world, p.a, THUD_BODY_STATIC));
         double angle = 0.3 + i * PI / 4;
         thud_vec2 axis = {(float)cos(angle), (float)sin(angle)};
         thud_joint_def def = thud_slider_at(p.world, p.a, p.b, p.place, axis);
@@ -81,9 +84,9 @@ static void axis_is_a_direction_in_the_world(void **state) {
         def.drive[THUD_DIRECTION_ALONG].motor_force = 1e6f;
         assert_true(thud_joint_is_valid(p.world, thud_joint_make(p.world, def)));
         OK(thud_world_step(p.world));
-        thud_vec2 a = thud_velocity_of(p.world, p.a), b = thud_velocity_of(p.world, p.b);
-        near_to(b.x - a.x, 2 * axis.x, 0.02);
-        near_to(b.y - a.y, 2 * axis.y, 0.02);
+        thud_vec2 velocity = thud_velocity_of(p.world, p.b);
+        near_to(velocity.x, 2 * axis.x, 0.02);
+        near_to(velocity.y, 2 * axis.y, 0.02);
         thud_world_destroy(p.world);
     }
 }

@@ -25,7 +25,8 @@ static void both_forms_hear_and_do_the_same(void **state) {
         for (int form = 0; form < FORMS; form++) {
             ear *e = &ears[form];
             thud_world_def def = def_with(d);
-            thud_world_def_set_baseline_simd(&def, form == 3); /* blocks of eight lanes at once, or in two halves */
+            thud_world_def_set_baseline_simd(
+                &def, form == 3); /* blocks of eight lanes at once, or in two halves */
             thud_world *world = make_scene(def, bodies);
             thud_listeners listeners = of_form(form, e);
             *e = (ear){0};

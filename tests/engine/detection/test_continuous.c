@@ -74,11 +74,38 @@ static void fast_sliding_along_a_floor_is_not_stopped(void **state) {
     thud_world_destroy(world);
 }
 
+/* A restitution of 1 throws a ball off at 180 length/s, which the step clamps to its maximum speed
+ * of 100; a force has acted against it. The ball meets a wall in that step and is held there,
+ * without what the force gave it for the rest of the step: that must not take it beyond the
+ * maximum. */
+static void held_body_stays_within_maximum_speed(void **state) {
+    (void)state;
+    thud_world_def def = weightless();
+    thud_shape_def elastic = thud_default_shape_def();
+    elastic.restitution = 1;
+    def.maximum_speed = 100;
+    thud_world *world = make_world(def);
+    thud_body_id wall = add_body(world, THUD_BODY_STATIC, -0.5, 0, 0);
+    add_shape(world, wall, 0.01f, 10, true, NULL);
+    thud_body_id ball = add_body(world, THUD_BODY_DYNAMIC, 0, 0, 0);
+    add_shape(world, ball, 0.1f, 0, false, &elastic);
+    thud_body_id heavy = add_body(world, THUD_BODY_DYNAMIC, 0.6, 0, 0);
+    add_shape(world, heavy, 0.5f, 0, false, &elastic);
+    OK(thud_body_set_velocity(world, heavy, (thud_vec2){-90, 0}, 0));
+    float force = 50 * state_of(world, ball).mass / (float)def.time_step;
+    OK(thud_body_apply_center_force(world, ball, (thud_vec2){force, 0}));
+    run(world, 1);
+    assert_int_equal(thud_stats_of(world).held_bodies, 2); /* the heavy one meets the wall too */
+    near_to((double)state_of(world, ball).velocity.x, -100, 1e-3);
+    thud_world_destroy(world);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nothing_passes_a_thin_wall_or_the_ground),
         cmocka_unit_test(without_it_a_bullet_passes),
         cmocka_unit_test(fast_sliding_along_a_floor_is_not_stopped),
+        cmocka_unit_test(held_body_stays_within_maximum_speed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
