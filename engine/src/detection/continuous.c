@@ -267,9 +267,8 @@ void td_hold_at(thud_world *w, td_awake_slot slot, double time) {
     td_errors_undo_gravity_work(w, slot, x, y);
     for (int k = 0; k < 3; k++) {
         delta[k] = (float)((double)delta[k] * time);
-        velocity[k] -=
-            (float)td_gain_clamped(w, k,
-                                   (double)((float)(w->substeps * remaining) * substep_gain[k]));
+        double gain = (double)((float)(w->substeps * remaining) * substep_gain[k]);
+        velocity[k] = td_velocity_without_gain(w, k, velocity[k], gain);
     }
     pose.center.x += td_length_from(w, delta[0]);
     pose.center.y += td_length_from(w, delta[1]);

@@ -78,7 +78,7 @@ static void remove_remaining_gain(thud_world *w, td_awake_slot slot, const td_tr
     const float *substep_gain = td_row(&w->substep_gain, slot);
     for (int k = 0; k < 3 && !f->free; k++) {
         double gain = w->substeps * (1.0 - f->since) * (double)substep_gain[k];
-        velocity[k] -= (float)td_gain_clamped(w, k, gain);
+        velocity[k] = td_velocity_without_gain(w, k, velocity[k], gain);
     }
 }
 

@@ -95,13 +95,27 @@ static inline double td_motion_held(const thud_world *w, int axis, double motion
     return td_clamp(motion, -max, max);
 }
 
+/* The bound to which a step clamps the velocity along an axis: length/s, of the spin (axis 2)
+ * rad/s. */
+static inline double td_speed_max(const thud_world *w, int axis) {
+    return axis < 2 ? (double)(w->def.maximum_speed * w->unit) : (double)THUD_ANGULAR_SPEED_MAX;
+}
+
 /* Clamps a velocity that gravity and forces gave within a step and that is removed again. Substeps
- * clamp velocities to the maximum speed (length/s; spin in rad/s), so that a gain is at most twice
- * that: from the one bound to the other. */
+ * clamp velocities to the maximum speed, so that a gain is at most twice that: from the one bound
+ * to the other. */
 static inline double td_gain_clamped(const thud_world *w, int axis, double gain) {
-    double max =
-        axis < 2 ? (double)(w->def.maximum_speed * w->unit) : (double)THUD_ANGULAR_SPEED_MAX;
+    double max = td_speed_max(w, axis);
     return td_clamp(gain, -2.0 * max, 2.0 * max);
+}
+
+/* The velocity of a body that is held at its place without what gravity and forces gave it in the
+ * rest of the step. It may be at the bound already, where an impulse acted against that gain, and
+ * is clamped again. */
+static inline float td_velocity_without_gain(const thud_world *w, int axis, float velocity,
+                                             double gain) {
+    double max = td_speed_max(w, axis);
+    return (float)td_clamp((double)(velocity - (float)td_gain_clamped(w, axis, gain)), -max, max);
 }
 
 /* The trajectory of an awake body, by its slot, for changes. */
