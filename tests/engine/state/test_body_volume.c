@@ -74,18 +74,11 @@ static void body_volume_refuses_bad_input_and_leaves_the_answer(void **state) {
     thud_world_destroy(world);
 }
 
-/* A body, to which an epilogue adds a shape. */
-typedef struct addition {
-    thud_world *world;
-    thud_body_id body;
-} addition;
-
-static void add_circle(const thud_contact *contact, const thud_contact_result *result,
-                       void *context) {
-    addition *a = context;
+/* An epilogue that adds a circle to the body *context. */
+static void add_circle(thud_world *world, const thud_contact *contact, void *context) {
+    const thud_body_id *body = context;
     (void)contact;
-    (void)result;
-    add_shape(a->world, a->body, 1, 0, false, NULL);
+    add_shape(world, *body, 1, 0, false, NULL);
 }
 
 /* A shape that was made inside a callback waits for the next step. A body with no other has no
@@ -95,18 +88,18 @@ static void body_volume_leaves_out_shapes_that_wait(void **state) {
     thud_world *world = make_world(weightless());
     add_ball(world, 0, 0, 1);
     add_ball(world, 1.9, 0, 1);
-    addition a = {world, add_body(world, THUD_BODY_DYNAMIC, 10, 0, 0)};
-    set_listeners(world, NULL, add_circle, &a);
+    thud_body_id body = add_body(world, THUD_BODY_DYNAMIC, 10, 0, 0);
+    set_listeners(world, NULL, add_circle, &body);
     run(world, 1);
     set_listeners(world, NULL, NULL, NULL);
-    assert_int_equal(state_of(world, a.body).shape_count, 1);
+    assert_int_equal(state_of(world, body).shape_count, 1);
     thud_volume v = {.x = 42};
     thud_pos here = {0, 0};
-    assert_int_equal(thud_body_get_volume(world, a.body, THUD_SHAPE_AABB, here, &v),
+    assert_int_equal(thud_body_get_volume(world, body, THUD_SHAPE_AABB, here, &v),
                      THUD_ERROR_INVALID);
     assert_true(v.x == 42);
     run(world, 1);
-    OK(thud_body_get_volume(world, a.body, THUD_SHAPE_AABB, here, &v));
+    OK(thud_body_get_volume(world, body, THUD_SHAPE_AABB, here, &v));
     near_to(v.x, 10, 1e-6);
     thud_world_destroy(world);
 }
