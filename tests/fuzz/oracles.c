@@ -200,10 +200,10 @@ static void check_statistics(fuzz_session *s) {
                   t.bodies, t.awake_bodies, t.direct_bodies, t.held_bodies, t.unbisectable,
                   t.shapes, t.pairs, t.contacts, t.substeps, t.colours, t.blocks);
     }
-    const int counts[] = {t.bodies,        t.shapes,       t.awake_bodies, t.contacts,
-                          t.colours,       t.blocks,       t.substeps,     t.direct_islands,
-                          t.direct_bodies, t.soft_islands, t.factorings,   t.impacts,
-                          t.held_bodies,   t.unbisectable, t.motion_pairs};
+    const int counts[] = {t.bodies,         t.shapes,        t.awake_bodies, t.pairs,
+                          t.contacts,       t.colours,       t.blocks,       t.substeps,
+                          t.direct_islands, t.direct_bodies, t.soft_islands, t.factorings,
+                          t.impacts,        t.held_bodies,   t.unbisectable, t.motion_pairs};
     for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {
         note_bits(s, (uint64_t)counts[i]);
     }
