@@ -44,7 +44,7 @@ static double draw_speed(trial *t, double max) {
 
 /* Steps in which the slowest shot flies from FIRST_X_MIN to 0, and half a second at least. */
 static int steps_to_wall(const trial *t, double max_speed) {
-    double slowest = SLOWEST_SHARE * max_speed * t->step; /* a step */
+    double slowest = SLOWEST_SHARE * max_speed * t->step; /* length scales a step */
     return (int)fmax(trial_steps(t, 0.5), ceil(-FIRST_X_MIN / slowest));
 }
 
