@@ -70,8 +70,8 @@ static void joints_at_places_are_closed(void **state) {
     thud_world_destroy(p.world);
 }
 
-/* A slider's motor moves b along the axis in the world, whatever the angles of the bodies. The other
- * body is static, so that nothing turns. */
+/* A slider's motor moves b along the axis in the world, whatever the angles of the bodies. The
+ * other body is static, so that nothing turns. */
 static void axis_is_a_direction_in_the_world(void **state) {
     (void)state;
     for (int i = 0; i < 8; i++) {
