@@ -37,7 +37,7 @@ thud_result thud_world_get_poses(thud_world *w, thud_pos origin, double alpha,
                                  const thud_pose **out, int *out_count) {
     TD_IN_OWN_FLOAT_MODE;
     if (!w || !out || !out_count) {
-        return td_refuse(w, THUD_ERROR_NULL, "poses: world or output is null");
+        return THUD_ERROR_NULL;
     }
     thud_result result = td_check_place(w, "poses: x or y of origin", origin.x, origin.y);
     result = result != THUD_OK ? result : td_check(w, "poses: alpha", alpha, 0.0, 1.0);

@@ -26,9 +26,9 @@ thud_result thud_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 forc
     }
     double max = (double)THUD_FORCE_MAX;
     td_reason why;
-    if (!td_in(&why, "apply force at: x of force", (double)force.x, -max, max) ||
-        !td_in(&why, "apply force at: y of force", (double)force.y, -max, max) ||
-        !td_in_world(w, &why, "apply force at: x or y of point", point.x, point.y)) {
+    if (!td_in(&why, "apply force: x of force", (double)force.x, -max, max) ||
+        !td_in(&why, "apply force: y of force", (double)force.y, -max, max) ||
+        !td_in_world(w, &why, "apply force: x or y of point", point.x, point.y)) {
         return td_refuse(w, THUD_ERROR_INVALID, why.text);
     }
     td_position place = td_place_from(w, point), center = td_pose_at(w, index)->center;
@@ -36,7 +36,7 @@ thud_result thud_body_apply_force(thud_world *w, thud_body_id id, thud_vec2 forc
     double x = (double)(place.x - center.x) / w->to_fixed * (double)force.y;
     double y = (double)(place.y - center.y) / w->to_fixed * (double)force.x;
     if (!(is_push(x) && is_push(y) && is_push(x - y))) {
-        return td_refuse(w, THUD_ERROR_INVALID, "apply force at: its torque is out of range");
+        return td_refuse(w, THUD_ERROR_INVALID, "apply force: its torque is out of range");
     }
     return td_body_apply_force(w, id, force, (float)(x - y));
 }

@@ -85,7 +85,7 @@ static int append_handle(const thud_world *w, int index, thud_joint_id *out, int
 static thud_result check_list(const thud_world *w, const thud_joint_id *out, int capacity,
                               const int *out_count) {
     if (!w || !out_count || (!out && capacity > 0)) {
-        return td_refuse(w, THUD_ERROR_NULL, "list of joints: world or output is null");
+        return THUD_ERROR_NULL;
     }
     return capacity >= 0 ? THUD_OK
                          : td_refuse(w, THUD_ERROR_INVALID, "list of joints: capacity is negative");
